@@ -53,10 +53,12 @@ pub fn audit(source: &Source, seeds: Seeds, renderer: &Renderer) -> Audit {
         Ok(problem) => {
             let problem = Arc::new(problem);
             let idle = idle_requires(&problem, seeds.drawn);
-            let forms = (0..problem.forms().len())
-                .filter_map(|form| form_audit(&problem, form, seeds, renderer, &idle).ok())
-                .collect();
-            of(Some(problem.id().to_owned()), None, forms)
+            let audits = (0..problem.forms().len()).map(|form| form_audit(&problem, form, seeds, renderer, &idle));
+            let (forms, fault) = match audits.collect::<Result<_, _>>() {
+                Ok(forms) => (forms, None),
+                Err(reason) => (Vec::new(), Some(reason.to_string())),
+            };
+            of(Some(problem.id().to_owned()), fault, forms)
         }
     }
 }

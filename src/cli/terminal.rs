@@ -22,15 +22,20 @@ fn is_obeyed(letter: char) -> bool {
 fn shown(text: &str, codes: &[&str]) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
-    while let Some(letter) = rest.chars().next() {
-        let whole = codes.iter().chain(&["\r\n"]).find(|code| rest.starts_with(**code));
-        let length = whole.map_or(letter.len_utf8(), |code| code.len());
-        match whole {
-            Some(code) => shown.push_str(code),
-            None if is_obeyed(letter) => shown.extend(letter.escape_unicode()),
-            None => shown.push(letter),
+    loop {
+        let code = codes.iter().chain(&["\r\n"]).find_map(|code| Some((code, rest.strip_prefix(code)?)));
+        if let Some((code, behind)) = code {
+            shown.push_str(code);
+            rest = behind;
+            continue;
         }
-        rest = rest.get(length..).unwrap_or_default();
+        let mut letters = rest.chars();
+        match letters.next() {
+            Some(letter) if is_obeyed(letter) => shown.extend(letter.escape_unicode()),
+            Some(letter) => shown.push(letter),
+            None => break,
+        }
+        rest = letters.as_str();
     }
     shown
 }

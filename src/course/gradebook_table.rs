@@ -28,21 +28,17 @@ impl Gradebook {
     /// The table, as comma-separated values. No cell is a formula to a spreadsheet.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let mut table = csv::Writer::from_writer(Vec::new());
+        let line =
+            |cells: Vec<String>| cells.iter().map(|cell| quoted(&defused(cell))).collect::<Vec<_>>().join(",") + "\n";
         let headings = self.columns.iter().map(|own| own.heading.as_str());
-        let mut write = |cells: Vec<String>| {
-            let cells: Vec<_> = cells.iter().map(|cell| defused(cell)).collect();
-            // Writing to memory cannot fail.
-            let _ = table.write_record(cells.iter().map(|cell| cell.as_bytes()));
-        };
-        write(FRONT.into_iter().chain(headings).chain(BACK).map(str::to_owned).collect());
-        for row in &self.rows {
+        let head = line(FRONT.into_iter().chain(headings).chain(BACK).map(str::to_owned).collect());
+        let rows = self.rows.iter().map(|row| {
             let front = [&row.login, &row.name, &row.section].map(Clone::clone);
-            let marks = row.marks.iter().map(|mark| mark.points().map(decimal).unwrap_or_default());
+            let marks = row.marks.iter().map(|mark| mark.points().map_or_else(String::new, decimal));
             let back = [decimal(&row.total), self.out_of.to_string()];
-            write(front.into_iter().chain(marks).chain(back).collect());
-        }
-        String::from_utf8(table.into_inner().unwrap_or_default()).unwrap_or_default()
+            line(front.into_iter().chain(marks).chain(back).collect())
+        });
+        std::iter::once(head).chain(rows).collect()
     }
 
     /// Reads the points of a table that was written for these columns.
@@ -95,10 +91,15 @@ impl Gradebook {
     }
 }
 
+/// A cell as it stands between commas.
+fn quoted(cell: &str) -> String {
+    if cell.contains([',', '"', '\r', '\n']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.to_owned() }
+}
+
 /// A fraction as a decimal number, rounded where it is none of few digits.
 fn decimal(points: &Rational) -> String {
     let scale = 10_u32.pow(DECIMALS);
-    let scaled = i128::try_from((points * Rational::from(scale)).round()).unwrap_or_default();
+    let scaled = (points * Rational::from(scale)).round();
     let text = crate::quantity::Decimal::from_scaled(scaled, DECIMALS).to_string();
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

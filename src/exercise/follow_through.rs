@@ -51,7 +51,7 @@ impl Marking<'_> {
             if !diagnose::is_open(own.verdict) {
                 continue;
             }
-            let relevant = earlier.get(earlier.len().saturating_sub(MOST_EARLIER)..).unwrap_or_default();
+            let relevant = earlier.split_at(earlier.len().saturating_sub(MOST_EARLIER)).1;
             if let Some(found) = self.followed(place, relevant) {
                 let flagged = found.unphysical.is_some();
                 own.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };

@@ -348,5 +348,5 @@ fn roots_joined(roots: Vec<Math>) -> Vec<Inline> {
 
 /// The label of a part: a, b, c, ...
 fn letter(index: usize) -> String {
-    char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string()
+    ('a'..='z').cycle().nth(index).into_iter().collect()
 }

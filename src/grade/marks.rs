@@ -24,19 +24,17 @@ impl fmt::Display for Points {
             };
         }
         let scaled = (&self.0 * Rational::from(10_u32.pow(DECIMALS))).round();
-        let printed = Decimal::from_scaled(i128::try_from(scaled).unwrap_or_default(), DECIMALS).to_string();
+        let printed = Decimal::from_scaled(scaled, DECIMALS).to_string();
         out.write_str(printed.trim_end_matches('0').trim_end_matches('.'))
     }
 }
 
 impl Serialize for Points {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let value = self.0.to_f64().value();
-        // A whole number of points is written as one.
-        if self.0.is_int() {
-            serializer.serialize_i64(i64::try_from(self.0.numerator()).unwrap_or_default())
-        } else {
-            serializer.serialize_f64(value)
+        match i64::try_from(self.0.numerator()) {
+            // A whole number of points is written as one.
+            Ok(whole) if self.0.is_int() => serializer.serialize_i64(whole),
+            _ => serializer.serialize_f64(self.0.to_f64().value()),
         }
     }
 }

@@ -90,8 +90,8 @@ impl Decimal {
     /// assert_eq!(Decimal::from_scaled(-250, 2).to_string(), "-2.50");
     /// ```
     #[must_use]
-    pub fn from_scaled(unscaled: i128, scale: u32) -> Self {
-        Self::new(Integer::from(unscaled), i32::try_from(scale).unwrap_or(i32::MAX))
+    pub fn from_scaled(unscaled: impl Into<Integer>, scale: u32) -> Self {
+        Self::new(unscaled.into(), i32::try_from(scale).unwrap_or(i32::MAX))
     }
 
     /// `unscaled / 10^scale`; a negative scale stands for zeros that are not figures.
@@ -320,7 +320,7 @@ fn few_digits(mut number: u64, room: &mut [u8; MOST_DIGITS]) -> &str {
             break;
         }
     }
-    room.get(MOST_DIGITS - written..).and_then(|digits| std::str::from_utf8(digits).ok()).unwrap_or_default()
+    std::str::from_utf8(room.split_at(MOST_DIGITS - written).1).unwrap_or_default()
 }
 
 /// The digits without the sign.

@@ -32,7 +32,7 @@ pub(super) fn too_deep(tex: &str) -> Option<usize> {
     // other; and the signs behind the last of these.
     let (mut levels, mut chain, mut signs) = (0, 0, 0);
     let mut rest = tex;
-    while let Some(token) = token(rest) {
+    while let Some((token, behind)) = token(rest) {
         let begun = match token {
             "{" => Some("}"),
             "[" => Some("]"),
@@ -62,7 +62,7 @@ pub(super) fn too_deep(tex: &str) -> Option<usize> {
         if levels + chain > DEEPEST {
             return Some(tex.len() - rest.len());
         }
-        rest = rest.get(token.len()..).unwrap_or_default();
+        rest = behind;
     }
     None
 }
@@ -76,19 +76,16 @@ fn ended(groups: &[Group], token: &str) -> Option<usize> {
     }
 }
 
-/// A command with its letters, an escaped sign, or one sign.
-fn token(tex: &str) -> Option<&str> {
-    let mut signs = tex.char_indices();
-    let (_, first) = signs.next()?;
-    let length = match (first, signs.next()) {
-        ('\\', Some((start, letter))) if letter.is_ascii_alphabetic() => {
-            let name = tex.get(start..).unwrap_or_default();
-            start + name.find(|sign: char| !sign.is_ascii_alphabetic()).unwrap_or(name.len())
-        }
-        ('\\', Some((start, sign))) => start + sign.len_utf8(),
-        _ => first.len_utf8(),
-    };
-    tex.get(..length)
+/// A command with its letters, an escaped sign, or one sign; and what stands behind it.
+fn token(tex: &str) -> Option<(&str, &str)> {
+    let mut signs = tex.chars();
+    let first = signs.next()?;
+    let mut length = first.len_utf8();
+    if first == '\\' {
+        let letters = signs.clone().take_while(char::is_ascii_alphabetic).count();
+        length += letters.max(signs.next().map_or(0, char::len_utf8));
+    }
+    tex.split_at_checked(length)
 }
 
 fn is_command(token: &str) -> bool {

@@ -21,6 +21,11 @@ impl Parameters {
         self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
     }
 
+    /// What stands in a field; an empty text where it is not there.
+    pub(super) fn text(&self, name: &str) -> &str {
+        self.get(name).unwrap_or_default()
+    }
+
     /// Whether a name is there, but without a value.
     pub(super) fn is_empty(&self, name: &str) -> bool {
         self.0.iter().find(|(own, _)| own == name).is_some_and(|(_, value)| value.trim().is_empty())
@@ -58,7 +63,7 @@ impl Parameters {
     /// The variant of a problem that the fields name: `form`, `seed`, values of the reader's own as `set.m_A`, and in `find` names
     /// between spaces or commas.
     pub(super) fn variant(&self, problem: String) -> Result<VariantRequest, Refused> {
-        let names = self.get("find").unwrap_or_default().split([' ', ',']).filter(|name| !name.is_empty());
+        let names = self.text("find").split([' ', ',']).filter(|name| !name.is_empty());
         let find = names.map(str::to_owned).collect();
         let form = self.get("form").map(str::to_owned);
         Ok(VariantRequest { problem, form, seed: self.number("seed")?.unwrap_or(1), set: self.behind("set."), find })

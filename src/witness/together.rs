@@ -166,12 +166,12 @@ fn moment(parts: &[&Film], sources: &[Vec<(&Film, usize)>], instant: Instant) ->
         sources.iter().map(of_body).collect()
     };
     let first =
-        |vectors: &[Vec<f64>], body: usize| vectors.get(body).and_then(|own| own.first()).copied().unwrap_or(0.0);
+        |vectors: &[Vec<f64>], body: usize| vectors.get(body).and_then(|own| own.first()).copied().unwrap_or(f64::NAN);
     let positions = vectors(&|moment, body| first(&moment.positions, body))?;
     let velocities = vectors(&|moment, body| first(&moment.velocities, body))?;
-    let masses: Vec<f64> = vectors(&|moment, body| moment.masses.get(body).copied().unwrap_or(0.0))?
+    let masses: Vec<f64> = vectors(&|moment, body| moment.masses.get(body).copied().unwrap_or(f64::NAN))?
         .iter()
-        .map(|own| own.first().copied().unwrap_or(0.0))
+        .map(|own| own.first().copied().unwrap_or(f64::NAN))
         .collect();
     let count = sources.first().map_or(0, Vec::len);
     let weighed = |vectors: &[Vec<f64>]| -> Vec<f64> {

@@ -64,7 +64,7 @@ pub(super) fn stays(
                     let part = |of: &[Vec<f64>], axis: usize| {
                         of.get(body).and_then(|own| own.get(axis)).copied().unwrap_or(0.0)
                     };
-                    let mass = moment.masses.get(body).copied().unwrap_or(0.0);
+                    let mass = moment.masses.get(body).copied().unwrap_or(f64::NAN);
                     let arm: [f64; 3] = std::array::from_fn(|axis| part(&moment.positions, axis) - from[axis]);
                     let velocity: [f64; 3] = std::array::from_fn(|axis| part(&moment.velocities, axis));
                     let turning =

@@ -10,6 +10,7 @@ use words::{code_of, mentions};
 
 mod cycles;
 mod reading;
+mod silence;
 mod words;
 
 /// The rooms from left to right. A room imports what stands before its own place; rooms of one place never each other.

@@ -270,7 +270,11 @@ impl<'a> Quantities<'a> {
     pub(super) fn velocity(&self, body: &str, instant: usize) -> Option<[f64; 2]> {
         let name = self.velocity_name(body, instant);
         match &self.axes[..] {
-            [] => Some([self.named(&format!("{name}.r")).unwrap_or(0.0), self.named(&format!("{name}.theta"))?]),
+            [] => {
+                // What only turns has no component away from the centre.
+                let radial = self.model().symbol_of(&format!("{name}.r"));
+                Some([radial.map_or(Some(0.0), |radial| self.value(radial))?, self.named(&format!("{name}.theta"))?])
+            }
             [_] => self.along_axes(&[self.named(&name)?]),
             axes => {
                 let components = axes.iter().map(|axis| self.named(&format!("{name}.{}", axis.letter())));

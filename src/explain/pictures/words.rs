@@ -182,10 +182,10 @@ pub(super) fn situation_wording(quantities: &Quantities<'_>, bodies: &[(String, 
 pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
     let arrow = |moving: &Moving| {
         let kind = KINDS.iter().find(|(role, _)| *role == moving.role).map_or("", |(_, kind)| kind);
-        let (label, value) = (moving.vector.label.plain(), moving.vector.value.unwrap_or_default());
-        let direction = match value {
-            [0.0, 0.0] => ", which is zero".to_owned(),
-            value if flat => format!(" {}", on_paper(value)),
+        let label = moving.vector.label.plain();
+        let direction = match moving.vector.value {
+            Some([0.0, 0.0]) => ", which is zero".to_owned(),
+            Some(value) if flat => format!(" {}", on_paper(value)),
             _ => String::new(),
         };
         let angle =

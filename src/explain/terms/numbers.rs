@@ -206,7 +206,7 @@ impl Display<'_> {
     /// A term with what is told in place of its symbols, each in its own unit.
     pub(in crate::explain) fn as_told(self, expr: &Expr) -> Math {
         expr.layout(&|symbol| {
-            let (value, unit) = self.worked.variant.given(symbol).unwrap_or((Decimal::from(0), Unit::none()));
+            let Some((value, unit)) = self.worked.variant.given(symbol) else { return self.leaf(symbol) };
             let math = with_unit(number_math(Printed::written(&value).plain()), &unit);
             Leaf { math, kind: LeafKind::Number { negative: value.is_negative() } }
         })

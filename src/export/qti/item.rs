@@ -145,17 +145,17 @@ fn between(field: &Field<'_>, low: f64, high: f64) -> Element {
 
 fn declaration(field: &Field<'_>) -> Element {
     let (kind, right) = match &field.asked {
-        Asked::Number(number) => ("float", printed(number)),
+        Asked::Number(number) => ("float", Some(printed(number))),
         Asked::Choice(options) => {
-            let right = options.iter().position(|own| own.right).unwrap_or_default();
-            ("identifier", choice(right + 1))
+            let right = options.iter().zip(1..).find(|(own, _)| own.right);
+            ("identifier", right.map(|(_, place)| choice(place)))
         }
     };
     element("response-declaration")
         .with("identifier", response(field))
         .with("cardinality", "single")
         .with("base-type", kind)
-        .holding(element("correct-response").holding(value(right)))
+        .holding_all(right.map(|right| element("correct-response").holding(value(right))))
 }
 
 fn outcome(name: &str, kind: &str) -> Element {

@@ -25,7 +25,7 @@ pub(super) struct Target<'a> {
     tolerance: f64,
     allowance: f64,
     turn: Option<f64>,
-    exact: OnceCell<Exact>,
+    exact: OnceCell<Option<Exact>>,
 }
 
 /// The same in exact numbers.
@@ -119,13 +119,18 @@ impl<'a> Target<'a> {
         if distance > limit_near + unsure {
             return false;
         }
-        self.exact.get_or_init(|| Exact::of(self.expected, self.allowance)).is_within(number, limit)
+        let exact = self.exact.get_or_init(|| Exact::of(self.expected, self.allowance));
+        exact.as_ref().is_some_and(|exact| exact.is_within(number, limit))
     }
 }
 
 impl Exact {
-    fn of(expected: &ExpectedNumber, allowance: f64) -> Self {
-        let value = expected.exact.clone().unwrap_or_else(|| rational(expected.value));
+    /// `None` where the right value is no number: nothing is near it.
+    fn of(expected: &ExpectedNumber, allowance: f64) -> Option<Self> {
+        let value = match &expected.exact {
+            Some(exact) => exact.clone(),
+            None => Rational::try_from(expected.value).ok()?,
+        };
         let error = if expected.exact.is_some() { Rational::ZERO } else { bound(expected.error) };
         let turn = expected.cyclic.then(|| full_turn(&expected.unit)).flatten();
         let value = match &turn {
@@ -138,7 +143,7 @@ impl Exact {
             Tolerance::Absolute(distance) => distance.to_rational().abs(),
             Tolerance::Relative(fraction) => fraction.to_rational().abs() * exact_reference(expected, &value),
         };
-        Self { value, error, tolerance, allowance: bound(allowance), turn }
+        Some(Self { value, error, tolerance, allowance: bound(allowance), turn })
     }
 
     fn is_within(&self, number: &Number, limit: Limit) -> bool {
@@ -217,13 +222,23 @@ fn full_turn(unit: &Unit) -> Option<Rational> {
     (!turn.is_zero()).then(|| turn.value().into_owned())
 }
 
-/// A double as a rational; zero where it is not finite.
-fn rational(value: f64) -> Rational {
-    Rational::try_from(value).unwrap_or_default()
-}
-
 /// The size of a bound that was computed in double precision, a trifle widened so that it includes its boundary; nothing
 /// where it is not finite.
 fn bound(value: f64) -> Rational {
     Number::rounded(value).map_or(Rational::ZERO, |number| number.value().into_owned().abs() + number.slack())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_near_what_is_no_number() {
+        for value in [f64::NAN, f64::INFINITY] {
+            let expected = ExpectedNumber::new(value, Unit::none());
+            let target = Target::new(&expected);
+            let zero = Number::exact(Rational::ZERO);
+            assert!(!target.within_tolerance(&zero) && !target.within_allowance(&zero), "{value}");
+        }
+    }
 }

@@ -80,14 +80,13 @@ impl Out {
 /// Writes out these characters, the first of which stands at `place`; within a unit unknown commands are words.
 fn expand(text: &[char], place: usize, depth: usize, in_unit: bool, out: &mut Out) {
     let mut at = 0;
-    while let Some(first) = text.get(at) {
+    while let Some([first, rest @ ..]) = text.get(at..) {
         let here = place + at;
         if *first == '~' && at > 0 {
             out.push(" ", here);
             at += 1;
             continue;
         }
-        let rest = text.get(at + 1..).unwrap_or_default();
         if *first != '\\' || depth >= MAX_DEPTH {
             out.push(first.encode_utf8(&mut [0; 4]), here);
             at += 1;
@@ -163,8 +162,8 @@ fn command(name: &str, reader: &mut Arguments<'_>, place: usize, depth: usize, i
         out.push(if PREFIXES.contains(&name) { "" } else { " " }, here);
         if PREFIXES.contains(&name) && reader.text.get(reader.at) == Some(&'\\') {
             // The unit follows its prefix at once.
-            let rest = reader.text.get(reader.at + 1..).unwrap_or_default();
-            let unit: String = rest.iter().take_while(|next| next.is_ascii_alphabetic()).collect();
+            let rest = reader.text.iter().skip(reader.at + 1);
+            let unit: String = rest.take_while(|next| next.is_ascii_alphabetic()).collect();
             out.push(&unit, here);
             out.push(" ", here);
             reader.at += 1 + unit.len();

@@ -5,7 +5,7 @@ use crate::quantity::Decimal;
 use crate::quantity::unit_of_place;
 
 /// The most values that a given may have.
-const MOST_VALUES: i128 = 1 << 40;
+const MOST_VALUES: u64 = 1 << 40;
 /// The most decimals behind the point.
 const MOST_DECIMALS: u32 = 18;
 
@@ -47,8 +47,8 @@ impl Domain {
     /// ```
     #[must_use]
     pub fn pick(&self, word: u64) -> u64 {
-        let product = u128::from(word) * u128::from(self.count());
-        u64::try_from(product >> 64).unwrap_or(0)
+        let (_, whole) = word.carrying_mul(self.count(), 0);
+        whole
     }
 
     /// The value of that number; the last one where the number is too large.
@@ -114,12 +114,11 @@ impl Grid {
                 format!("write `max: {}` or `max: {}`, or another step", at(steps), at(steps + 1)),
             ));
         }
-        let count = steps + 1;
-        if count > MOST_VALUES {
-            let message = format!("these are {count} values; a given has at most 2^40");
-            return Err(range(message, "choose a coarser step".to_owned()));
-        }
-        Ok(Self { low, step: step_scaled, scale, count: u64::try_from(count).unwrap_or(1) })
+        let count = u64::try_from(steps + 1).ok().filter(|count| *count <= MOST_VALUES).ok_or_else(|| {
+            let message = format!("these are {} values; a given has at most 2^40", steps + 1);
+            range(message, "choose a coarser step".to_owned())
+        })?;
+        Ok(Self { low, step: step_scaled, scale, count })
     }
 
     /// The least value.
@@ -136,8 +135,8 @@ impl Grid {
 
     fn scaled(self, index: u64) -> i64 {
         // The last value fits, so every value before it does.
-        let steps = i64::try_from(index.min(self.count - 1)).unwrap_or(0);
-        self.low.saturating_add(self.step.saturating_mul(steps))
+        let steps = self.step.unsigned_abs().saturating_mul(index.min(self.count - 1));
+        self.low.saturating_add_unsigned(steps)
     }
 
     fn value_f64(self, index: u64) -> f64 {

@@ -82,8 +82,9 @@ fn numbers(text: &str) -> impl Iterator<Item = (f64, &str)> {
                 rest.strip_prefix('/').filter(|below| below.starts_with(|next: char| next.is_ascii_digit()))
             {
                 let length = digits(below);
-                number /= below[..length].parse::<f64>().unwrap_or(1.0);
                 rest = &below[length..];
+                let Ok(below) = below[..length].parse::<f64>() else { continue };
+                number /= below;
             }
             if !in_name {
                 return Some((number, rest));

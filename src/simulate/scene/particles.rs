@@ -120,7 +120,7 @@ impl Force {
                 let speed = self.moves(state);
                 -(linear + quadratic * speed.abs()) * speed
             }
-            Strength::Spring { stiffness, .. } => -stiffness * self.deformation(state).unwrap_or(0.0),
+            Strength::Spring { stiffness, deformed } => -stiffness * self.stretched(*deformed, state),
         }
     }
 
@@ -132,7 +132,11 @@ impl Force {
     /// How far a spring is deformed.
     pub(super) fn deformation(&self, state: &[f64]) -> Option<f64> {
         let Strength::Spring { deformed, .. } = self.strength else { return None };
-        Some(self.on.iter().fold(deformed, |sum, (own, along)| sum + dot(*along, place(state, *own))))
+        Some(self.stretched(deformed, state))
+    }
+
+    fn stretched(&self, deformed: f64, state: &[f64]) -> f64 {
+        self.on.iter().fold(deformed, |sum, (own, along)| sum + dot(*along, place(state, *own)))
     }
 }
 

@@ -30,20 +30,20 @@ pub(super) async fn sign_in_page(visit: &Visit) -> Result<Reply, NotShown> {
     if visit.person.is_some() {
         return Ok(Reply::To(onward(visit)));
     }
-    let to = visit.fields.get("to").unwrap_or_default().to_owned();
+    let to = visit.fields.text("to").to_owned();
     visit.page("courses/sign-in", SignInPage { title: "Sign in", login: String::new(), to, wrong: false }).await
 }
 
 /// By name and password. Whether the name or the password is wrong is not told.
 pub(super) async fn sign_in(visit: &Visit) -> Result<Reply, NotShown> {
-    let login = visit.fields.get("login").unwrap_or_default().trim().to_owned();
+    let login = visit.fields.text("login").trim().to_owned();
     visit.courses.limits.password(&login)?;
     let person = visit.store().person_named(&login).await?;
     let kept = match &person {
         Some(person) => visit.store().password(person.key).await?,
         None => None,
     };
-    let typed = visit.fields.get("password").unwrap_or_default().to_owned();
+    let typed = visit.fields.text("password").to_owned();
     let is_right = visit.work(move |_| Ok(password::is_right(&typed, kept.as_deref()))).await?;
     match person.filter(|_| is_right) {
         Some(person) => {
@@ -52,7 +52,7 @@ pub(super) async fn sign_in(visit: &Visit) -> Result<Reply, NotShown> {
             Ok(Reply::Sign { to: onward(visit), token: Some(token) })
         }
         None => {
-            let to = visit.fields.get("to").unwrap_or_default().to_owned();
+            let to = visit.fields.text("to").to_owned();
             let page = visit.page("courses/sign-in", SignInPage { title: "Sign in", login, to, wrong: true }).await?;
             Ok(page.wrong())
         }
@@ -133,7 +133,7 @@ async fn courses_with(visit: &Visit, fault: Option<String>, changed: bool) -> Re
 /// A new password. Every session of the person ends, but for a new one here.
 pub(super) async fn password(visit: &Visit) -> Result<Reply, NotShown> {
     let person = visit.person()?;
-    let field = |name: &str| visit.fields.get(name).unwrap_or_default().to_owned();
+    let field = |name: &str| visit.fields.text(name).to_owned();
     visit.courses.limits.password(&person.login)?;
     let kept = visit.store().password(person.key).await?;
     let (old, new, again) = (field("old"), field("new"), field("again"));

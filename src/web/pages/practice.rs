@@ -60,7 +60,7 @@ pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) 
         sheet,
         hints,
         further,
-        decimal: fields.get("decimal").unwrap_or_default().to_owned(),
+        decimal: fields.text("decimal").to_owned(),
     };
     app.page("practice", &page)
 }

@@ -92,7 +92,7 @@ fn page<Shown>(
         controls: controls.iter().map(field).collect(),
         presets,
         methods: Offered::all(),
-        method: fields.get("method").unwrap_or_default().to_owned(),
+        method: fields.text("method").to_owned(),
         step: USUAL_STEP,
         shown: None,
         refused: None,

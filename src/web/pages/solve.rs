@@ -71,7 +71,7 @@ pub(in crate::web) fn solve(app: &App, problem: String, fields: &Parameters) -> 
         title: exercise.problem().title().to_owned(),
         place: Place::of(&exercise, &drawn)?,
         givens: given.map(|given| GivenField { typed: typed(&given.name), given }).collect(),
-        find: fields.get("find").unwrap_or_default().to_owned(),
+        find: fields.text("find").to_owned(),
         solved,
         refused,
     };

@@ -26,8 +26,8 @@ struct Topic<'a> {
 /// The start page; `search` and `level` narrow the list.
 pub(in crate::web) fn start(app: &App, fields: &Parameters) -> Result<String, Refused> {
     let cards = app.library.cards()?;
-    let search = fields.get("search").unwrap_or_default();
-    let level = fields.get("level").unwrap_or_default();
+    let search = fields.text("search");
+    let level = fields.text("level");
     let found: Vec<&Card> = cards.iter().filter(|card| card.is_found(search, level)).collect();
     let mut topics: Vec<Topic> = Vec::new();
     for card in &found {

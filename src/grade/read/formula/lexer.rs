@@ -127,8 +127,8 @@ impl<'a> Lexer<'a> {
         let belongs = |sign: &&char| sign.is_ascii_digit() || ".,' _eE+-".contains(**sign);
         let text: String = self.signs[start..].iter().take_while(belongs).collect();
         let found = numeral::read(&text, self.mark).map_err(|(at, kind)| (start + at, kind))?;
-        let written = text.get(..found.length).unwrap_or_default();
-        let digits = written.split(['e', 'E']).next().unwrap_or_default();
+        let written: String = text.chars().take(found.length).collect();
+        let digits = written.split_once(['e', 'E']).map_or(&written[..], |(digits, _)| digits);
         if self.own_e && digits.len() < written.len() {
             let power = written.replacen(['e', 'E'], "*10^", 1);
             let product = written.replacen(['e', 'E'], "*e*", 1).replace("*+", " + ").replace("*-", " - ");
@@ -137,7 +137,7 @@ impl<'a> Lexer<'a> {
         }
         self.at += found.length;
         self.lost_product(digits, start)?;
-        self.push(Token::Number { value: found.decimal.to_rational(), half: half_unit(written) }, start);
+        self.push(Token::Number { value: found.decimal.to_rational(), half: half_unit(&written) }, start);
         Ok(())
     }
 

@@ -19,7 +19,9 @@ impl StageRun<'_> {
             let before = self.values.velocity_before(&stage.body, axis);
             if part(falls, axis) == 0.0 {
                 // Across the fall nothing changes, so that it need not be known.
-                self.note(&name, before.unwrap_or(0.0), 0.0);
+                if let Ok(before) = before {
+                    self.note(&name, before, 0.0);
+                }
                 continue;
             }
             let body = Particle { falls, ..Particle::free(&stage.body, 1.0, times(before?, unit(axis))) };

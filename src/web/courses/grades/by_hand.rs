@@ -11,8 +11,7 @@ use super::answers::{Place, Typed, page};
 /// Sets points by hand, or lets those of marking count again. What was set before stays in the records.
 pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, NotShown> {
     let place = Place::of(visit).await?;
-    let [points, reason] =
-        ["points", "reason"].map(|name| visit.fields.get(name).unwrap_or_default().trim().to_owned());
+    let [points, reason] = ["points", "reason"].map(|name| visit.fields.text(name).trim().to_owned());
     let wrong = async |fault: String| {
         let typed = Typed { points: points.clone(), reason: reason.clone(), fault: Some(fault) };
         Ok(page(visit, &place, typed).await?.wrong())
@@ -40,7 +39,7 @@ pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, 
 /// Takes one answer out of the records. Its points stay.
 pub(in crate::web::courses) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
     let place = Place::of(visit).await?;
-    let field = |name: &str| visit.fields.get(name).unwrap_or_default().trim().to_owned();
+    let field = |name: &str| visit.fields.text(name).trim().to_owned();
     let missing = || NotShown::missing("there is no such answer");
     let sheet = place.sheet.as_ref().ok_or_else(missing)?;
     let number: u32 = field("attempt").parse().map_err(|_| missing())?;

@@ -94,7 +94,7 @@ pub(in crate::web::courses) async fn erase(visit: &Visit) -> Result<Reply, NotSh
     let own = class::member(visit).await?;
     let is_operator = visit.person()?.operator;
     let elsewhere = visit.store().courses_of(own.person.key).await?.len() > 1;
-    let typed = visit.fields.get("login").unwrap_or_default().trim();
+    let typed = visit.fields.text("login").trim();
     let fault = match () {
         () if own.person.erased.is_some() => Some("this name is erased already"),
         () if own.person.key == visit.person()?.key => Some("nobody erases their own name"),

@@ -112,7 +112,7 @@ fn shown(own: &Corrected, name: impl Fn(&Effect) -> String) -> ItemShown {
 /// The change. Where something was decided, corrected or handed in since the page was made, nothing is done.
 pub(in crate::web::courses) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment(visit).await?;
-    let field = |name: &str| visit.fields.get(name).unwrap_or_default();
+    let field = |name: &str| visit.fields.text(name);
     if field("revision") != whole.revision.to_string() {
         return Err(changed());
     }

@@ -34,7 +34,7 @@ impl Form {
 
     /// These fields, as they were sent.
     pub(super) fn sent(visit: &Visit, names: &[&str]) -> Self {
-        let value = |name: &&str| ((*name).to_owned(), visit.fields.get(name).unwrap_or_default().to_owned());
+        let value = |name: &&str| ((*name).to_owned(), visit.fields.text(name).to_owned());
         Self::new(names.iter().map(value))
     }
 

@@ -146,13 +146,13 @@ impl Class {
 
 /// What stands for a table and the changes that it makes: where either differs from what was shown, so does this.
 fn seal(text: &str, changes: &[RosterChange]) -> String {
-    let changes = serde_json::to_string(changes).unwrap_or_default();
+    let changes = format!("{changes:?}");
     session::hash(&format!("{}\0{changes}\0{text}", changes.len()))
 }
 
 /// Browsers send the ends of lines in their own way.
 fn table(visit: &Visit) -> String {
-    visit.fields.get("table").unwrap_or_default().replace("\r\n", "\n")
+    visit.fields.text("table").replace("\r\n", "\n")
 }
 
 /// What a table would change. Nothing is changed yet.

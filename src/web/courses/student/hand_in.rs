@@ -26,7 +26,7 @@ const AGAIN: usize = 8;
 pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.answer(visit.person()?.key)?;
     let answers = answers(visit)?;
-    let request = visit.fields.get("request").unwrap_or_default().to_owned();
+    let request = visit.fields.text("request").to_owned();
     within(request.len(), LONGEST_KEY, "bytes make the key of a request")?;
     for _ in 0..AGAIN {
         let own = OwnSheet::of(visit).await?;
@@ -95,7 +95,7 @@ pub(in crate::web::courses) async fn draft(visit: &Visit) -> Result<Reply, NotSh
 pub(in crate::web::courses) async fn read(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.reading(visit.person()?.key)?;
     let own = OwnSheet::of(visit).await?;
-    let [part, text] = ["part", "text"].map(|name| visit.fields.get(name).unwrap_or_default().to_owned());
+    let [part, text] = ["part", "text"].map(|name| visit.fields.text(name).to_owned());
     let decimal = own.sheet.issued.decimal;
     let read = visit.work(move |_| Ok(ReadResponse::of(&own.exercise, &part, &text, decimal)?)).await?;
     Ok(Reply::Json(json!(read)))

@@ -113,7 +113,7 @@ impl Draft {
             }));
         }
         rows.truncate(MOST_ITEMS);
-        let revision = visit.fields.get("revision").unwrap_or_default().to_owned();
+        let revision = visit.fields.text("revision").to_owned();
         Ok(Self { form, rows, revision })
     }
 

@@ -72,7 +72,7 @@ pub(super) async fn page(
             row: if row.fault.is_some() { row } else { Row { order: order.to_string(), ..row } },
         });
     }
-    let field = |name: &str| visit.fields.get(name).unwrap_or_default().to_owned();
+    let field = |name: &str| visit.fields.text(name).to_owned();
     let (search, level) = (field("search"), field("level"));
     let is_sought = field("do") == "search" || !search.is_empty() || !level.is_empty();
     let found = is_sought.then(|| catalogue.search(&search, &level));

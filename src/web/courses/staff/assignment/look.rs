@@ -45,7 +45,7 @@ struct Answer {
 
 /// A problem that an assignment can have.
 pub(in crate::web::courses) async fn look(visit: &Visit) -> Result<Reply, NotShown> {
-    let name = visit.fields.get("problem").unwrap_or_default();
+    let name = visit.fields.text("problem");
     Withheld::from_student(visit).await?.check(name)?;
     let problem = items::problem(visit, &items::unpinned(name)).await?;
     let forms: Vec<String> = problem.forms().iter().filter_map(|form| form.question.name.clone()).collect();

@@ -37,7 +37,7 @@ pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShow
 
 /// Keeps a file that loads, as a draft. One that does not stays in its field, with everything that is wrong with it.
 pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
-    let text = visit.fields.get("text").unwrap_or_default().replace("\r\n", "\n");
+    let text = visit.fields.text("text").replace("\r\n", "\n");
     let course = visit.course()?.clone();
     let (courses, own, now) = (Arc::clone(&visit.courses), text.clone(), visit.now);
     let read = visit.work(move |_| {
