@@ -2,13 +2,10 @@
 
 use crate::expr::Symbol;
 use crate::model::QuantityKind;
-use crate::model::Reason;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
-use crate::solve::Cause;
-use crate::solve::Equation;
 use crate::solve::Precision;
 use crate::solve::Real;
 
@@ -19,11 +16,8 @@ use super::super::compiling::regimes::Scratch;
 use super::super::language::domain::Domain;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
-use super::super::questions::decision::ChoicePart;
-use super::super::questions::part::PartKind;
 use super::no_variant::MOST_ATTEMPTS;
 use super::no_variant::NoVariant;
-use super::no_variant::Rejection;
 use super::stream::Words;
 use super::variant::Variant;
 use super::variant::Worked;
@@ -31,20 +25,20 @@ use super::variant::factor;
 
 /// Draws variants of one form, reusing its own memory; each thread takes its own.
 pub struct Sampler<'p> {
-    problem: &'p Problem,
-    form: &'p Form,
+    pub(super) problem: &'p Problem,
+    pub(super) form: &'p Form,
     position: usize,
     words: Words,
     drawn: Vec<u64>,
     inputs: Vec<Input>,
     domains: Vec<Option<Domain>>,
-    scratch: Scratch,
-    forward: Scratch,
-    weighing: Scratch,
+    pub(super) scratch: Scratch,
+    pub(super) forward: Scratch,
+    pub(super) weighing: Scratch,
     /// The quantities in terms of which answers are asked.
-    units: Vec<Symbol>,
+    pub(super) units: Vec<Symbol>,
     /// The directions that are asked.
-    directions: Vec<Symbol>,
+    pub(super) directions: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
     told: Vec<(usize, &'p Known)>,
     rejected: u64,
@@ -147,123 +141,6 @@ impl<'p> Sampler<'p> {
         Ok(variant)
     }
 
-    /// Why the numbers solved last have no admissible solution.
-    fn why(&self) -> Option<Rejection> {
-        let several = self.scratch.survivors(&self.form.solver);
-        if several > 1 {
-            return Some(Rejection::Several(several));
-        }
-        if let (1, Some(unit)) = (several, self.zero_unit()) {
-            return Some(Rejection::ZeroUnit(self.problem.model().symbols.entry(unit).name.clone()));
-        }
-        if let (1, Some(direction)) = (several, self.lost_direction()) {
-            return Some(self.no_direction(direction));
-        }
-        if let (1, Some(undefined)) = (several, self.undefined()) {
-            return Some(Rejection::Undefined(self.problem.model().symbols.entry(undefined).name.clone()));
-        }
-        if let (1, Some(misfit)) = (several, self.misfit()) {
-            return Some(Rejection::Options(misfit));
-        }
-        let mut dead = self.scratch.dead(&self.form.solver);
-        let mut regimes = &self.form.solver;
-        if let (true, Some(forward)) = (dead.is_empty(), &self.form.forward) {
-            dead = self.forward.dead(forward);
-            regimes = forward;
-        }
-        if let (1, Some(weighed)) = (several, &self.form.weighed) {
-            dead = self.weighing.dead(weighed);
-            regimes = weighed;
-        }
-        let leaf = regimes.leaf(0);
-        let model = self.problem.model();
-        // What was followed furthest was nearest to a solution.
-        let furthest = dead.iter().rev().max_by_key(|dead| dead.step.unwrap_or(usize::MAX));
-        let lost = furthest.and_then(|dead| {
-            let step = leaf.audit.plan.steps.get(dead.step?).filter(|_| matches!(dead.cause, Cause::NotReal))?;
-            step.unknowns.iter().copied().find(|unknown| self.directions.contains(unknown))
-        });
-        if let Some(direction) = lost {
-            return Some(self.no_direction(direction));
-        }
-        let reason = furthest.map(|dead| match dead.cause {
-            Cause::Condition(position) => {
-                let condition = leaf.system.conditions.get(position);
-                let reason = condition.and_then(|condition| model.reasons.get(condition.tag));
-                Rejection::Condition(reason.map_or_else(String::new, Reason::to_string))
-            }
-            Cause::Equation(position) => {
-                let equation = leaf.system.equations.get(position);
-                let instance = equation.and_then(|equation| model.instances.get(equation.tag));
-                let names = equation.map(Equation::symbols).unwrap_or_default();
-                let names = names.into_iter().map(|symbol| format!("`{}`", model.symbols.entry(symbol).name));
-                let law = instance.map_or("one of the equations", |own| own.law.name);
-                Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
-            }
-            Cause::NotReal => Rejection::NotReal,
-            Cause::NotPositive => Rejection::NotPositive,
-        })?;
-        let range = self.form.parts.iter().find_map(|part| match &part.kind {
-            PartKind::Range(range) => Some(range.number.symbol),
-            _ => None,
-        });
-        Some(match range {
-            Some(symbol) => {
-                Rejection::Boundary { name: model.symbols.entry(symbol).name.clone(), reason: Box::new(reason) }
-            }
-            None => reason,
-        })
-    }
-
-    /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
-    fn is_admissible(&self, solutions: usize) -> bool {
-        let told = self.zero_unit().is_none() && self.lost_direction().is_none() && self.undefined().is_none();
-        self.form.accepts(solutions) && told && self.has_intervals() && self.misfit().is_none()
-    }
-
-    /// Whether every range that is asked has one boundary, with a side on which it holds.
-    fn has_intervals(&self) -> bool {
-        self.form.trials.is_empty() || {
-            let variant = self.keep(None);
-            Worked { problem: self.problem, form: self.form, variant: &variant }.has_intervals()
-        }
-    }
-
-    /// Why the author's own options cannot be offered with these numbers.
-    fn misfit(&self) -> Option<String> {
-        let offers = self.form.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Choice(choice @ (ChoicePart::Offered(_) | ChoicePart::Pictured(_))) => Some(choice),
-            _ => None,
-        });
-        let mut offers = offers.peekable();
-        offers.peek()?;
-        let variant = self.keep(None);
-        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
-        offers.find_map(|offer| offer.refused(&worked))
-    }
-
-    /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.
-    fn zero_unit(&self) -> Option<Symbol> {
-        let is_zero = |unit: &Symbol| self.answer(*unit).is_some_and(Bounded::is_zero);
-        self.units.iter().copied().find(is_zero)
-    }
-
-    /// A direction that is asked of what has none: in as many digits as there are, it may point anywhere.
-    fn lost_direction(&self) -> Option<Symbol> {
-        let is_lost = |own: &Symbol| self.answer(*own).is_some_and(|value| value.error > 1.0);
-        self.directions.iter().copied().find(is_lost)
-    }
-
-    /// A number that is asked and has no bound in as many digits as there are: what it is divided by may be nothing.
-    fn undefined(&self) -> Option<Symbol> {
-        let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
-        asked.find(|symbol| self.answer(*symbol).is_some_and(|value| !value.error.is_finite()))
-    }
-
-    fn no_direction(&self, direction: Symbol) -> Rejection {
-        Rejection::NoDirection(self.problem.model().symbols.entry(direction).meaning.clone())
-    }
-
     /// Whether every mistake that the author wants to see changes some answer.
     fn discriminates(&self, seed: u64) -> bool {
         let wanted = &self.problem.loaded().draft.discriminate;
@@ -318,7 +195,7 @@ impl<'p> Sampler<'p> {
         self.form.wanted().map(others).filter(|(_, values)| !values.is_empty()).collect()
     }
 
-    fn keep(&self, seed: Option<u64>) -> Variant {
+    pub(super) fn keep(&self, seed: Option<u64>) -> Variant {
         let literals = &self.problem.model().literals;
         let mut given = Vec::with_capacity(self.told.len() + self.form.reveal.len() + literals.len());
         for (position, known) in &self.told {

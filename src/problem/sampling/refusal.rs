@@ -1,0 +1,125 @@
+//! Why numbers are refused: they have no solution, or several, or one in which what is asked has no meaning.
+
+use crate::expr::Symbol;
+use crate::solve::Bounded;
+use crate::solve::Cause;
+
+use super::super::questions::decision::ChoicePart;
+use super::super::questions::part::PartKind;
+use super::no_variant::Rejection;
+use super::sampler::Sampler;
+use super::variant::Worked;
+
+impl Sampler<'_> {
+    /// Why the numbers solved last have no admissible solution.
+    pub(super) fn why(&self) -> Option<Rejection> {
+        let several = self.scratch.survivors(&self.form.solver);
+        if self.form.accepts(several) {
+            if let Some(refused) = self.refused() {
+                return Some(refused);
+            }
+        } else if several > 1 {
+            return Some(Rejection::Several(several));
+        }
+        let asked = (&self.scratch, &self.form.solver);
+        let (scratch, regimes) = match (&self.form.forward, &self.form.weighed) {
+            (_, Some(weighed)) if several == 1 => (&self.weighing, weighed),
+            (Some(forward), _) if asked.0.dead(asked.1).is_empty() => (&self.forward, forward),
+            _ => asked,
+        };
+        let dead = scratch.dead(regimes);
+        let leaf = regimes.leaf(scratch.leaf());
+        let model = self.problem.model();
+        // What was followed furthest was nearest to a solution.
+        let furthest = dead.iter().rev().max_by_key(|dead| dead.step.unwrap_or(usize::MAX));
+        let lost = furthest.and_then(|dead| {
+            let step = leaf.audit.plan.steps.get(dead.step?).filter(|_| matches!(dead.cause, Cause::NotReal))?;
+            step.unknowns.iter().copied().find(|unknown| self.directions.contains(unknown))
+        });
+        if let Some(direction) = lost {
+            return Some(self.no_direction(direction));
+        }
+        let reason = match furthest?.cause {
+            Cause::Condition(position) => {
+                let condition = leaf.system.conditions.get(position)?;
+                Rejection::Condition(model.reasons.get(condition.tag)?.to_string())
+            }
+            Cause::Equation(position) => {
+                let equation = leaf.system.equations.get(position)?;
+                let names = equation.symbols().into_iter().map(|own| format!("`{}`", model.symbols.entry(own).name));
+                let law = model.instances.get(equation.tag)?.law.name;
+                Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
+            }
+            Cause::NotReal => Rejection::NotReal,
+            Cause::NotPositive => Rejection::NotPositive,
+        };
+        let range = self.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Range(range) => Some(range.number.symbol),
+            _ => None,
+        });
+        Some(match range {
+            Some(symbol) => {
+                Rejection::Boundary { name: model.symbols.entry(symbol).name.clone(), reason: Box::new(reason) }
+            }
+            None => reason,
+        })
+    }
+
+    /// One solution, or any number of them where every one is asked for; and nothing that is asked is without a meaning there.
+    pub(super) fn is_admissible(&self, solutions: usize) -> bool {
+        self.form.accepts(solutions) && self.has_intervals() && self.refused().is_none()
+    }
+
+    /// Why numbers that have a solution are refused nevertheless.
+    fn refused(&self) -> Option<Rejection> {
+        let name = |symbol: Symbol| self.problem.model().symbols.entry(symbol).name.clone();
+        let zero_unit = || self.zero_unit().map(|unit| Rejection::ZeroUnit(name(unit)));
+        let lost = || self.lost_direction().map(|direction| self.no_direction(direction));
+        let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
+        let misfit = || self.misfit().map(Rejection::Options);
+        zero_unit().or_else(lost).or_else(undefined).or_else(misfit)
+    }
+
+    /// Whether every range that is asked has one boundary, with a side on which it holds.
+    fn has_intervals(&self) -> bool {
+        self.form.trials.is_empty() || {
+            let variant = self.keep(None);
+            Worked { problem: self.problem, form: self.form, variant: &variant }.has_intervals()
+        }
+    }
+
+    /// Why the author's own options cannot be offered with these numbers.
+    fn misfit(&self) -> Option<String> {
+        let offers = self.form.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Choice(choice @ (ChoicePart::Offered(_) | ChoicePart::Pictured(_))) => Some(choice),
+            _ => None,
+        });
+        let mut offers = offers.peekable();
+        offers.peek()?;
+        let variant = self.keep(None);
+        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
+        offers.find_map(|offer| offer.refused(&worked))
+    }
+
+    /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.
+    fn zero_unit(&self) -> Option<Symbol> {
+        let is_zero = |unit: &Symbol| self.answer(*unit).is_some_and(Bounded::is_zero);
+        self.units.iter().copied().find(is_zero)
+    }
+
+    /// A direction that is asked of what has none: in as many digits as there are, it may point anywhere.
+    fn lost_direction(&self) -> Option<Symbol> {
+        let is_lost = |own: &Symbol| self.answer(*own).is_some_and(|value| value.error > 1.0);
+        self.directions.iter().copied().find(is_lost)
+    }
+
+    /// A number that is asked and has no bound in as many digits as there are: what it is divided by may be nothing.
+    fn undefined(&self) -> Option<Symbol> {
+        let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
+        asked.find(|symbol| self.answer(*symbol).is_some_and(|value| !value.error.is_finite()))
+    }
+
+    fn no_direction(&self, direction: Symbol) -> Rejection {
+        Rejection::NoDirection(self.problem.model().symbols.entry(direction).meaning.clone())
+    }
+}
