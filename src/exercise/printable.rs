@@ -41,8 +41,9 @@ impl Exercise {
             }
         };
         read(&variant.text(problem), &|place| variant.origin_in_text(problem, place));
-        for (position, hint) in variant.hints(problem).iter().enumerate() {
-            read(hint, &|place| variant.origin_in_hint(problem, position, place));
+        let hints = problem.forms().get(variant.form()).into_iter().flat_map(|form| &form.question.hints);
+        for (hint, said) in hints.zip(variant.hints(problem)) {
+            read(&said, &|place| variant.origin_in_hint(problem, hint, place));
         }
         let form = self.worked().form;
         for (index, part) in form.parts.iter().enumerate() {

@@ -43,7 +43,7 @@ pub(in crate::explain) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Bloc
         .collect();
     let steps = display.worked.leaf().answer_steps().iter();
     let printed = steps.filter_map(|step| script::printed(display, step));
-    told.extend(printed.map(|symbol| vec![Inline::Math(as_printed(display, symbol))]));
+    told.extend(printed.filter_map(|symbol| Some(vec![Inline::Math(as_printed(display, symbol)?)])));
     told.extend(renamed(display));
     if !told.is_empty() {
         let given = [vec![Inline::Text("Given: ".into())], join(told), vec![Inline::Text(".".into())]];
@@ -158,8 +158,9 @@ fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) 
 }
 
 /// The value of what the author derives from other givens, as the sheet prints it.
-fn as_printed(display: Display<'_>, symbol: Symbol) -> Math {
-    let (value, unit) = display.worked.variant.printed_value(display.worked.problem, symbol);
-    let printed = with_unit(number_math(Printed::written(&value).plain()), &unit);
-    Math::Row(vec![display.name(symbol), Math::Operator(Operator::Equals), printed])
+fn as_printed(display: Display<'_>, symbol: Symbol) -> Option<Math> {
+    let (variant, problem) = (display.worked.variant, display.worked.problem);
+    let value = number_math(Printed::written(&variant.printed_value(problem, symbol)?).plain());
+    let printed = with_unit(value, &variant.unit(problem, symbol));
+    Some(Math::Row(vec![display.name(symbol), Math::Operator(Operator::Equals), printed]))
 }

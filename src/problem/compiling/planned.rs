@@ -34,6 +34,7 @@ use super::super::sampling::samples::Samples;
 use super::super::sampling::stream::Streams;
 use super::compile::Built;
 use super::form_cache::FormCache;
+use super::regimes::Leaf;
 use super::regimes::Regimes;
 
 /// A problem that can be drawn and solved; made only by [`super::super::compile`].
@@ -116,6 +117,17 @@ impl Form {
     /// Whether so many solutions are what it asks for: one, or any number where every one is asked for.
     pub(in crate::problem) fn accepts(&self, solutions: usize) -> bool {
         solutions == 1 || solutions > 1 && self.question.roots.is_some()
+    }
+
+    /// Whether a quantity is given as one that may be anything.
+    pub(in crate::problem) fn is_any(&self, symbol: Symbol) -> bool {
+        self.known.iter().any(|known| known.symbol == symbol && matches!(known.origin, Origin::Any))
+    }
+
+    /// Whether a quantity has a value whichever way the scene goes: it is told, or the answers or their checks find it.
+    pub(in crate::problem) fn finds(&self, symbol: Symbol) -> bool {
+        let by = |leaf: &Leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol));
+        !self.is_any(symbol) && (self.told.contains(&symbol) || self.solver.leaves().iter().all(by))
     }
 
     /// The quantities in terms of which answers are asked.

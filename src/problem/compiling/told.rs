@@ -19,6 +19,7 @@ use crate::solve::Statement;
 
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
+use super::super::language::text::Placeholder;
 use super::super::language::text::Text;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
@@ -54,6 +55,11 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
                     Fault::new(Code::Text, format!("the text prints `{}`, which is asked for", placeholder.name));
                 let help = "remove it from the text of this form, or ask for something else";
                 faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
+            } else if placeholder.filter.needs_value() && form.is_any(symbol) {
+                let fault =
+                    Fault::new(Code::Text, format!("the text prints `{}`, which may be anything", placeholder.name));
+                let help = format!("print its symbol: `{{{{ {} | symbol }}}}`, or give it a value", placeholder.name);
+                faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
             } else if !form.told.contains(&symbol) && !solved_from_given(form, symbol) {
                 let message = format!("the text prints `{}`, which this form does not give", placeholder.name);
                 let help = format!("write `reveal: [{}]` to have it solved first and then given", placeholder.name);
@@ -65,6 +71,7 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
         printed.extend(graph.symbols());
         faults.extend(graph_told::check(model, form, graph));
     }
+    faults.extend(form.question.hints.iter().filter_map(|(path, hint)| lost(model, form, path, hint)));
     let needed = form.needed();
     let revealed = form.reveal.iter().map(|reveal| (reveal.name.as_str(), reveal.symbol));
     let prose = prose(loaded, form);
@@ -82,6 +89,16 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
         }
     }
     faults
+}
+
+/// The fault of a hint that prints what the form neither tells nor finds.
+fn lost(model: &Model, form: &Form, path: &Path, hint: &Text) -> Option<Fault> {
+    let is_lost =
+        |own: &&Placeholder| own.filter.needs_value() && !model.symbol_of(&own.name).is_some_and(|own| form.finds(own));
+    let placeholder = hint.placeholders().find(is_lost)?;
+    let message = format!("a hint prints `{}`, which does not follow from what is given", placeholder.name);
+    let help = "a hint may print what the form gives, what it asks for, and what is found on the way";
+    Some(Fault::new(Code::Text, message).help(help).at_path(path.clone()).within(placeholder.span))
 }
 
 /// What the text of a form may not give away. A question with options compares what it is about, and some of that may be given as

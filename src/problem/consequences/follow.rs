@@ -54,8 +54,8 @@ pub struct Following {
     /// The laws that the answer then satisfies together with the earlier ones.
     pub by: Vec<&'static Law>,
     solver: Solver,
-    /// Judges whether the values can be, with the conditions of the system that it judges by.
-    judge: Option<(Program, Vec<Condition>)>,
+    /// Judges whether the values can be, with what each condition that it judges by says where it is broken.
+    judge: Option<(Program, Vec<Reason>)>,
 }
 
 /// What follows from earlier answers.
@@ -122,7 +122,7 @@ impl Worked<'_> {
                 let candidate = Candidate { value, asked, worked: *self, way, input: &input };
                 // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
                 if value != 0.0 && value.is_finite() && accept(&candidate) {
-                    let unphysical = way.unphysical(self.problem.model(), &input);
+                    let unphysical = way.unphysical(&input);
                     consequences.push(Consequence { value, by: way.by.clone(), unphysical });
                 }
             }
@@ -133,8 +133,8 @@ impl Worked<'_> {
 
 impl Following {
     /// What is impossible about the values, as a clause.
-    fn unphysical(&self, model: &Model, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Option<String> {
-        let (program, conditions) = self.judge.as_ref()?;
+    fn unphysical(&self, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Option<String> {
+        let (program, reasons) = self.judge.as_ref()?;
         let inputs: Vec<Bounded> = self.solver.inputs().iter().map(|own| input(*own)).collect::<Option<_>>()?;
         let mut memory = Workspace::default();
         let outcome = program.run(&inputs, &mut memory);
@@ -142,10 +142,7 @@ impl Following {
             return None;
         }
         outcome.dead().iter().find_map(|death| match death.cause {
-            Cause::Condition(place) => {
-                let reason = model.reasons.get(conditions.get(place)?.tag);
-                Some(reason.unwrap_or(&Reason::CreatesEnergy).to_string())
-            }
+            Cause::Condition(place) => reasons.get(place).map(Reason::to_string),
             _ => None,
         })
     }
@@ -230,27 +227,32 @@ fn judge(
     kept: &Restricted,
     mut found: Plan,
     known: &BTreeSet<Symbol>,
-) -> Option<(Program, Vec<Condition>)> {
+) -> Option<(Program, Vec<Reason>)> {
     for step in &mut found.steps {
         step.equations = step.equations.iter().filter_map(|own| kept.places.get(*own).copied()).collect();
         step.moves.clear();
     }
     let mut system = leaf.system.clone();
-    system.conditions.retain(|condition| {
-        let warning = model.reasons.get(condition.tag).and_then(Reason::warning);
-        matches!(warning, Some(Warning::PassesThrough | Warning::EnergyCreated | Warning::NoImpact))
+    let judged = leaf.system.conditions.iter().filter_map(|condition| {
+        let reason = model.reasons.get(condition.tag)?;
+        let warning = reason.warning()?;
+        let serves = matches!(warning, Warning::PassesThrough | Warning::EnergyCreated | Warning::NoImpact);
+        serves.then(|| (condition.clone(), reason.clone()))
     });
-    system.conditions.extend(system.equations.iter().filter_map(|equation| {
+    let lost = leaf.system.equations.iter().filter_map(|equation| {
         let law = model.instances.get(equation.tag)?.law;
         let Statement::Equal { right: crate::expr::Expr::Sum(energies), .. } = &equation.statement else { return None };
         let (before, after) = (energies.first()?.clone(), -energies.get(1)?.clone());
         let left = crate::expr::Expr::ratio(ROUNDING.0, ROUNDING.1) * before;
-        (*law == energy::LOSS).then_some(Condition { left, relation: Relation::AtLeast, right: after, tag: usize::MAX })
-    }));
+        let condition = Condition { left, relation: Relation::AtLeast, right: after, tag: equation.tag };
+        (*law == energy::LOSS).then_some((condition, Reason::CreatesEnergy))
+    });
+    let reasons;
+    (system.conditions, reasons) = judged.chain(lost).unzip();
     system.positive.clear();
     let mut whole = audit(&system, known, &found);
     whole.checks.clear();
     let inputs: Vec<Symbol> = known.iter().copied().collect();
     let program = Program::compile(&system, &whole, &inputs, &[], Verify::Redundant).ok()?;
-    Some((program, system.conditions))
+    Some((program, reasons))
 }

@@ -33,8 +33,8 @@ pub struct Question {
     pub allow: Vec<(Path, String)>,
     /// Whether the problem is meant to end in something impossible.
     pub expect: Option<Expect>,
-    /// Hints, the general ones first.
-    pub hints: Vec<Text>,
+    /// Hints, each with its place: those for every form, then the form's own.
+    pub hints: Vec<(Path, Text)>,
     /// The names of what the texts of other forms tell, and those of this one do not.
     pub elsewhere: BTreeSet<String>,
 }
@@ -75,13 +75,6 @@ impl Question {
     }
 
     fn of(draft: &Draft, name: Option<&str>, form: &Form, path: Path) -> Self {
-        let placed = |key: &str, general: &[String], own: &[String]| {
-            let at = |place: &Path, list: &[String]| {
-                let place = place.key(key);
-                list.iter().enumerate().map(|(index, text)| (place.index(index), text.clone())).collect::<Vec<_>>()
-            };
-            [at(&Path::root(), general), at(&path, own)].concat()
-        };
         // The loader has read every given of the file before, so reading cannot fail here.
         let value = |(name, entry): (&str, _)| Some((name.to_owned(), Given::read(entry, &Path::root()).ok()?));
         Self {
@@ -90,13 +83,22 @@ impl Question {
             given: form.given.iter().filter_map(value).collect(),
             ask: form.ask.clone(),
             reveal: form.reveal.clone(),
-            conditions: placed("where", &draft.conditions, &form.conditions),
+            conditions: placed(&path, "where", &draft.conditions, &form.conditions),
             roots: form.roots.or(draft.roots),
-            allow: placed("allow", &draft.allow, &form.allow),
+            allow: placed(&path, "allow", &draft.allow, &form.allow),
             expect: form.expect.or(draft.expect),
-            hints: draft.hints.iter().chain(&form.hints).cloned().collect(),
+            hints: placed(&path, "hints", &draft.hints, &form.hints),
             path,
             elsewhere: BTreeSet::new(),
         }
     }
+}
+
+/// What a list at the top of the file says for every form, then what the form's own says, each with its place.
+fn placed<T: Clone>(form: &Path, key: &str, general: &[T], own: &[T]) -> Vec<(Path, T)> {
+    let at = |place: &Path, list: &[T]| {
+        let place = place.key(key);
+        list.iter().enumerate().map(|(index, item)| (place.index(index), item.clone())).collect::<Vec<_>>()
+    };
+    [at(&Path::root(), general), at(form, own)].concat()
 }

@@ -76,6 +76,11 @@ impl Filter {
         matches!(self, Self::Quantity | Self::Value | Self::Magnitude | Self::Named)
     }
 
+    /// Whether what it says follows from the value.
+    pub(in crate::problem) fn needs_value(self) -> bool {
+        !matches!(self, Self::Symbol | Self::Unit)
+    }
+
     /// Whether the reader learns a number.
     #[must_use]
     pub fn tells(self) -> bool {

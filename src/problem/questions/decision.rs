@@ -147,9 +147,11 @@ impl ChoicePart {
     /// Why what is offered cannot be offered with the numbers of a variant.
     pub(in crate::problem) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
         match self {
+            Self::Holds(claim) => claim.refused(worked),
+            Self::Order(symbols) => incomparable(symbols, worked),
             Self::Offered(offer) => offer.refused(worked),
             Self::Pictured(pictured) => pictured.refused(worked),
-            _ => None,
+            Self::Settled(_) | Self::Judged(_) | Self::Physical(_) => None,
         }
     }
 
@@ -168,16 +170,21 @@ impl ChoicePart {
     }
 }
 
-pub(in crate::problem) fn compared(left: f64, right: f64) -> Ordering {
-    if (left - right).abs() <= EQUAL * left.abs().max(right.abs()) { Ordering::Equal } else { left.total_cmp(&right) }
+/// How two numbers compare; `None` where one of them is none.
+fn compared(left: f64, right: f64) -> Option<Ordering> {
+    let is_near = (left - right).abs() <= EQUAL * left.abs().max(right.abs());
+    if is_near { Some(Ordering::Equal) } else { left.partial_cmp(&right) }
 }
 
 /// How two terms compare with the numbers of a variant: equal where their difference is no more than its error bound, which is
-/// so only where it is exactly zero.
-fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Ordering {
-    let number = |symbol| worked.variant.value(symbol).unwrap_or(Bounded { value: f64::NAN, error: f64::NAN });
-    let difference = evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number));
-    if difference.value.abs() <= difference.error { Ordering::Equal } else { difference.value.total_cmp(&0.0) }
+/// so only where it is exactly zero. `None` where a side has no value, as where it is divided by zero.
+fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Option<Ordering> {
+    let number = |symbol| worked.variant.value(symbol).unwrap_or_else(Bounded::not_real);
+    let Bounded { value, error } = evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number));
+    if !error.is_finite() {
+        return None;
+    }
+    if value.abs() <= error { Some(Ordering::Equal) } else { value.partial_cmp(&0.0) }
 }
 
 impl Claim {
@@ -187,9 +194,9 @@ impl Claim {
         self.left.symbols().union(&self.right.symbols()).copied().collect()
     }
 
-    /// Whether it holds where its sides have these values.
-    pub(super) fn holds_between(&self, left: f64, right: f64) -> bool {
-        self.allows(compared(left, right))
+    /// Whether it holds where its sides have these values; `None` where one of them is no number.
+    pub(super) fn holds_between(&self, left: f64, right: f64) -> Option<bool> {
+        compared(left, right).map(|order| self.allows(order))
     }
 
     /// Whether it holds where its sides compare so.
@@ -203,13 +210,20 @@ impl Claim {
         }
     }
 
-    /// Whether it holds of the numbers of a variant.
-    pub(in crate::problem) fn holds(&self, worked: &Worked<'_>) -> bool {
-        self.allows(exactly_compared(worked, &self.left, &self.right))
+    /// Whether it holds of the numbers of a variant; `None` where a side has no value.
+    pub(in crate::problem) fn holds(&self, worked: &Worked<'_>) -> Option<bool> {
+        exactly_compared(worked, &self.left, &self.right).map(|order| self.allows(order))
+    }
+
+    /// Why it cannot be judged with the numbers of a variant.
+    pub(super) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+        self.holds(worked).is_none().then(|| no_value("a side of a comparison"))
     }
 
     pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
-        let order = exactly_compared(worked, &self.left, &self.right);
+        let Some(order) = exactly_compared(worked, &self.left, &self.right) else {
+            return Decision::yes_or_no(false, self.refused(worked).unwrap_or_default());
+        };
         let holds = self.allows(order);
         let is = match order {
             Ordering::Less => "less than",
@@ -219,6 +233,16 @@ impl Claim {
         let [left, right] = &self.words;
         Decision::yes_or_no(holds, format!("{left} is {is} {right}"))
     }
+}
+
+fn no_value(of: &str) -> String {
+    format!("{of} has no value with these numbers, as where something is divided by zero")
+}
+
+/// Why some quantities cannot be put in order with the numbers of a variant.
+fn incomparable(symbols: &[Symbol], worked: &Worked<'_>) -> Option<String> {
+    let is_lost = |own: &&Symbol| exactly_compared(worked, &(**own).into(), &Expr::zero()).is_none();
+    symbols.iter().find(is_lost).map(|own| no_value(&format!("`{}`", worked.problem.name_of(*own))))
 }
 
 /// Every order of some quantities.
@@ -234,9 +258,9 @@ fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
     let written = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(" < ");
     let options = orders(symbols);
     let mut sorted = symbols.to_vec();
-    sorted.sort_by(|a, b| exactly_compared(worked, &(*a).into(), &(*b).into()));
+    sorted.sort_by(|a, b| exactly_compared(worked, &(*a).into(), &(*b).into()).unwrap_or(Ordering::Equal));
     Decision {
-        right: options.iter().position(|option| *option == sorted).unwrap_or(0),
+        right: options.iter().take_while(|option| **option != sorted).count(),
         options: options.iter().map(|option| written(option)).collect(),
         because: "the values found above are in this order".into(),
         behind: None,

@@ -8,7 +8,6 @@ use crate::fault::Fault;
 use crate::model::Model;
 
 use super::super::compiling::planned::Form;
-use super::super::compiling::regimes::Leaf;
 use super::super::language::text::Text;
 use super::super::reading::numerals::alike;
 use super::super::sampling::say;
@@ -101,6 +100,9 @@ impl Offer {
         if let Some((_, text)) = texts.iter().enumerate().find(same) {
             return Some(format!("two options print `{text}`"));
         }
+        if let Some(reason) = self.claims().find_map(|claim| claim.refused(worked)) {
+            return Some(reason);
+        }
         match self.right_for(worked)[..] {
             [_] => None,
             [] => Some("no option is right".to_owned()),
@@ -124,7 +126,7 @@ impl Offer {
     }
 
     fn right_for(&self, worked: &Worked<'_>) -> Vec<usize> {
-        self.right(&|claim| Some(claim.holds(worked))).unwrap_or_default()
+        self.right(&|claim| claim.holds(worked)).unwrap_or_default()
     }
 
     /// The places in the file, in the order in which the options are offered.
@@ -141,7 +143,7 @@ impl Offer {
         let right = self.right_for(worked).first().copied();
         Decision {
             options: own().map(|option| filled(&option.text, worked)).collect(),
-            right: order.iter().position(|place| Some(*place) == right).unwrap_or(0),
+            right: order.iter().take_while(|place| Some(**place) != right).count(),
             because: right.and_then(|place| self.options.get(place)).map(|own| own.why(worked)).unwrap_or_default(),
             behind: None,
             feedback: own()
@@ -171,13 +173,9 @@ impl Offered {
 
 /// A fault for each option that prints what neither the answers nor their checks find.
 pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
-    let found = |symbol: &Symbol| {
-        let by = |leaf: &Leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(symbol));
-        form.told.contains(symbol) || form.solver.leaves().iter().all(by)
-    };
     let lost = |(index, part): (usize, &Part)| {
         let PartKind::Choice(ChoicePart::Offered(offer)) = &part.kind else { return None };
-        let symbol = offer.printed.iter().find(|symbol| !found(symbol))?;
+        let symbol = offer.printed.iter().find(|symbol| !form.finds(**symbol))?;
         let name = &model.symbols.entry(*symbol).name;
         let fault =
             Fault::new(Code::Text, format!("an option prints `{name}`, which does not follow from what is given"));

@@ -69,12 +69,11 @@ pub enum AskedUnit {
 impl Part {
     /// The numbers in its answer, each with its name: one, the components of a vector, or none.
     pub fn numbers(&self) -> impl Iterator<Item = (String, &NumberPart)> {
-        self.kind.numbers().iter().enumerate().map(|(index, number)| match &self.kind {
-            PartKind::Vector(vector) => {
-                (component_name(&self.id, vector.axes.get(index).copied().unwrap_or("")), number)
-            }
-            _ => (self.id.clone(), number),
-        })
+        let names = match &self.kind {
+            PartKind::Vector(vector) => vector.axes.iter().map(|axis| component_name(&self.id, axis)).collect(),
+            _ => vec![self.id.clone()],
+        };
+        names.into_iter().zip(self.kind.numbers())
     }
 }
 

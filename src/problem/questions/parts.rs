@@ -66,9 +66,9 @@ pub(in crate::problem) struct Read {
 pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
     let mut read = Read::default();
     check_rubric(loaded, builder);
-    for (index, ask) in question.ask.iter().enumerate() {
+    for ((index, ask), letter) in question.ask.iter().enumerate().zip(('a'..='z').cycle()) {
         let path = question.path.key("ask").index(index);
-        let letter = char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string();
+        let letter = letter.to_string();
         let part = match ask {
             Ask::Enough(ask) => {
                 let points = loaded.draft.points_of(ask.points);

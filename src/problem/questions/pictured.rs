@@ -155,7 +155,7 @@ impl Pictured {
     pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let pictures = self.pictures(worked);
         Decision {
-            right: pictures.iter().position(|own| own.mistake.is_none()).unwrap_or(0),
+            right: pictures.iter().take_while(|own| own.mistake.is_some()).count(),
             because: match &self.subject {
                 Subject::Diagram(own) => own.because(),
                 Subject::Graph(own) => {

@@ -241,6 +241,6 @@ impl Worked<'_> {
             solved.or_else(|| inputs.get(symbol.index()).and_then(Input::bounded)).map_or(f64::NAN, |own| own.value)
         };
         let [left, right] = [&range.claim.left, &range.claim.right].map(|side| side.evaluate(&value));
-        Some((range.claim.holds_between(left, right), Trial { at, left }))
+        Some((range.claim.holds_between(left, right)?, Trial { at, left }))
     }
 }

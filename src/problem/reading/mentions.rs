@@ -17,9 +17,9 @@ const DIRECTED: &[Dimension] =
 
 /// Every placeholder names a quantity.
 pub(in crate::problem) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
-    let root = Path::root();
     let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
-    for (path, text) in std::iter::once((root.key("text"), &loaded.draft.text)).chain(forms) {
+    let hints = loaded.questions.iter().flat_map(|question| &question.hints).map(|(path, hint)| (path.clone(), hint));
+    for (path, text) in std::iter::once((Path::root().key("text"), &loaded.draft.text)).chain(forms).chain(hints) {
         for placeholder in text.placeholders() {
             if let Some(fault) = unsayable(placeholder, builder) {
                 builder.fault(fault.at_path(path.clone()).within(placeholder.span));
@@ -48,9 +48,10 @@ pub(in crate::problem) fn unsayable(placeholder: &Placeholder, builder: &mut Bui
 fn without_direction(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Option<Fault> {
     let symbol = builder.mention(&placeholder.name)?;
     let dimension = builder.symbols().entry(symbol).dimension;
+    let is_component = || builder.axis_letters().len() == 1 || builder.name(symbol).component.is_some();
     let (serves, of) = match placeholder.filter {
         Filter::Motion => (dimension == Dimension::VELOCITY, "a velocity"),
-        Filter::Direction => (DIRECTED.contains(&dimension), "a component along an axis"),
+        Filter::Direction => (DIRECTED.contains(&dimension) && is_component(), "a component along an axis"),
         _ => return None,
     };
     let found = dimension_name(dimension);

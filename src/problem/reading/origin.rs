@@ -29,18 +29,10 @@ impl Variant {
         (form.question.path.key("text"), self.origin(question, problem, place))
     }
 
-    /// The same of the hint at that position.
+    /// The same of a hint of its form.
     #[must_use]
-    pub fn origin_in_hint(&self, problem: &Problem, position: usize, place: Span) -> (Path, Span) {
-        let general = problem.loaded().draft.hints.len();
-        let question = problem.forms().get(self.form()).map(|form| &form.question);
-        let own = question.filter(|_| position >= general).map(|question| &question.path);
-        let path = match own {
-            Some(form) => form.key("hints").index(position - general),
-            None => Path::root().key("hints").index(position),
-        };
-        let hint = question.and_then(|question| question.hints.get(position));
-        (path, hint.map_or(place, |hint| self.origin(hint, problem, place)))
+    pub fn origin_in_hint(&self, problem: &Problem, (path, hint): &(Path, Text), place: Span) -> (Path, Span) {
+        (path.clone(), self.origin(hint, problem, place))
     }
 
     fn origin(&self, text: &Text, problem: &Problem, place: Span) -> Span {

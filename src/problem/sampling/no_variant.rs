@@ -58,6 +58,9 @@ pub enum Rejection {
          along an axis; give the component that is zero instead of the direction (`v_A2.y: 0 m/s`), or choose other numbers"
     )]
     Undefined(String),
+    /// They leave a quantity without a value that a text of the form prints; the quantity's name.
+    #[error("`{0}` has no value with these numbers, and a text prints it")]
+    Unprinted(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
     Several(usize),

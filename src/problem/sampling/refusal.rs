@@ -76,8 +76,9 @@ impl Sampler<'_> {
         let zero_unit = || self.zero_unit().map(|unit| Rejection::ZeroUnit(name(unit)));
         let lost = || self.lost_direction().map(|direction| self.no_direction(direction));
         let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
+        let unprinted = || self.unprinted().map(|printed| Rejection::Unprinted(name(printed)));
         let misfit = || self.misfit().map(Rejection::Options);
-        zero_unit().or_else(lost).or_else(undefined).or_else(misfit)
+        zero_unit().or_else(lost).or_else(undefined).or_else(unprinted).or_else(misfit)
     }
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.
@@ -88,10 +89,11 @@ impl Sampler<'_> {
         }
     }
 
-    /// Why the author's own options cannot be offered with these numbers.
+    /// Why a choice cannot be offered with these numbers.
     fn misfit(&self) -> Option<String> {
         let offers = self.form.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Choice(choice @ (ChoicePart::Offered(_) | ChoicePart::Pictured(_))) => Some(choice),
+            PartKind::Choice(ChoicePart::Settled(_) | ChoicePart::Judged(_) | ChoicePart::Physical(_)) => None,
+            PartKind::Choice(choice) => Some(choice),
             _ => None,
         });
         let mut offers = offers.peekable();
@@ -117,6 +119,15 @@ impl Sampler<'_> {
     fn undefined(&self) -> Option<Symbol> {
         let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
         asked.find(|symbol| self.answer(*symbol).is_some_and(|value| !value.error.is_finite()))
+    }
+
+    /// A quantity whose value a text prints, and which has none.
+    fn unprinted(&self) -> Option<Symbol> {
+        let has_value = |symbol: &Symbol| {
+            let forward = || self.form.forward.as_ref().and_then(|forward| self.forward.value(forward, *symbol));
+            self.answer(*symbol).or_else(forward).is_some_and(|own| own.value.is_finite())
+        };
+        self.printed.iter().copied().find(|symbol| !has_value(symbol))
     }
 
     fn no_direction(&self, direction: Symbol) -> Rejection {

@@ -16,6 +16,7 @@ use super::super::compiling::regimes::Scratch;
 use super::super::language::domain::Domain;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
+use super::super::language::text::Text;
 use super::no_variant::MOST_ATTEMPTS;
 use super::no_variant::NoVariant;
 use super::stream::Words;
@@ -39,6 +40,8 @@ pub struct Sampler<'p> {
     pub(super) units: Vec<Symbol>,
     /// The directions that are asked.
     pub(super) directions: Vec<Symbol>,
+    /// The quantities that its texts print and nobody tells: they are solved.
+    pub(super) printed: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
     told: Vec<(usize, &'p Known)>,
     rejected: u64,
@@ -74,6 +77,7 @@ impl<'p> Sampler<'p> {
             weighing: Scratch::new(precision),
             units: own.units().collect(),
             directions: directions(problem, own),
+            printed: printed(problem, own),
             told: own.known.iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
             rejected: 0,
         })
@@ -246,6 +250,14 @@ fn directions(problem: &Problem, form: &Form) -> Vec<Symbol> {
     };
     let numbers = form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
     numbers.filter(is_direction).collect()
+}
+
+/// The quantities whose values the texts and hints of a form print, and which are solved.
+fn printed(problem: &Problem, form: &Form) -> Vec<Symbol> {
+    let hints = form.question.hints.iter().map(|(_, hint)| hint);
+    let texts = [&problem.loaded().draft.text, &form.question.text].into_iter().chain(hints);
+    let printed = texts.flat_map(Text::placeholders).filter(|own| own.filter.needs_value());
+    printed.filter_map(|own| problem.model().symbol_of(&own.name)).filter(|own| !form.told.contains(own)).collect()
 }
 
 /// The domain of each drawn symbol.

@@ -96,7 +96,9 @@ impl Variant {
             let Some(symbol) = problem.model().symbol_of(name).filter(|_| tells) else { continue };
             let speaker = Speaker { problem, variant: self, symbol, name };
             if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
-                let (value, unit) = self.printed_value(problem, symbol);
+                let (Some(value), unit) = (self.printed_value(problem, symbol), self.unit(problem, symbol)) else {
+                    continue;
+                };
                 let typed = Printed::written(&value).plain().replace(" × 10^", "e");
                 numbers.push((name.clone(), format!("{typed} {unit}").trim_end().to_owned()));
             }
@@ -128,16 +130,17 @@ impl Speaker<'_> {
                 _ => constant,
             };
         }
-        let (value, unit) = self.variant.printed_value(self.problem, self.symbol);
-        match filter {
-            Filter::Quantity => quantity(&value, &unit),
-            Filter::Value => number(&value),
-            Filter::Unit => unit.to_string(),
-            Filter::Magnitude => quantity(&value.abs(), &unit),
-            Filter::Direction => self.direction(&value),
-            Filter::Motion => self.motion(&value, &unit, before),
-            Filter::Symbol => self.in_symbols(),
-            Filter::Named => format!("{} = {}", self.in_symbols(), quantity(&value, &unit)),
+        let unit = self.variant.unit(self.problem, self.symbol);
+        let value = self.variant.printed_value(self.problem, self.symbol);
+        match (filter, value) {
+            (Filter::Unit, _) => unit.to_string(),
+            (Filter::Symbol, _) | (_, None) => self.in_symbols(),
+            (Filter::Quantity, Some(value)) => quantity(&value, &unit),
+            (Filter::Value, Some(value)) => number(&value),
+            (Filter::Magnitude, Some(value)) => quantity(&value.abs(), &unit),
+            (Filter::Direction, Some(value)) => self.direction(&value),
+            (Filter::Motion, Some(value)) => self.motion(&value, &unit, before),
+            (Filter::Named, Some(value)) => format!("{} = {}", self.in_symbols(), quantity(&value, &unit)),
         }
     }
 

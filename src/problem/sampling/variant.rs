@@ -92,23 +92,25 @@ impl Variant {
         &self.dead
     }
 
-    /// The value and unit with which a text prints a quantity: as given, else rounded to the problem's figures.
+    /// The unit in which a text prints a quantity.
     #[must_use]
-    pub fn printed_value(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
-        if let Some(told) = self.given(symbol) {
-            return told;
+    pub fn unit(&self, problem: &Problem, symbol: Symbol) -> Unit {
+        let entry = problem.model().symbols.entry(symbol);
+        let coherent = || super::super::questions::parts::unit_for(problem.loaded(), &entry.name, entry.dimension);
+        self.given(symbol).map_or_else(coherent, |(_, unit)| unit)
+    }
+
+    /// The value that a text prints of a quantity in its unit: as given, else rounded to the problem's figures. `None` where it
+    /// has none; numbers of which a text prints such a quantity are refused.
+    #[must_use]
+    pub fn printed_value(&self, problem: &Problem, symbol: Symbol) -> Option<Decimal> {
+        if let Some((value, _)) = self.given(symbol) {
+            return Some(value);
         }
-        let name = &problem.model().symbols.entry(symbol).name;
-        let unit = super::super::questions::parts::unit_for(
-            problem.loaded(),
-            name,
-            problem.model().symbols.entry(symbol).dimension,
-        );
         let figures = problem.loaded().draft.significant_figures();
-        let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten());
-        let size = factor(unit.factor().to_f64());
-        let value = solved.and_then(|value| crate::quantity::round_to_figures(value.div(&size).for_print(), figures));
-        (value.unwrap_or_else(|| Decimal::from(0)), unit)
+        let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten())?;
+        let size = factor(self.unit(problem, symbol).factor().to_f64());
+        crate::quantity::round_to_figures(solved.div(&size).for_print(), figures)
     }
 
     /// The story and the question of its form, placeholders filled in.
@@ -132,9 +134,8 @@ impl Variant {
     /// The hints of its form, placeholders filled in.
     #[must_use]
     pub fn hints(&self, problem: &Problem) -> Vec<String> {
-        let form = problem.forms().get(self.form);
-        form.map(|form| form.question.hints.iter().map(|hint| say::fill(hint, problem, self)).collect())
-            .unwrap_or_default()
+        let hints = problem.forms().get(self.form).into_iter().flat_map(|form| &form.question.hints);
+        hints.map(|(_, hint)| say::fill(hint, problem, self)).collect()
     }
 }
 
@@ -184,22 +185,24 @@ impl<'a> Worked<'a> {
     }
 
     fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
-        let unit = match &number.unit {
-            AskedUnit::Unit(_) => Some(factor(number.size)),
-            AskedUnit::InTermsOf(symbol, _) => self.variant.value(*symbol).map(|value| value.mul(&factor(number.size))),
-        };
-        unit.map_or(value, |unit| value.div(&unit))
+        value.div(&self.size_of(number))
+    }
+
+    /// The size of the unit in which a number is asked, with a bound on its error.
+    fn size_of(&self, number: &NumberPart) -> Bounded {
+        let size = factor(number.size);
+        match &number.unit {
+            AskedUnit::Unit(_) => size,
+            AskedUnit::InTermsOf(symbol, _) => {
+                self.variant.value(*symbol).map_or_else(Bounded::not_real, |value| value.mul(&size))
+            }
+        }
     }
 
     /// The size of the unit in which a number is asked, in SI units.
     #[must_use]
     pub fn unit_of(&self, number: &NumberPart) -> f64 {
-        match &number.unit {
-            AskedUnit::Unit(_) => number.size,
-            AskedUnit::InTermsOf(symbol, _) => {
-                self.variant.value(*symbol).map_or(1.0, |value| value.value) * number.size
-            }
-        }
+        self.size_of(number).value
     }
 
     /// The regime that the variant belongs to.
