@@ -54,9 +54,8 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
             | Stage::Separate(_)
             | Stage::Drift(_),
         ) => sheet::line::drawing(quantities, compass, 0),
-        Some(Stage::Flight(flight)) => {
-            sheet::flight::drawing(quantities, compass, flight).or_else(|| sheet::line::drawing(quantities, compass, 0))
-        }
+        Some(Stage::Flight(flight)) => sheet::flight::drawing(quantities, compass, 0, flight)
+            .or_else(|| sheet::line::drawing(quantities, compass, 0)),
         Some(Stage::Rotate(rotate)) => sheet::central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => sheet::central::under_force(quantities, stage),
         Some(Stage::Swing(swing)) => Some(sheet::swing::drawing(quantities, compass, 0, swing)),
@@ -115,6 +114,9 @@ pub(super) fn solution(
         Stage::Interact(own) if own.at_rest => vec![snapshot::displacements(quantities, compass, index, &own.between)],
         Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
+        Stage::Flight(own) if !own.is_free() => {
+            vec![sheet::flight::drawing(quantities, compass, index, own), momenta()]
+        }
         Stage::Impact(_)
         | Stage::Spring(_)
         | Stage::Taut(_)

@@ -211,7 +211,12 @@ fn on_paper([x, y]: [f64; 2]) -> String {
 }
 
 /// What is said of a body that begins a free flight.
-pub(super) fn launch_wording(quantities: &Quantities<'_>, body: &str, moving: &MovingBody, target: &Target) -> Wording {
+pub(super) fn launch_wording(
+    quantities: &Quantities<'_>,
+    body: &str,
+    (moving, instant): (&MovingBody, usize),
+    (target, to_scale): (&Target, bool),
+) -> Wording {
     let told = |words: &str, label: Option<&Math>| {
         label.map_or_else(String::new, |label| format!("{words} {}", label.plain()))
     };
@@ -228,10 +233,12 @@ pub(super) fn launch_wording(quantities: &Quantities<'_>, body: &str, moving: &M
             depth.as_ref().map_or_else(|| wall.clone(), |depth| format!("{wall}; {}", ground(depth)))
         }
     };
-    let own = situation_wording(quantities, &[(body.to_owned(), moving.clone())], "at the start of its flight");
+    let when = if instant == 1 { "at the start of its flight".to_owned() } else { quantities.when(instant) };
+    let own = situation_wording(quantities, &[(body.to_owned(), moving.clone())], &when);
+    let path = if to_scale { "drawn to scale" } else { "only sketched" };
     Wording {
         description: format!("{} {}", own.description, sentence(&lies)).trim_end().to_owned(),
-        caption: format!("{}; the path is only sketched.", own.caption.trim_end_matches('.')),
+        caption: format!("{}; the path is {path}.", own.caption.trim_end_matches('.')),
         ..own
     }
 }

@@ -16,6 +16,10 @@ const REACH: f64 = 170.0;
 const PEAK: f64 = 96.0;
 /// What is drawn of a height that lies below the start.
 const DROP: f64 = 78.0;
+/// How far a path in its true proportions leads down at most.
+const LOWEST: f64 = 120.0;
+/// The least width of a path in its true proportions: a narrower one comes down on its start.
+const NARROWEST: f64 = 64.0;
 /// By how much a path is shortened that would rise too high, and how often.
 const SHORTER: f64 = 0.85;
 const ATTEMPTS: i32 = 7;
@@ -37,6 +41,31 @@ pub struct Launch {
     pub direction: Option<f64>,
     /// What the flight leads to.
     pub target: Target,
+    /// A resistance in proportion to the speed.
+    pub resisted: Option<Resisted>,
+}
+
+/// A flight against a resistance in proportion to the speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resisted {
+    /// The resistance divided by the speed, times the duration, divided by the mass.
+    pub fading: f64,
+    /// Where it ends, seen from where it starts; none in a sketch.
+    pub end: Option<[f64; 2]>,
+}
+
+impl Resisted {
+    /// How far it has come after a part of its time: without weight, and by its weight, each as a share of all.
+    fn shares(self, part: f64) -> [f64; 2] {
+        let faded = |time: f64| libm::expm1(-self.fading * time);
+        [faded(part) / faded(1.0), (self.fading * part + faded(part)) / (self.fading + faded(1.0))]
+    }
+
+    /// How far the line in which it starts rises above a path that is level at its end, as a share of how far the line rises.
+    fn above_top(self) -> f64 {
+        let faded = libm::expm1(-self.fading);
+        (self.fading + faded) * (1.0 + faded) / (faded * faded)
+    }
 }
 
 /// What a flight leads to.
@@ -70,7 +99,10 @@ impl Depth {
 impl Launch {
     pub(super) fn draw(&self, canvas: &mut Canvas) {
         let mut body = self.body.outline();
-        let path = self.direction.filter(|angle| angle.is_finite()).map_or_else(Vec::new, |angle| self.path(angle));
+        let path = self
+            .direction
+            .filter(|angle| angle.is_finite())
+            .map_or_else(Vec::new, |angle| self.to_scale(angle).unwrap_or_else(|| self.path(angle)));
         let clear = path.iter().position(|point| point.length() > body.reach(*point)).unwrap_or(path.len());
         body.draw(canvas);
         canvas.line(path.iter().skip(clear).copied(), Role::Path, true);
@@ -78,7 +110,11 @@ impl Launch {
         let radius = body.support(Point::new(0.0, -1.0));
         match &self.target {
             Target::Top => {}
-            Target::Ground(depth) => draw_ground(canvas, depth, radius, [0.0, end.x]),
+            Target::Ground(depth) => {
+                let is_true = self.resisted.is_some_and(|own| own.end.is_some());
+                let drawn = if is_true { -end.y } else { depth.drawn() };
+                draw_ground(canvas, (depth, drawn), radius, [0.0, end.x]);
+            }
             Target::Slope(rise, label) => draw_slope(canvas, &body, (*rise, label.as_ref()), end),
             Target::Wall(distance, depth) => draw_wall(canvas, &body, (distance.as_ref(), depth.as_ref()), end),
         }
@@ -104,7 +140,7 @@ impl Launch {
         // Over a reach of 1 it falls by `fall` below the line in which it starts.
         let fitting = |reach: &f64| {
             let fall = match &self.target {
-                Target::Top => reach * steep / 2.0,
+                Target::Top => reach * steep * self.resisted.map_or(0.5, Resisted::above_top),
                 Target::Ground(depth) => reach * steep + depth.drawn(),
                 Target::Slope(rise, _) => reach * (steep - side * libm::tan(*rise)),
                 Target::Wall(_, depth) => {
@@ -113,11 +149,40 @@ impl Launch {
                 }
             };
             let rises = steep.max(0.0) * reach;
-            (fall > 0.0 && rises * rises <= 4.0 * PEAK * fall).then_some((*reach, fall))
+            let fits = match self.resisted {
+                None => rises * rises <= 4.0 * PEAK * fall,
+                Some(_) => self.curve(side, *reach, [steep, fall]).iter().all(|point| point.y <= PEAK),
+            };
+            (fall > 0.0 && fits).then_some((*reach, fall))
         };
         let reaches = (0..ATTEMPTS).map(|attempt| REACH * SHORTER.powi(attempt));
         let Some((reach, fall)) = reaches.into_iter().find_map(|reach| fitting(&reach)) else { return Vec::new() };
-        along(|part| Point::new(side * reach * part, reach * steep * part - fall * part * part))
+        self.curve(side, reach, [steep, fall])
+    }
+
+    /// The path over a reach, which falls below the line in which it starts.
+    fn curve(&self, side: f64, reach: f64, [steep, fall]: [f64; 2]) -> Vec<Point> {
+        along(|part| match self.resisted {
+            None => Point::new(side * reach * part, reach * steep * part - fall * part * part),
+            Some(resisted) => {
+                let [gone, fallen] = resisted.shares(part);
+                Point::new(side * reach * gone, reach * steep * gone - fall * fallen)
+            }
+        })
+    }
+
+    /// The path to where it ends, in its true proportions.
+    fn to_scale(&self, angle: f64) -> Option<Vec<Point>> {
+        let [x, y] = self.resisted?.end?;
+        let (reach, steep) = (x.abs(), libm::tan(angle) * x.signum());
+        let path = self.curve(x.signum(), reach, [steep, reach * steep - y]);
+        let least = |size: fn(&Point) -> f64| path.iter().map(size).fold(0.0, f64::max);
+        let scale = [REACH / reach, PEAK / least(|point| point.y), LOWEST / least(|point| -point.y)];
+        let scale = scale.into_iter().fold(f64::INFINITY, f64::min);
+        let is_drawn = scale.is_finite()
+            && reach * scale >= NARROWEST
+            && path.iter().all(|point| point.x.is_finite() && point.y.is_finite());
+        is_drawn.then(|| path.into_iter().map(|point| point * scale).collect())
     }
 }
 
@@ -127,8 +192,8 @@ fn along(at: impl Fn(f64) -> Point) -> Vec<Point> {
 }
 
 /// Level ground under what reaches from one place to the other, with its depth under a body of that radius.
-fn draw_ground(canvas: &mut Canvas, depth: &Depth, radius: f64, [from, to]: [f64; 2]) {
-    let level = -radius - depth.drawn();
+fn draw_ground(canvas: &mut Canvas, (depth, drawn): (&Depth, f64), radius: f64, [from, to]: [f64; 2]) {
+    let level = -radius - drawn;
     let (left, right) = (from.min(to) - OVERHANG, from.max(to) + OVERHANG);
     draw_surface(canvas, Point::new(left, level), Point::new(right, level));
     if let Depth::Below(Some(label)) = depth {
@@ -165,7 +230,7 @@ fn draw_wall(canvas: &mut Canvas, body: &Body, (distance, depth): (Option<&Math>
     if let Some(depth) = depth {
         // The wall ends the ground on its side.
         let beyond = wall - side * OVERHANG;
-        draw_ground(canvas, depth, radius, [0.0, beyond]);
+        draw_ground(canvas, (depth, depth.drawn()), radius, [0.0, beyond]);
     }
     if let Some(distance) = distance {
         let y = level - GAP;

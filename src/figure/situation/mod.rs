@@ -23,7 +23,7 @@ pub use central::{Central, Moment};
 pub use conical::{Across, Conical};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
-pub use launch::{Depth, Launch, Target};
+pub use launch::{Depth, Launch, Resisted, Target};
 pub use line::{Line, LineSpring, Tie};
 pub use moving::{Moving, MovingBody};
 pub(super) use moving::{Scales, draw_vector};

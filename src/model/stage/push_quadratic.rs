@@ -118,7 +118,7 @@ impl Builder<'_> {
         let because = format!("the other forces drive {} on", own.name);
         let index = Some(own.index);
         let shrunk = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, index, because, shrunk, None);
-        let because = "f stands for the ratio of w - v to w + v at the end";
+        let because = "the ratio of w - v to w + v at the end is called f";
         let gives = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, index, because, gives, None);
         let reason = Reason::HeldBack(own.name.clone());
         Alternative {

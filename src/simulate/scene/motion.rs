@@ -17,7 +17,7 @@ use super::vector::part;
 impl Values<'_> {
     /// Forces of known law for a known time: each axis for itself.
     pub(super) fn push(&self, stage: &Push) -> Result<Staged, NothingToSimulate> {
-        if stage.incline.is_some() {
+        if stage.incline.is_some() || stage.resistance.is_some() {
             return Err(NothingToSimulate::NoMethod);
         }
         let [start, end] = match &stage.during {
@@ -79,6 +79,9 @@ impl Values<'_> {
 
     /// Free flight for a known time.
     pub(super) fn flight(&self, stage: &Flight) -> Result<Staged, NothingToSimulate> {
+        if !stage.is_free() {
+            return Err(NothingToSimulate::NoMethod);
+        }
         let time = stage.during.as_ref().map_or_else(|| self.duration(), |term| self.term(term))?;
         let falls = self.falls(stage.incline.as_ref())?;
         let mut staged = Staged::default();

@@ -228,7 +228,9 @@ pub fn launched(dice: &mut Dice) -> Drawing {
         2 => Target::Slope(dice.between(-0.8, 0.8), dice.chance(70).then(|| name("\u{3b1}"))),
         _ => Target::Wall(dice.chance(70).then(|| name("d")), dice.chance(70).then(|| depth(dice))),
     };
-    let launch = Launch { body, direction: dice.chance(90).then_some(direction), target };
+    let end = dice.chance(50).then(|| [dice.between(-40.0, 40.0), dice.between(-20.0, 2.0)]);
+    let resisted = dice.chance(30).then(|| Resisted { fading: dice.between(0.05, 4.0), end });
+    let launch = Launch { body, direction: dice.chance(90).then_some(direction), target, resisted };
     Situation { wording: wording("A random flight"), layout: Layout::Launch(launch), axes: xy() }.drawing()
 }
 
@@ -310,8 +312,12 @@ pub fn nonsense() -> Vec<Drawing> {
     let pulley = Pulley { sides: [side(), side()] };
     let face = Face::Slope { angle: f64::NAN, label: Some(name("a")), rightwards: true, height: None };
     let ride = Ride { rider: moving.clone(), carrier: moving.clone(), face };
-    let launch =
-        Launch { body: moving.clone(), direction: Some(f64::NAN), target: Target::Slope(f64::NAN, Some(name("a"))) };
+    let launch = Launch {
+        body: moving.clone(),
+        direction: Some(f64::NAN),
+        target: Target::Slope(f64::NAN, Some(name("a"))),
+        resisted: None,
+    };
     let fall = Fall {
         body: moving,
         heights: vec![Height { label: None, value: f64::NAN }],

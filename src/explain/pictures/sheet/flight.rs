@@ -8,24 +8,33 @@ use crate::figure::Depth;
 use crate::figure::Drawing;
 use crate::figure::Launch;
 use crate::figure::Layout;
+use crate::figure::Resisted;
 use crate::figure::Situation;
 use crate::figure::Target;
 use crate::scene::Axis;
 use crate::scene::Stage;
 use crate::scene::Term;
 use crate::scene::stage;
+use crate::scene::stage::Resistance;
 
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;
+use super::super::quantities::Scope;
 use super::super::words::launch_wording;
 
 /// A coordinate this close to another one is the same.
 const SAME: f64 = 1e-9;
 
-/// The start of the first flight; none where a sketch of its path has nothing to show, as where nobody knows to where it leads.
+/// How much a resistance bends a sketched path of which nobody may know more.
+const BENT: f64 = 0.8;
+/// The least and the most by which a sketch is bent.
+const BENT_WITHIN: [f64; 2] = [0.3, 2.5];
+
+/// The start of a flight; none where a sketch of its path has nothing to show, as where nobody knows to where it leads.
 pub(in super::super) fn drawing(
     quantities: &Quantities<'_>,
     compass: &Compass,
+    index: usize,
     flight: &stage::Flight,
 ) -> Option<Drawing> {
     let mut flying = flight.flying();
@@ -34,45 +43,70 @@ pub(in super::super) fn drawing(
     if !upright || quantities.axes != [Axis::X, Axis::Y] {
         return None;
     }
-    let slope = quantities.slope(0);
+    let slope = quantities.slope(index);
     let compass = &slope.as_ref().map_or_else(|| compass.clone(), |(rise, _)| compass.tilted(*rise));
     let target = match slope {
         Some((rise, label)) => Target::Slope(if compass.place([1.0, 0.0])[0] < 0.0 { -rise } else { rise }, label),
-        None => target(quantities, body, flight)?,
+        None => target(quantities, body, index, flight)?,
     };
-    let velocity = quantities.velocity(body, 1).filter(|velocity| *velocity != [0.0, 0.0]);
+    let velocity = quantities.velocity(body, index + 1).filter(|velocity| *velocity != [0.0, 0.0]);
     let direction = velocity.map(|velocity| compass.angle(velocity));
-    let moving = quantities.body(body, quantities.motion(compass, body, 1));
-    let wording = launch_wording(quantities, body, &moving, &target);
-    let launch = Launch { body: moving, direction, target };
+    let moving = quantities.body(body, quantities.motion(compass, body, index + 1));
+    let resisted = resisted(quantities, compass, index, flight);
+    let is_true = resisted.is_some_and(|own| own.end.is_some());
+    let wording = launch_wording(quantities, body, (&moving, index + 1), (&target, is_true));
+    let launch = Launch { body: moving, direction, target, resisted };
     Some(Situation { wording, layout: Layout::Launch(launch), axes: compass.marks() }.drawing())
 }
 
-fn target(quantities: &Quantities<'_>, body: &str, flight: &stage::Flight) -> Option<Target> {
-    let until = flight.until.as_ref()?;
+/// What resists, from the derivation in a solution; on a sheet as much as it does in the time in which weight alone would bring the
+/// body back.
+fn resisted(quantities: &Quantities<'_>, compass: &Compass, index: usize, flight: &stage::Flight) -> Option<Resisted> {
+    let (Resistance::Linear(term), Some(body)) = (flight.resistance.as_ref()?, flight.flying().next()) else {
+        return None;
+    };
+    let rate = || Some(quantities.evaluate(&quantities.term(term)?)? / quantities.mass(body)?);
+    let by_axes = |of: &dyn Fn(&str) -> Option<f64>| Some([of("x")?, of("y")?]);
+    let place = |instant: usize| by_axes(&|letter| quantities.named(&format!("r_{body}{instant}.{letter}")));
+    let lasts = || quantities.named(&quantities.staged("dt", index));
+    if quantities.scope() == Scope::Solved
+        && let (Some(rate), Some(time)) = (rate(), lasts())
+        && let (Some(start), Some(end)) = (place(index + 1), place(index + 2))
+    {
+        let end = Some(compass.place([end[0] - start[0], end[1] - start[1]]));
+        return Some(Resisted { fading: rate * time, end });
+    }
+    let back = || Some(2.0 * quantities.velocity(body, index + 1)?[1].abs() / quantities.named("g")?);
+    let fading = rate().zip(back()).map_or(BENT, |(rate, back)| (rate * back).clamp(BENT_WITHIN[0], BENT_WITHIN[1]));
+    Some(Resisted { fading, end: None })
+}
+
+fn target(quantities: &Quantities<'_>, body: &str, index: usize, flight: &stage::Flight) -> Option<Target> {
+    let (until, start) = (flight.until.as_ref()?, format!("r_{body}{}", index + 1));
     if until.0.trim() == "top" {
         return Some(Target::Top);
     }
-    if let Some(way) = way(quantities, body, until, Axis::Y) {
+    if let Some(way) = way(quantities, [body, &start], until, Axis::Y) {
         return depth(quantities, &way).map(Target::Ground);
     }
-    let way = way(quantities, body, until, Axis::X)?;
-    let strikes = matches!(quantities.scene().stages.get(1), Some(Stage::Impact(impact)) if impact.against.is_some());
+    let way = way(quantities, [body, &start], until, Axis::X)?;
+    let strikes =
+        matches!(quantities.scene().stages.get(index + 1), Some(Stage::Impact(impact)) if impact.against.is_some());
     let distance = quantities.evaluate(&way).map(|_| quantities.unsigned(&way));
     let falls = |stage: &Stage| {
         let Stage::Flight(own) = stage else { return None };
-        self::way(quantities, body, own.until.as_ref()?, Axis::Y)
+        self::way(quantities, [body, &start], own.until.as_ref()?, Axis::Y)
     };
     let ground = quantities.scene().stages.iter().find_map(falls);
     strikes.then(|| Target::Wall(distance, ground.and_then(|way| depth(quantities, &way))))
 }
 
-/// The way along an axis from the start of a body to where a flight ends that ends at a place on it.
-fn way(quantities: &Quantities<'_>, body: &str, until: &Term, axis: Axis) -> Option<Expr> {
+/// The way along an axis from the `start` of a body to where a flight ends that ends at a place on it.
+fn way(quantities: &Quantities<'_>, [body, start]: [&str; 2], until: &Term, axis: Axis) -> Option<Expr> {
     let (left, right) = until.0.split_once('=')?;
     let letter = axis.letter();
     let is_own = left.trim() == letter || left.trim() == format!("{letter}_{body}");
-    let start = quantities.model().symbol_of(&format!("r_{body}1.{letter}")).filter(|_| is_own)?;
+    let start = quantities.model().symbol_of(&format!("{start}.{letter}")).filter(|_| is_own)?;
     let end = quantities.term(&Term(right.trim().to_owned()))?;
     let zero = |term: &Expr| quantities.evaluate(term).is_some_and(|value| value.abs() < SAME);
     let start = Some(Expr::from(start)).filter(|start| !zero(start));

@@ -1,5 +1,7 @@
 //! What a sheet draws of a body: the velocities, impulses and forces that are given.
 
+use std::sync::Arc;
+
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::name_math;
@@ -12,10 +14,16 @@ use crate::model::Direction;
 use crate::model::ForceKind;
 use crate::model::QuantityKind;
 use crate::model::VectorKind;
+use crate::scene::Force;
+use crate::scene::Pull;
 use crate::scene::Stage;
+use crate::scene::Strength;
+use crate::scene::stage::Resistance;
 
 use super::super::compass::Compass;
 use super::super::labels::body_math;
+use super::super::labels::factor;
+use super::super::labels::product;
 use super::super::quantities::Quantities;
 use super::super::vectors::Labelled;
 
@@ -66,7 +74,48 @@ impl Quantities<'_> {
     /// The pushes and pulls on a body in a stage that are given.
     pub(in super::super) fn forces_on(&self, compass: &Compass, body: &str, stage: usize) -> Vec<Moving> {
         let own = self.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
-        own.filter(|force| force.kind == ForceKind::Pull).filter_map(|force| self.force(compass, force)).collect()
+        let pulls = own.filter(|force| force.kind == ForceKind::Pull).filter_map(|force| self.force(compass, force));
+        let resisted = self.against_resistance(body, stage).into_iter();
+        pulls.chain(resisted.map(|force| Moving::force(force.placed(compass)))).collect()
+    }
+
+    /// What resists the motion of a body when a push begins, against its velocity, and what is given of the other forces along a line.
+    fn against_resistance(&self, body: &str, stage: usize) -> Vec<Labelled> {
+        let Some(Stage::Push(push)) = self.scene().stages.get(stage) else { return Vec::new() };
+        let pulls =
+            push.forces.iter().filter_map(|force| if let Force::Pull(pull) = force { Some(pull) } else { None });
+        let told: Vec<Labelled> = pulls.filter_map(|pull| self.pull_along(pull)).collect();
+        let is_whole = told.len() == push.forces.len();
+        let resistance = push.resistance.as_ref().filter(|_| is_whole).and_then(|own| self.resisting(own, body, stage));
+        if resistance.is_some() { told.into_iter().chain(resistance).collect() } else { Vec::new() }
+    }
+
+    /// A pull along the only axis, where it is given.
+    fn pull_along(&self, pull: &Pull) -> Option<Labelled> {
+        let (Strength::Term(term), [_]) = (&pull.value, &self.axes[..]) else { return None };
+        let words = pull.direction.as_ref().map_or("", |term| term.0.trim());
+        let ahead = self.scene().axes.rectangular().into_iter().any(|(_, senses)| senses.positive == words);
+        let back = self.is_backwards(pull.direction.as_ref());
+        let sense = (back || ahead || words.is_empty()).then(|| if back { -1.0 } else { 1.0 })?;
+        let strength = self.term(term)?;
+        let value = self.along(0, sense * self.evaluate(&strength)?);
+        Some(Labelled { label: self.unsigned(&strength), value: Some(value) })
+    }
+
+    fn resisting(&self, resistance: &Resistance, body: &str, stage: usize) -> Option<Labelled> {
+        let speed = name_math(&self.velocity_name(body, stage + 1));
+        let [x, y] = self.velocity(body, stage + 1).filter(|velocity| *velocity != [0.0, 0.0])?;
+        let (term, power, per_velocity) = match resistance {
+            Resistance::Linear(term) => (term, speed, 1.0),
+            Resistance::Quadratic(term) => {
+                let two = Math::Number("2".to_owned());
+                (term, Math::Sup(Arc::new(speed), Arc::new(two)), libm::hypot(x, y))
+            }
+        };
+        let coefficient = self.term(term)?;
+        let size = self.evaluate(&coefficient)? * per_velocity;
+        let label = product([factor(&coefficient, self.symbolic(&coefficient)), power]);
+        Some(Labelled { label, value: Some([-size * x, -size * y]) })
     }
 
     fn force(&self, compass: &Compass, force: &ActingForce) -> Option<Moving> {
