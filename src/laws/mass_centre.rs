@@ -47,7 +47,7 @@ pub const RATE: Law = Law {
     signs: "Positive along the axis.",
     when: "Always; internal forces cancel in pairs.",
     source: "Newton's second law for each body, added up.",
-    wrong: &[],
+    wrong: wrong::mass_centre::RATE,
 };
 
 /// The acceleration of the centre of mass.
@@ -58,7 +58,7 @@ pub const ACCELERATION: Law = Law {
     signs: "Positive along the axis.",
     when: "No mass changes.",
     source: "The definition of the centre of mass, differentiated.",
-    wrong: &[],
+    wrong: wrong::mass_centre::ACCELERATION,
 };
 
 /// The path of the centre of mass.

@@ -5,6 +5,7 @@ use crate::expr::Function;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// The velocity at which nothing is left to accelerate the body.
 pub const TERMINAL: Law = Law {
@@ -14,7 +15,7 @@ pub const TERMINAL: Law = Law {
     signs: "Positive along the axis.",
     when: "The other forces do not change.",
     source: "Newton's second law with zero acceleration.",
-    wrong: &[],
+    wrong: wrong::resistance::TERMINAL,
 };
 
 /// The velocity after a time, against a resistance in proportion to it.
@@ -25,7 +26,7 @@ pub const LINEAR: Law = Law {
     signs: "Velocities are positive along the axis. Without other forces the terminal velocity is zero.",
     when: "The resistance is b times the speed, and the other forces do not change.",
     source: "m dv/dt = F - b v: the integral of dv/(v - w) is -b t/m, where w = F/b.",
-    wrong: &[],
+    wrong: wrong::resistance::LINEAR,
 };
 
 /// The speed at which a quadratic resistance is as large as what acts besides.
@@ -36,7 +37,7 @@ pub const EVEN: Law = Law {
     signs: "Magnitudes.",
     when: "The resistance is k times the square of the speed, and the other forces do not change.",
     source: "Newton's second law with zero acceleration.",
-    wrong: &[],
+    wrong: wrong::resistance::EVEN,
 };
 
 /// The speed after a distance, against a resistance in proportion to its square.
@@ -47,7 +48,7 @@ pub const QUADRATIC_WAY: Law = Law {
     signs: "Speed and other forces are positive in the direction of motion.",
     when: "The resistance is k times the square of the speed, the other forces F do not change, and the body does not turn back.",
     source: "m v dv/dx = F - k v^2: the integral of m v dv/(F - k v^2) is the distance.",
-    wrong: &[],
+    wrong: wrong::resistance::QUADRATIC_WAY,
 };
 
 /// The speed after a time, against a resistance in proportion to its square.

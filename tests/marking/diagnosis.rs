@@ -214,6 +214,47 @@ fn usual_mistakes_in_the_collision_are_recognised() {
     assert!(part(&nothing, "v_A2").diagnosis.is_none(), "{nothing}");
 }
 
+/// The problem of a file, with these values.
+fn with_values(path: &str, set: &[(&str, &str)]) -> Exercise {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let problem = problem(&std::fs::read_to_string(path).expect("the file is there"));
+    let set: Vec<(String, String)> =
+        set.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    Exercise::with_values(&problem, 0, 1, &set, &[]).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+/// A cabin of 1.5 t at -20 m/s against 3 t/s times the speed, for 0.4 s. By hand: w = -4.905 m/s, the acceleration is 30.19 m/s^2 at first
+/// and would be -9.81 m/s^2 without the brake. A skydiver of 80 kg from rest over 100 m against 0.25 kg/m times the square of the speed:
+/// m g = 784.8 N. Three particles: forces of -6 N along x, 10 N and -8 N along y, with the moments 6, 40 and -16 N m, on 2, 4 and 1 kg.
+#[test]
+fn usual_mistakes_about_resistance_and_rates_are_recognised() {
+    let brake = [("m", "1.5 t"), ("b", "3 t/s"), ("v_A1", "-20 m/s"), ("T", "0.4 s")];
+    let brake = with_values("problem_bank/impulse/drop-tower-brake.yaml", &brake);
+    let skydiver = [("m", "80 kg"), ("k", "0.25 kg/m"), ("d", "100 m")];
+    let skydiver = with_values("problem_bank/impulse/skydiver.yaml", &skydiver);
+    let particles = with_values("tests/fixtures/exercises/three-particles-with-forces.yaml", &[]);
+    let mistakes = [
+        (&brake, "v_A2", "-7.92 m/s", "resistance-as-at-first"), // -20 + 30.19 * 0.4
+        (&brake, "v_A2", "-23.9 m/s", "resistance-neglected"),   // -20 - 9.81 * 0.4
+        (&brake, "v_A2", "-4.91 m/s", "terminal-velocity-at-once"),
+        (&brake, "r_A2", "-5.58 m", "resistance-as-at-first"), // -20 * 0.4 + 30.19 * 0.08
+        (&brake, "r_A2", "-8.78 m", "resistance-neglected"),   // -20 * 0.4 - 9.81 * 0.08
+        (&brake, "w", "-2.21 m/s", "resistance-of-another-power"), // sqrt(4.905)
+        (&skydiver, "w", "3140 m/s", "resistance-of-another-power"), // 784.8/0.25
+        (&skydiver, "v_A2", "44.3 m/s", "resistance-neglected"), // sqrt(2 * 9.81 * 100)
+        (&skydiver, "v_A2", "56.0 m/s", "terminal-velocity-at-once"), // sqrt(784.8/0.25)
+        (&particles, "p_rate_1.y", "10 N", "one-force-for-all"),
+        (&particles, "H_rate_O1", "40 N m", "one-force-for-all"),
+        (&particles, "a_G1.x", "-3 m/s^2", "one-mass-for-system"), // -6/2
+    ];
+    for (exercise, id, answer, code) in mistakes {
+        let report = mark(exercise, &[(id, answer)], false);
+        let found = part(&report, id).diagnosis.clone();
+        let codes = found.map(|own| own.codes).unwrap_or_default();
+        assert!(codes.contains(&code), "{id} = {answer}: {codes:?} for {code}");
+    }
+}
+
 #[test]
 fn codes_are_unique_and_every_text_is_a_sentence_without_numbers() {
     let kinds: Vec<_> = wrong::all().into_iter().flat_map(|(_, kinds)| kinds).collect();

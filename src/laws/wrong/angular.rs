@@ -1,6 +1,9 @@
 //! Mistakes about angular momentum.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::quantity::Dimension;
 
 use super::Misconception;
@@ -10,6 +13,7 @@ use super::WrongForm;
 use super::energy::HALF;
 use super::force::ENDS_AVERAGED;
 use super::force::VALUE_TIMES_TIME;
+use super::mass_centre::SOME_FORCES;
 use super::rewrite::ends_averaged;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
@@ -118,6 +122,7 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
 pub const MOMENT: &[WrongForm] = &[
     WrongForm { of: &MOMENTS_ADDED, write: signs_lost },
     WrongForm { of: &FACTORS_EXCHANGED, write: |law| one((law.left(), -law.right())) },
+    WrongForm { of: &SOME_FORCES, write: one_force },
 ];
 /// Wrong forms of the moment equation.
 pub const RATE: &[WrongForm] = &[WrongForm { of: &TAKEN_AS_CONSERVED, write: |law| one((law.left(), Expr::zero())) }];
@@ -182,6 +187,22 @@ fn signs_lost(law: &Taught<'_>) -> Vec<Wrong> {
     };
     let sides = (law.left(), Expr::sum(terms(&law.sides.1).iter().map(lost)));
     if sides == *law.sides { Vec::new() } else { one(sides) }
+}
+
+/// The moment of each force alone, where there are several: its terms share a quantity that is neither a place nor a time nor a number.
+fn one_force(law: &Taught<'_>) -> Vec<Wrong> {
+    let apart = [Dimension::LENGTH, Dimension::TIME, Dimension::NONE];
+    let mut forces: Vec<(BTreeSet<Symbol>, Expr)> = Vec::new();
+    for term in terms(&law.sides.1) {
+        let of_force = |symbol: &Symbol| apart.iter().all(|dimension| !law.is(*symbol, *dimension));
+        let own = (term.symbols().into_iter().filter(of_force).collect(), term);
+        let (same, others): (Vec<_>, Vec<_>) =
+            forces.into_iter().partition(|(symbols, _)| !symbols.is_disjoint(&own.0));
+        forces = others;
+        forces.push(same.into_iter().fold(own, |(all, sum), (symbols, part)| (&all | &symbols, part + sum)));
+    }
+    let alone = forces.iter().map(|(_, moment)| Wrong::from((law.left(), moment.clone())));
+    if forces.len() > 1 { alone.collect() } else { Vec::new() }
 }
 
 /// The moment with the other sign, where it is a difference.

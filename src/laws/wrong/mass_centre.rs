@@ -47,6 +47,13 @@ pub const NOT_RELATIVE: Misconception = Misconception {
     ask: "Relative to what is the velocity taken?",
     hint: "Relative to the centre of mass, a body moves with the difference of the two velocities.",
 };
+/// One of several forces.
+pub const SOME_FORCES: Misconception = Misconception {
+    id: "one-force-for-all",
+    does: "counts one of the forces on the system only",
+    ask: "Which external forces act on the bodies of the system? Is each of them among yours?",
+    hint: "Every external force on any of the bodies changes the momentum of the system, and its moment the angular momentum.",
+};
 /// One of the two parts of Koenig's theorem left out.
 pub const PART_FORGOTTEN: Misconception = Misconception {
     id: "part-of-koenig-forgotten",
@@ -82,6 +89,11 @@ pub const MOTION: &[WrongForm] = &[
     WrongForm { of: &ONE_MASS, write: one_mass },
 ];
 
+/// Wrong forms of the rate of change of momentum.
+pub const RATE: &[WrongForm] = &[WrongForm { of: &SOME_FORCES, write: each_term }];
+/// Wrong forms of the acceleration of the centre of mass.
+pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &ONE_MASS, write: one_mass }];
+
 /// The first term of the right side alone.
 fn first_term(law: &Taught<'_>) -> Vec<Wrong> {
     match &terms(&law.sides.1)[..] {
@@ -110,8 +122,12 @@ fn plain_average(law: &Taught<'_>) -> Vec<Wrong> {
 }
 
 fn one_mass(law: &Taught<'_>) -> Vec<Wrong> {
-    let parts = factors(&law.sides.1);
-    let [Expr::Sum(masses), _] = &parts[..] else { return Vec::new() };
+    let sides = [&law.sides.1, &law.sides.0].map(factors);
+    let masses = sides.iter().find_map(|parts| match &parts[..] {
+        [Expr::Sum(masses), _] => Some(masses),
+        _ => None,
+    });
+    let Some(masses) = masses else { return Vec::new() };
     let total = Expr::Sum(masses.clone());
     masses.iter().flat_map(|mass| law.both(|side| exchanged(side, &total, mass))).collect()
 }

@@ -13,6 +13,7 @@ pub mod momentum;
 pub mod motion;
 pub mod orbit;
 pub mod reading;
+pub mod resistance;
 pub mod restitution;
 mod rewrite;
 pub mod separation;

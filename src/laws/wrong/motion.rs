@@ -9,6 +9,11 @@ use super::Wrong;
 use super::WrongForm;
 use super::force::ENDS_AVERAGED;
 use super::force::VALUE_TIMES_TIME;
+use super::resistance::AS_AT_FIRST;
+use super::resistance::NEGLECTED;
+use super::resistance::displaced;
+use super::resistance::displaced_as_at_first;
+use super::resistance::displaced_freely;
 use super::rewrite::ends_averaged;
 use super::rewrite::one;
 use super::rewrite::value_times_time;
@@ -38,6 +43,8 @@ pub const NET_FORCE: &[WrongForm] = &[WrongForm { of: &MASS_FORGOTTEN, write: ma
 pub const DISPLACEMENT: &[WrongForm] = &[
     WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
+    WrongForm { of: &AS_AT_FIRST, write: |law| displaced(law, displaced_as_at_first) },
+    WrongForm { of: &NEGLECTED, write: |law| displaced(law, displaced_freely) },
 ];
 
 /// The value of another law at the end, over the only time in it.
