@@ -64,7 +64,9 @@ fn in_moodle(items: &[Item]) -> Met {
     for (item, question) in items.iter().zip(questions) {
         let about = question.text_at(&["idnumber"]);
         assert!(!about.is_empty() && about.chars().count() <= LONGEST_ID, "{about}");
-        assert_eq!(question.at(&["questiontext", "file"]).is_some(), item.sheet.figure.is_some(), "{about}");
+        let pictures: usize = item.parts.iter().map(|part| part.field.pictures.len()).sum();
+        let files = question.at(&["questiontext"]).unwrap().all("file").count();
+        assert_eq!(files, pictures + usize::from(item.sheet.figure.is_some()), "{about}");
         assert_eq!(question.all("hint").count(), item.sheet.hints.len(), "{about}");
         let solution = question.text_at(&["generalfeedback", "text"]);
         let shown = question.at(&["generalfeedback"]).unwrap().all("file").count();
