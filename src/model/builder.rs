@@ -101,6 +101,18 @@ impl<'s> Builder<'s> {
         self.scene.plane == Plane::Horizontal && self.axes.len() < 3
     }
 
+    /// Leaves out what acts across a motion on level ground: all of it where the motion is along a line, else the weight.
+    pub(super) fn leave_out_what_acts_across(&mut self) {
+        match self.axes.len() {
+            _ if !self.weight_acts_across() => {}
+            1 => self.not_needed(
+                "weight and everything else that acts across the motion",
+                "it has no component along the motion",
+            ),
+            _ => self.not_needed("weight", "it acts at right angles to the plane of the motion"),
+        }
+    }
+
     /// An empty model of a scene that has been checked.
     pub(super) fn new(scene: &'s Scene) -> Self {
         Self {

@@ -55,7 +55,7 @@ impl Builder<'_> {
             self.read(&friction.kinetic, Dimension::NONE, "the coefficient of kinetic friction", &path.key("kinetic"));
         let contact = self.contact(pushed, kinetic, axis);
         self.note_impulse(index, body, pushed.acting.first().map_or("friction", |force| &force.name), Vec::new());
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem gives none");
         let begins = friction.at_rest.as_ref().map(|_| self.begins(index, &name));
         let acts = Acts { stage: index, on: body, during: [begins.as_ref().unwrap_or(&pushed.start), &pushed.end] };
         for force in &pushed.acting {

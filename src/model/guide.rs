@@ -108,7 +108,7 @@ impl Builder<'_> {
             components: components.collect(),
             impulsive: true,
         });
-        self.neglect(format!("friction with {}", guide.by), "the problem does not mention any");
+        self.neglect(format!("friction with {}", guide.by), "the problem gives none");
     }
 }
 

@@ -67,10 +67,10 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
     };
     let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
     let lossy = scene.stages.iter().filter(|stage| matches!(stage, Stage::Impact(impact) if loses(impact)));
-    let impacts = match lossy.count() {
+    let (impacts, change) = match lossy.count() {
         0 => return None,
-        1 => "impact",
-        _ => "impacts",
+        1 => ("the impact", "changes"),
+        _ => ("the impacts", "change"),
     };
     let is_energy = |symbol| worked.problem.model().name(symbol).kind.is_kinetic_energy();
     let told_energy = worked.variant.all_given().iter().any(|(symbol, ..)| is_energy(*symbol));
@@ -79,7 +79,7 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
     (!told_energy).then(|| {
         let afterwards = if on_energy { " The energy is worked out afterwards, from the velocities." } else { "" };
         Block::text(&format!(
-            "Why momentum and not energy: kinetic energy is lost in the {impacts}, and how much is not known beforehand.{afterwards}"
+            "Why momentum and not energy: {impacts} {change} the kinetic energy, and by how much is not known beforehand.{afterwards}"
         ))
     })
 }

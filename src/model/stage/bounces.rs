@@ -48,7 +48,7 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: true,
         });
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem gives none");
         self.neglect("the duration of each contact", "it is short compared with the time in the air");
     }
 

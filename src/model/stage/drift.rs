@@ -47,6 +47,6 @@ impl Builder<'_> {
             // Put in, the time follows from one equation even where a body stands still.
             self.end_of_flight(index, &bodies, until, &|place| moved.get(&place).cloned(), &path.key("until"));
         }
-        self.neglect("friction and air resistance", "the problem does not mention any");
+        self.neglect("friction and air resistance", "the problem gives none");
     }
 }

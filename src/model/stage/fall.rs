@@ -50,6 +50,6 @@ impl Builder<'_> {
         let acts = Influence::outside(index, body, "weight").force(components.clone());
         self.acts(acts.works(Effect::Open, "weight does work as the height changes"));
         self.note_impulse(index, body, "weight", components);
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem gives none");
     }
 }

@@ -57,8 +57,8 @@ impl Builder<'_> {
             self.end_of_flight(index, &bodies, until, &|_| None, &path.key("until"));
         }
         match self.scene.plane {
-            Plane::Vertical if stage.is_free() => self.neglect("air resistance", "the problem does not mention any"),
-            Plane::Horizontal if stage.is_free() => self.neglect("friction", "the problem does not mention any"),
+            Plane::Vertical if stage.is_free() => self.neglect("air resistance", "the problem gives none"),
+            Plane::Horizontal if stage.is_free() => self.neglect("friction", "the problem gives none"),
             Plane::Vertical | Plane::Horizontal => {}
         }
     }

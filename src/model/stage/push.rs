@@ -195,13 +195,8 @@ impl Builder<'_> {
             });
         }
         if self.scene.plane == Plane::Horizontal && !on_slope {
-            if self.weight_acts_across() {
-                self.not_needed(
-                    "weight and everything else that acts across the motion",
-                    "it has no component along the motion",
-                );
-            }
-            self.neglect("friction", "the problem does not mention any");
+            self.leave_out_what_acts_across();
+            self.neglect("friction", "the problem gives none");
         }
     }
 

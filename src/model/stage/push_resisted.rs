@@ -47,9 +47,8 @@ impl Builder<'_> {
         }
         if stage.incline.is_some() {
             self.neglect("friction", "the slope is smooth");
-        } else if self.weight_acts_across() {
-            let why = "it has no component along the motion";
-            self.not_needed("weight and everything else that acts across the motion", why);
+        } else {
+            self.leave_out_what_acts_across();
         }
         self.acts(Influence::outside(index, pushed.body, "the net force"));
         self.note_impulse_of_all(index, pushed.body, impulses);

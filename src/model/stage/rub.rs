@@ -89,8 +89,8 @@ impl Builder<'_> {
         if let Some(slid) = slid {
             self.heat(&rubbing, &slid);
         }
-        self.neglect(format!("friction on {lower} from below"), "the problem does not mention any");
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect(format!("friction on {lower} from below"), "the problem gives none");
+        self.neglect("air resistance", "the problem gives none");
     }
 
     /// What only friction can have is told without it.

@@ -64,7 +64,7 @@ impl Builder<'_> {
             let weight = Influence::outside(index, body, "weight");
             self.acts(weight.works(Effect::Open, "weight does work as the height changes"));
         }
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem gives none");
         if friction.is_none() {
             let track = if stage.incline.is_none() && stage.height.is_none() { "floor" } else { "slope" };
             self.neglect("friction", format!("the {track} is smooth"));

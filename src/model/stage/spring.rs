@@ -129,7 +129,7 @@ impl Builder<'_> {
         self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));
         self.note_impulse(index, body, "the spring", Vec::new());
         if stage.friction.is_none() && incline.along != Expr::one() {
-            self.neglect("friction", "the problem does not mention any");
+            self.neglect("friction", "the problem gives none");
         }
     }
 
@@ -176,6 +176,6 @@ impl Builder<'_> {
         }
         let pair = Pair { index, bodies, before, after, link: "the spring", line: "it", pulley: None };
         self.pair(&pair, None, &|_, impulse| vec![impulse.clone()], None, path);
-        self.neglect("friction and other resistance", "the problem does not mention any");
+        self.neglect("friction and other resistance", "the problem gives none");
     }
 }

@@ -61,7 +61,10 @@ impl Builder<'_> {
         let held = forces.iter().map(|force| -force.clone()).collect();
         self.acts(Influence::outside(index, body, format!("what holds {name}")).force(held));
         self.note_impulse(index, body, by, Vec::new());
-        self.neglect("friction between the stream and the body", "the problem does not mention any");
+        // Friction may be what carries along a stream that stays.
+        if !stage.stays {
+            self.neglect("friction between the stream and the body", "the problem gives none");
+        }
         if stage.drop.is_none() && self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some()) {
             self.neglect(
                 format!("the weight of {by} before it arrives"),

@@ -75,7 +75,7 @@ impl Builder<'_> {
         } else {
             self.neglect("the mass of the cord", "it is light");
         }
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem gives none");
     }
 
     /// The angle and the velocity at the start (0) or at the end (1).

@@ -297,11 +297,11 @@ impl Builder<'_> {
 
     fn leave_out_of_burn(&mut self, stage: &Thrust) {
         match self.scene.plane {
-            Plane::Horizontal => self.neglect("gravity", "the problem does not mention any along the motion"),
+            Plane::Horizontal => self.neglect("gravity", "the problem gives none along the motion"),
             Plane::Vertical => self.neglect("the decrease of g with height", "g is taken to be constant"),
         }
         if stage.resistance.is_none() {
-            self.neglect("air resistance", "the problem does not mention any");
+            self.neglect("air resistance", "the problem gives none");
         }
     }
 }

@@ -81,7 +81,7 @@ impl Builder<'_> {
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");
-        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem gives none");
     }
 
     /// The pull of what joins the bodies, and its part in diagrams.

@@ -144,7 +144,7 @@ fn ways_out(
         stuck.known.contains(symbol) && !is_number && model.name(*symbol).kind != QuantityKind::Gravity
     };
     let givens: BTreeSet<Symbol> = within.filter(can_be_left_out).collect();
-    let mut replaced = |symbol: &Symbol| {
+    let replaced = |symbol: &Symbol| {
         // What is told of masses mostly stays: later symbols are those of the motion.
         let mut givens = givens.iter().rev().copied();
         let given = givens.find(|given| {
@@ -153,7 +153,7 @@ fn ways_out(
         })?;
         Some((*symbol, given))
     };
-    unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(|symbol| replaced(symbol)).collect()
+    unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(replaced).collect()
 }
 
 /// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given.

@@ -299,6 +299,9 @@ mod tests {
 
     #[test]
     fn nearly_equal_is_equal() {
-        assert!(compared(1.0, 1.0 + 1e-15).is_eq() && compared(1.0, 1.0 + 1e-9).is_lt() && compared(0.0, 0.0).is_eq());
+        assert_eq!(compared(1.0, 1.0 + 1e-15), Some(Ordering::Equal));
+        assert_eq!(compared(1.0, 1.0 + 1e-9), Some(Ordering::Less));
+        assert_eq!(compared(0.0, 0.0), Some(Ordering::Equal));
+        assert_eq!(compared(f64::NAN, 0.0), None);
     }
 }

@@ -133,7 +133,7 @@ impl<'a> Lexer<'a> {
             let power = written.replacen(['e', 'E'], "*10^", 1);
             let product = written.replacen(['e', 'E'], "*e*", 1).replace("*+", " + ").replace("*-", " - ");
             let readings = vec![power, product];
-            return Err((start, UnreadableKind::AmbiguousName { name: written.to_owned(), readings }));
+            return Err((start, UnreadableKind::AmbiguousName { name: written.clone(), readings }));
         }
         self.at += found.length;
         self.lost_product(digits, start)?;

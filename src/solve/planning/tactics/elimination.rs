@@ -150,7 +150,7 @@ impl Row {
             if coefficient.is_zero() || !block.vanishes(coefficient) {
                 continue;
             }
-            let zero = factors(coefficient).into_iter().find(|factor| block.vanishes(factor));
+            let zero = factors(coefficient).iter().find(|factor| block.vanishes(factor));
             let zero = zero.unwrap_or(coefficient).clone();
             self.coefficients[column] = Expr::zero();
             let (left, right) = self.sides(unknowns);
