@@ -162,7 +162,7 @@ fn strike([x, y, plate]: [i64; 3], mass: i64, e: i64) -> [f64; 3] {
     PLATE.with(|problem| {
         let given = |name: &str, value: i64, shift: u32, unit: &str| {
             let symbol = problem.model().symbol_of(name).unwrap();
-            (symbol, Decimal::from_scaled(value.into(), shift), Unit::parse(unit).unwrap())
+            (symbol, Decimal::from_scaled(value, shift), Unit::parse(unit).unwrap())
         };
         let speeds = [("v_A1.x", x), ("v_A1.y", y), ("u", plate)].map(|(name, speed)| given(name, speed, 1, "m/s"));
         let values = [&speeds[..], &[given("m_A", mass, 1, "kg"), given("e", e, 2, "")]].concat();
