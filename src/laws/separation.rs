@@ -83,6 +83,17 @@ pub const DESCENT: Law = Law {
     wrong: wrong::energy::CONSERVATION,
 };
 
+/// Energy of a body that rises or sinks on another.
+pub const CARRIED: Law = Law {
+    id: "energy-on-what-gives-way",
+    name: "conservation of energy",
+    statement: "The kinetic energies of a body and of the one on which it rises or sinks, and the weight of the first times its height, have the same sum at both ends.",
+    signs: "A height above the lower end is positive.",
+    when: "All contacts are smooth, cords are light, and what supports the second body does no work.",
+    source: "Work and energy for both bodies together.",
+    wrong: wrong::separation::CARRIED,
+};
+
 /// A body on the face of another.
 pub const ALONG_FACE: Law = Law {
     id: "motion-along-a-face",
@@ -107,7 +118,7 @@ pub const RELATIVE_WAY: Law = Law {
 
 /// The laws of this chapter.
 pub const LAWS: &[&Law] =
-    &[&MASS, &TOGETHER, &ENERGY, &RELATIVE, &GUIDE, &AT_REST, &DESCENT, &ALONG_FACE, &RELATIVE_WAY];
+    &[&MASS, &TOGETHER, &ENERGY, &RELATIVE, &GUIDE, &AT_REST, &DESCENT, &CARRIED, &ALONG_FACE, &RELATIVE_WAY];
 
 /// `E + T_1 = T_2`, over the kinetic energies of each body.
 #[must_use]

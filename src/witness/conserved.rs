@@ -4,6 +4,7 @@ use crate::problem::Conservable;
 use crate::problem::Conserved;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::simulate::scene::Component;
 use crate::simulate::scene::RecordedMotion;
 
 use super::case::Case;
@@ -96,8 +97,11 @@ fn same([before, after]: [Total; 2]) -> bool {
 /// Whether the sum is the same at every moment that is watched; of bodies that are not seen to move nothing changes.
 fn stays(scene: &Scene, ask: &Conserved, motions: &[RecordedMotion]) -> bool {
     motions.iter().all(|motion| {
-        let is_asked =
-            |letter: &str| ask.along.is_none_or(|own| own.letter() == letter) || scene.axes.rectangular().len() < 2;
+        // Beside the only axis of a scene, a motion may have a height of its own, along which nobody asks.
+        let is_asked = |component: &Component| match scene.axes.rectangular().len() {
+            0 | 1 => motion.components.len() < 2 || !component.vertical,
+            _ => ask.along.is_none_or(|own| own.letter() == component.letter),
+        };
         let mut totals: Vec<Vec<Total>> = Vec::new();
         for moment in &motion.record.moments {
             let mut sums: Vec<Total> = vec![(0.0, 0.0); motion.components.len().max(1)];
@@ -108,7 +112,7 @@ fn stays(scene: &Scene, ask: &Conserved, motions: &[RecordedMotion]) -> bool {
                 match ask.conserved {
                     Conservable::Momentum => {
                         for ((sum, part), component) in sums.iter_mut().zip(velocity).zip(&motion.components) {
-                            if is_asked(component.letter) {
+                            if is_asked(component) {
                                 *sum = (sum.0 + mass * part, sum.1 + (mass * part).abs());
                             }
                         }

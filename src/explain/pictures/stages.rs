@@ -9,6 +9,8 @@ use crate::scene::Strength;
 use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Push;
+use crate::scene::stage::Slide;
+use crate::scene::stage::Swing;
 
 use super::angular;
 use super::arm;
@@ -41,6 +43,12 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
         }
         Some(Stage::Push(_)) => {
             snapshot::in_space(quantities, compass).or_else(|| sheet::line::drawing(quantities, compass, 0))
+        }
+        Some(Stage::Slide(slide @ Slide { on: Some(on), .. })) => {
+            Some(sheet::carried::on_face(quantities, compass, 0, slide, on))
+        }
+        Some(Stage::Swing(swing @ Swing { on: Some(on), .. })) => {
+            Some(sheet::carried::on_circle(quantities, compass, 0, swing, on))
         }
         Some(Stage::Slide(slide)) if slide.is_ramp() => Some(sheet::ramp::drawing(quantities, compass, 0, slide)),
         Some(Stage::Taut(taut)) if taut.over.is_some() => Some(sheet::pulley::taut(quantities, 0, taut)),
@@ -97,6 +105,12 @@ pub(super) fn solution(
             let place = if index == 0 { place(quantities, compass) } else { None };
             [place, plot, momenta()].into_iter().collect()
         }
+        Stage::Slide(slide @ Slide { on: Some(on), .. }) => {
+            vec![Some(sheet::carried::on_face(quantities, compass, index, slide, on)), momenta()]
+        }
+        Stage::Swing(swing @ Swing { on: Some(on), .. }) => {
+            vec![Some(sheet::carried::on_circle(quantities, compass, index, swing, on)), momenta()]
+        }
         Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(quantities, compass, index, slide))],
         Stage::Swing(swing) => vec![Some(sheet::swing::drawing(quantities, compass, index, swing))],
         Stage::Connected(connected) => vec![string::diagram(quantities, index, connected)],
@@ -145,6 +159,9 @@ fn drawn(stage: &Stage) -> Drawn {
     let alone = |body: &str| vec![Participant::alone(body)];
     let several = |bodies: &[String]| bodies.iter().map(|body| Participant::alone(body)).collect();
     let drawn = |participants, arrows| Drawn { participants, arrows, mutual: false };
+    if let Some(both) = stage.carried() {
+        return drawn(both.map(Participant::alone).to_vec(), Arrows::Resultant);
+    }
     match stage {
         Stage::Impact(impact) => {
             let participants = match impact.partners() {

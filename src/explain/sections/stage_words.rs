@@ -13,7 +13,9 @@ use crate::scene::stage::Ends;
 use crate::scene::stage::Flight;
 use crate::scene::stage::Interact;
 use crate::scene::stage::Push;
+use crate::scene::stage::Slide;
 use crate::scene::stage::Strand;
+use crate::scene::stage::UpOrDown;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
@@ -37,6 +39,10 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
                 );
             }
             format!("forces act on {bodies}")
+        }
+        Stage::Slide(Slide { body, on: Some(on), way, .. }) => {
+            let way = if *way == Some(UpOrDown::Up) { "up" } else { "down" };
+            format!("{} {way} {}", does(body, ["slides", "slide"]), name(on))
         }
         Stage::Slide(slide) => does(&slide.body, ["slides", "slide"]),
         Stage::Spring(spring) => match spring.ends() {
@@ -124,6 +130,9 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         1 => format!("{}.", capitalised(&sentence)),
         _ => format!("During {phrase} {sentence}."),
     };
+    if let Some([body, on]) = stage.carried() {
+        return Some(during(supported(scene, body, on)));
+    }
     Some(match (stage, &impulses[..]) {
         (Stage::Impact(_) | Stage::Separate(_), [_, _, ..]) => {
             let inner = impulses.iter().filter(|impulse| matches!(impulse.by, Agent::Body(_)));
@@ -134,12 +143,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
             format!("During {phrase}, {bodies} exert {equal} on each other; {also}.")
         }
-        (Stage::SlideOff(slide), _) => during(format!(
-            "{} and {} are acted on by their weights and by the support; none of these forces has a component along the motion of {}",
-            name(&slide.body),
-            name(&slide.on),
-            name(&slide.on)
-        )),
+        (Stage::SlideOff(slide), _) => during(supported(scene, &slide.body, &slide.on)),
         (Stage::Flight(flight), _) => {
             let bodies: Vec<String> = flight.flying().map(name).collect();
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
@@ -203,6 +207,14 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })
+}
+
+/// What acts from outside on a body and on the one that carries it and gives way.
+fn supported(scene: &Scene, body: &str, on: &str) -> String {
+    let [body, on] = [body, on].map(|own| scene.called(own));
+    format!(
+        "{body} and {on} are acted on by their weights and by the support; none of these forces has a component along the motion of {on}"
+    )
 }
 
 /// What acts on bodies that are pushed or slide.

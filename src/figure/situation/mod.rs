@@ -2,6 +2,7 @@
 
 mod angle;
 mod bowl;
+mod carried;
 mod central;
 mod conical;
 mod contact;
@@ -18,6 +19,7 @@ mod swing;
 
 pub use angle::AngleMark;
 pub use bowl::{Bowl, Wall};
+pub use carried::{Carried, CarriedBy, CarriedEnd};
 pub(super) use central::draw_centre;
 pub use central::{Central, Moment};
 pub use conical::{Across, Conical};
@@ -69,6 +71,8 @@ pub enum Layout {
     Pulley(Pulley),
     /// A body on another one that can give way.
     Ride(Ride),
+    /// A body that rises or sinks on another one, which gives way.
+    Carried(Carried),
     /// A body on a ramp of any shape.
     Ramp(Ramp),
     /// Particles on an arm.
@@ -108,6 +112,7 @@ impl Situation {
             Layout::Swing(swing) => swing.draw(&mut canvas),
             Layout::Pulley(pulley) => pulley.draw(&mut canvas),
             Layout::Ride(ride) => ride.draw(&mut canvas),
+            Layout::Carried(carried) => carried.draw(&mut canvas),
             Layout::Ramp(ramp) => ramp.draw(&mut canvas),
             Layout::Arm(arm) => arm.draw(&mut canvas),
             Layout::Bowl(bowl) => bowl.draw(&mut canvas),

@@ -12,7 +12,7 @@ use super::angle::{AngleMark, Vertex, draw_angle};
 use super::dimension::draw_dimension;
 use super::moving::{Moving, MovingBody, Scales, draw_vector};
 
-const CORD: f64 = 112.0;
+pub(super) const CORD: f64 = 112.0;
 const LONGEST: f64 = 52.0;
 const CEILING_HALF: f64 = 26.0;
 const PIVOT: f64 = 1.8;
@@ -169,7 +169,7 @@ fn draw_pivot(canvas: &mut Canvas, angles: &[f64]) {
 }
 
 /// Dashed, from one body to the other.
-fn draw_path(canvas: &mut Canvas, [from, to]: [f64; 2], [first, second]: [&Body; 2]) {
+pub(super) fn draw_path(canvas: &mut Canvas, [from, to]: [f64; 2], [first, second]: [&Body; 2]) {
     let hidden = |body: &Body, angle: f64| 1.15 * body.reach(Point::polar(1.0, angle)) / CORD;
     let way = (to - from).signum();
     let (start, end) = (from + way * hidden(first, from), to - way * hidden(second, to));
@@ -180,7 +180,7 @@ fn draw_path(canvas: &mut Canvas, [from, to]: [f64; 2], [first, second]: [&Body;
 }
 
 /// Between the levels of the two places, beside the outer one and its arrow, and at least so far from the middle.
-fn draw_height(canvas: &mut Canvas, bodies: [&Body; 2], [arrow, least]: [f64; 2], label: &Math) {
+pub(super) fn draw_height(canvas: &mut Canvas, bodies: [&Body; 2], [arrow, least]: [f64; 2], label: &Math) {
     let (down, half) = (Point::new(0.0, -1.0), bodies[0].support(Point::new(1.0, 0.0)));
     let places = bodies.map(|body| body.centre() + down * body.support(down));
     let [low, high] = if places[0].y <= places[1].y { places } else { [places[1], places[0]] };

@@ -183,7 +183,7 @@ fn spring_doubled(law: &Taught<'_>, side: &Expr) -> Expr {
     Expr::sum(parts.into_iter().map(|part| if law.has(&part, spring) { Expr::integer(2) * part } else { part }))
 }
 
-fn square(law: &Taught<'_>) -> Vec<Wrong> {
+pub(super) fn square(law: &Taught<'_>) -> Vec<Wrong> {
     law.both(unsquared)
 }
 

@@ -1,6 +1,7 @@
 //! Mistakes about bodies that come apart.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::laws::Sides;
 use crate::quantity::Dimension;
 
@@ -48,6 +49,27 @@ pub const GUIDE_FORGOTTEN: Misconception = Misconception {
     hint: "Rails, a floor or a cord hold the body with whatever impulse is needed: momentum is conserved along the guide only.",
 };
 
+/// What gives way taken as fixed.
+pub const CARRIER_FIXED: Misconception = Misconception {
+    id: "carrier-taken-as-fixed",
+    does: "calculates as if the body that gives way were fixed",
+    ask: "Does the body that carries the other one stay at rest, or does it move, too?",
+    hint: "What gives way takes up momentum and kinetic energy; where neither moves relative to the other, both still move together.",
+};
+/// The kinetic energy of what gives way left out.
+pub const CARRIER_ENERGY: Misconception = Misconception {
+    id: "energy-of-what-gives-way-forgotten",
+    does: "leaves out the kinetic energy of the body that gives way",
+    ask: "Which bodies move at this instant, and whose kinetic energy have you counted?",
+    hint: "Write the kinetic energies of both bodies at both instants, then the weight times the height.",
+};
+
+/// Wrong forms of the energy of a body on one that gives way.
+pub const CARRIED: &[WrongForm] = &[
+    WrongForm { of: &CARRIER_FIXED, write: carrier_fixed },
+    WrongForm { of: &CARRIER_ENERGY, write: carrier_energy_forgotten },
+    WrongForm { of: &super::energy::SQUARE, write: super::energy::square },
+];
 /// Wrong forms of the constraint of a guide.
 pub const GUIDE: &[WrongForm] = &[WrongForm { of: &GUIDE_FORGOTTEN, write: conserved_across }];
 /// Wrong forms of a relative velocity.
@@ -74,6 +96,32 @@ fn conserved_across(law: &Taught<'_>) -> Vec<Wrong> {
         Wrong { equations, without: &[] }
     };
     after.map(conserved).collect()
+}
+
+/// `m v_A1^2 / 2 = m g h`: without the other body, and without what both have in common where they move together.
+fn carrier_fixed(law: &Taught<'_>) -> Vec<Wrong> {
+    let both = law.beside("same-velocity").flat_map(|(carrier, own)| [carrier.symbols(), own.symbols()]);
+    let common: Vec<Symbol> = both.flatten().collect();
+    law.without(&|term| {
+        carries(law, term) || !matches!(term, Expr::Sum(_)) && common.iter().any(|own| term.contains(*own))
+    })
+}
+
+/// `m v_A1^2 / 2 = m v_A2^2 / 2 + m g h`, where both move together in the end; elsewhere that is the same as a fixed carrier.
+fn carrier_energy_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    if law.beside("same-velocity").next().is_none() || !law.has_gravity(&law.sides.1) {
+        return Vec::new();
+    }
+    law.without(&|term| carries(law, term))
+}
+
+/// Whether a term is a kinetic energy of the other body: one without the mass whose weight does work.
+fn carries(law: &Taught<'_>, term: &Expr) -> bool {
+    let masses =
+        |term: &Expr| term.symbols().into_iter().filter(|own| law.is(*own, Dimension::MASS)).collect::<Vec<_>>();
+    let parts = terms(&law.sides.0).into_iter().chain(terms(&law.sides.1));
+    let own: Vec<Symbol> = parts.filter(|part| law.has_gravity(part)).flat_map(|part| masses(&part)).collect();
+    !matches!(term, Expr::Sum(_)) && !masses(term).is_empty() && masses(term).iter().all(|mass| !own.contains(mass))
 }
 
 /// `v_A = u`.

@@ -80,7 +80,7 @@ impl<'a> Description<'a> {
                 let bodies = own.pushed().map(|body| (body, Some(key))).collect();
                 Self { bodies, fills_space, ..Self::lasting(noun) }
             }
-            Stage::Slide(own) => Self { bodies: alone(&own.body), ..Self::lasting("slide") },
+            Stage::Slide(own) => Self { bodies: carried(&own.body, own.on.as_deref()), ..Self::lasting("slide") },
             Stage::Spring(own) => Self {
                 bodies: match own.ends() {
                     Some(Ends::Fixed(body)) => alone(body),
@@ -91,7 +91,7 @@ impl<'a> Description<'a> {
             },
             Stage::Swing(own) => {
                 let noun = if own.radius.is_some() { "slide" } else { "swing" };
-                Self { bodies: alone(&own.body), ..Self::lasting(noun) }
+                Self { bodies: carried(&own.body, own.on.as_deref()), ..Self::lasting(noun) }
             }
             Stage::Taut(own) => Self {
                 bodies: between(own.between.each_ref().map(String::as_str)),
@@ -252,6 +252,10 @@ impl<'a> Description<'a> {
 
 fn alone(body: &str) -> Vec<Named<'_>> {
     vec![(body, Some("body"))]
+}
+
+fn carried<'a>(body: &'a str, on: Option<&'a str>) -> Vec<Named<'a>> {
+    [(body, Some("body"))].into_iter().chain(on.map(|on| (on, Some("on")))).collect()
 }
 
 fn between(bodies: [&str; 2]) -> Vec<Named<'_>> {

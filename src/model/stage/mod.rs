@@ -8,6 +8,7 @@ mod bounce_heights;
 mod bounces;
 mod bounces_on;
 mod bowl;
+mod carried;
 mod central;
 mod conical;
 mod connected;

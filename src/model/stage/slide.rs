@@ -14,8 +14,8 @@ use crate::model::forces::Acts;
 use crate::model::incline::Incline;
 use crate::model::speeds::Speeds;
 use crate::quantity::Dimension;
+use crate::scene::stage::Halt;
 use crate::scene::stage::Slide;
-use crate::scene::stage::Until;
 use crate::scene::stage::UpOrDown;
 
 /// What holds a sliding body back, for each unit of its mass; negative where weight drives it on.
@@ -28,9 +28,13 @@ struct Retardation {
 impl Builder<'_> {
     pub(in crate::model) fn slide(&mut self, index: usize, stage: &Slide, path: &Path) {
         let body = stage.body.as_str();
+        if stage.on.is_some() {
+            return self.slide_on(index, stage, path);
+        }
+        self.nothing_carries(stage.until, path);
         let name = self.called(body);
         let phrase = self.stage_phrase(index);
-        let stops = stage.until == Some(Until::Rest);
+        let stops = stage.until == Some(Halt::Rest);
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {

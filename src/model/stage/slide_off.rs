@@ -69,18 +69,7 @@ impl Builder<'_> {
         for own in weights {
             self.acts(own);
         }
-        for (one, another) in [(body, on), (on, body)] {
-            let between = Influence::outside(index, one, self.called(another)).by(&[another]);
-            self.acts(Influence { work: Work::OfForce, ..between });
-            self.impulses.push(Impulse {
-                stage: index,
-                on: one.to_owned(),
-                by: Agent::Body(another.to_owned()),
-                called: self.called(another),
-                components: Vec::new(),
-                impulsive: false,
-            });
-        }
+        self.act_on_each_other(index, [body, on], [&other, &name]);
         self.neglect(format!("friction between {name} and {other}"), "they are smooth");
         self.not_needed(
             format!("the force between {name} and {other}"),
@@ -90,6 +79,22 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
+    /// Two bodies that act on each other, each by what is called so.
+    pub(super) fn act_on_each_other(&mut self, index: usize, [body, on]: [&str; 2], called: [&str; 2]) {
+        for ((one, another), called) in [(body, on), (on, body)].into_iter().zip(called) {
+            let between = Influence::outside(index, one, called).by(&[another]);
+            self.acts(Influence { work: Work::OfForce, ..between });
+            self.impulses.push(Impulse {
+                stage: index,
+                on: one.to_owned(),
+                by: Agent::Body(another.to_owned()),
+                called: called.to_owned(),
+                components: Vec::new(),
+                impulsive: false,
+            });
+        }
+    }
+
     /// What acts from outside on a body and on what it slides down: weight, and the guide at right angles to its way.
     fn weight_and_guide(&mut self, index: usize, stage: &SlideOff, by: &str, along: &[Expr]) -> Vec<Influence> {
         let pull = self.mass(&stage.body) * self.gravity();

@@ -20,11 +20,11 @@ use crate::scene::stage::Place;
 use crate::scene::stage::Swing;
 use crate::solve::Relation;
 
-/// One end of a swing: the angle of the cord there, zero at the lowest place, and the velocity.
-struct End {
-    angle: Expr,
-    velocity: Vec<Expr>,
-    is_lowest: bool,
+/// One end of a swing: the angle of the cord there, zero at the lowest place, and the velocity; relative to what the cord is fixed to.
+pub(super) struct End {
+    pub angle: Expr,
+    pub velocity: Vec<Expr>,
+    pub is_lowest: bool,
 }
 
 impl Builder<'_> {
@@ -47,6 +47,10 @@ impl Builder<'_> {
             let fault = Fault::new(Code::MissingKey, "an angle of a swing needs the length of the cord");
             self.faults.push(fault.help("write `length: L`").at_path(path.clone()));
         }
+        if stage.on.is_some() {
+            return self.swing_on(index, stage, length.as_ref(), path);
+        }
+        self.nothing_carries(stage.until, path);
         if stage.stops() {
             self.comes_to_rest(index, body);
         }
@@ -78,11 +82,11 @@ impl Builder<'_> {
         self.neglect("air resistance", "the problem gives none");
     }
 
-    /// The angle and the velocity at the start (0) or at the end (1).
-    fn swing_end(&mut self, index: usize, side: usize, stage: &Swing, path: &Path) -> End {
+    /// Whether the body is at its lowest point at the start (0) or at the end (1), and the angle there.
+    pub(super) fn swing_angle(&mut self, index: usize, side: usize, stage: &Swing, path: &Path) -> (bool, Expr) {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let name = self.called(body);
-        let (is_lowest, angle) = match stage.places()[side] {
+        match stage.places()[side] {
             Place::Lowest => (true, Expr::zero()),
             Place::Angle(term) => {
                 let since = self.timeline.naming_instant(body, instant);
@@ -99,7 +103,13 @@ impl Builder<'_> {
                 };
                 (false, angle)
             }
-        };
+        }
+    }
+
+    /// The angle and the velocity at the start (0) or at the end (1).
+    fn swing_end(&mut self, index: usize, side: usize, stage: &Swing, path: &Path) -> End {
+        let (body, instant) = (stage.body.as_str(), index + 1 + side);
+        let (is_lowest, angle) = self.swing_angle(index, side, stage, path);
         let velocity = self.velocities(body, instant);
         let velocity = if side == 1 && stage.stops() { vec![Expr::zero(); velocity.len()] } else { velocity };
         if is_lowest {
@@ -146,7 +156,7 @@ impl Builder<'_> {
     }
 
     /// The height between the ends, and how it follows from the angles.
-    fn swing_height(
+    pub(super) fn swing_height(
         &mut self,
         index: usize,
         stage: &Swing,
@@ -211,7 +221,8 @@ impl Builder<'_> {
     }
 
     /// The tension of the cord, or the normal force of the track, at the start (0) or at the end (1).
-    fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
+    pub(super) fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
+        let (holds, carrier) = (stage.held_by(), stage.on.as_deref().map(|on| self.called(on)));
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.naming_instant(body, instant);
         let (name, on_track) = (self.called(body), stage.radius.is_some());
@@ -230,7 +241,10 @@ impl Builder<'_> {
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);
         let centre = ["the fixed end of the cord", "the centre of the track"][usize::from(on_track)];
-        let because = format!("{} on a circle about {centre}", self.does(body, ["moves", "move"]));
+        let seen = carrier.map_or_else(String::new, |on| {
+            format!("relative to {on}, which is not accelerated while {holds} acts vertically, ")
+        });
+        let because = format!("{seen}{} on a circle about {centre}", self.does(body, ["moves", "move"]));
         self.law(law, None, because, sides);
     }
 }

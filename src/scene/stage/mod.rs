@@ -59,7 +59,7 @@ pub use swing::{Place, Swing, UpOrDown};
 pub use taut::Taut;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 pub use tow::{Tow, Towed};
-pub use until::Until;
+pub use until::{Halt, Until};
 pub use walk::Walk;
 
 use schemars::JsonSchema;
@@ -132,6 +132,23 @@ impl Stage {
             return Some((whole, parts));
         }
         if let Self::Separate(Separate { from: Some(whole), into, .. }) = self { Some((whole, into)) } else { None }
+    }
+
+    /// The body that rises or sinks on another one which gives way, and that one.
+    #[must_use]
+    pub fn carried(&self) -> Option<[&str; 2]> {
+        if let Self::Slide(Slide { body, on: Some(on), .. }) | Self::Swing(Swing { body, on: Some(on), .. }) = self {
+            return Some([body, on]);
+        }
+        None
+    }
+
+    /// Whether a body and the one which carries it move together at the end.
+    #[must_use]
+    pub fn ends_together(&self) -> bool {
+        let swings_up = |own: &Swing| own.on.is_some() && own.stops();
+        matches!(self, Self::Slide(Slide { until: Some(Halt::Together), .. }))
+            || matches!(self, Self::Swing(own) if swings_up(own))
     }
 
     /// The key that introduces the stage in a problem file.

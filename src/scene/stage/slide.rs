@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-use super::Until;
+use super::Halt;
 use super::UpOrDown;
 
 /// A body slides over a level floor, or up or down a slope; only friction and weight act along its path.
@@ -17,6 +17,9 @@ pub struct Slide {
     pub name: Option<String>,
     /// The body.
     pub body: String,
+    /// What it slides on, where that is a body that gives way along the level axis: a wedge on ice. Needs a `height`.
+    #[serde(default)]
+    pub on: Option<String>,
     /// The coefficient of kinetic friction. Default: the floor is smooth.
     #[serde(default)]
     pub friction: Option<Term>,
@@ -36,12 +39,12 @@ pub struct Slide {
     /// `up` or `down` if there is a height and no incline: the way on a smooth ramp of any shape. Default: down.
     #[serde(default)]
     pub way: Option<UpOrDown>,
-    /// Which way it slides, along one axis: `to the left`. Default: along the axis.
+    /// Which way it slides, along one axis: `to the left`; relative to what it slides `on`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// `rest` if it slides until it is at rest.
+    /// `rest` if it slides until it is at rest, `together` until it and what it slides `on` have the same velocity.
     #[serde(default)]
-    pub until: Option<Until>,
+    pub until: Option<Halt>,
 }
 
 impl Slide {

@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-use super::Until;
+use super::Halt;
 
 /// A body on a light cord swings freely between its lowest point and another point, or between two points; or it slides so on the
 /// inside of a smooth circular track. Needs a vertical plane.
@@ -20,6 +20,9 @@ pub struct Swing {
     pub name: Option<String>,
     /// The body.
     pub body: String,
+    /// What the cord is fixed to, where that is a body that gives way along the level axis: a cart on a track.
+    #[serde(default)]
+    pub on: Option<String>,
     /// The length of the cord, from the fixed end to the body. Default: none; only heights are then used.
     #[serde(default)]
     pub length: Option<Term>,
@@ -39,12 +42,13 @@ pub struct Swing {
     /// `down` if the body swings down to its lowest point and only the height says from where. Default: up.
     #[serde(default)]
     pub way: UpOrDown,
-    /// Which way the body moves at its lowest point, along the horizontal axis: `to the left`. Default: along the axis.
+    /// Which way the body moves at its lowest point, along the horizontal axis: `to the left`; relative to what the cord is fixed
+    /// `on`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// `rest` if the body comes to rest at the angle `to`.
+    /// `rest` if the body comes to rest at the angle `to`, `together` if it and what the cord is fixed `on` have the same velocity there.
     #[serde(default)]
-    pub until: Option<Until>,
+    pub until: Option<Halt>,
 }
 
 /// Up or down.
@@ -95,6 +99,6 @@ impl Swing {
     #[must_use]
     pub fn stops(&self) -> bool {
         let open = matches!(self.places(), [_, Place::Angle(None)]);
-        open || self.until == Some(Until::Rest)
+        open || self.until.is_some()
     }
 }

@@ -10,3 +10,13 @@ pub enum Until {
     /// The body comes to rest.
     Rest,
 }
+
+/// The same, where another body may carry the one that moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Halt {
+    /// The body comes to rest.
+    Rest,
+    /// The body and the one that carries it have the same velocity.
+    Together,
+}

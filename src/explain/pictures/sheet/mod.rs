@@ -1,5 +1,6 @@
 //! The figure of the problem sheet, by what happens first.
 
+pub(super) mod carried;
 pub(super) mod central;
 pub(super) mod contact;
 pub(super) mod fall;

@@ -1,6 +1,7 @@
 //! A body on a cord: on a sheet where it is and what is given of its swing, in a solution both ends with the momenta.
 
 use crate::expr::Expr;
+use crate::expr::Math;
 use crate::expr::name_math;
 use crate::figure::Drawing;
 use crate::figure::Layout;
@@ -27,11 +28,7 @@ pub(in super::super) fn drawing(
     stage: &Swing,
 ) -> Drawing {
     let length = stage.arm().and_then(|term| quantities.symbol_of_known(term));
-    let named = quantities.staged(&format!("h_{}", stage.body), index);
-    let height = match &stage.height {
-        Some(term) => quantities.symbol_of_known(term),
-        None => quantities.named(&named).map(|_| name_math(&named)),
-    };
+    let height = height(quantities, index, stage);
     let ends = [0, 1].map(|side| end(quantities, compass, index, stage, side));
     let telling = |end: &SwingEnd| end.label.is_some() || !end.vectors.is_empty();
     let shows_both = quantities.scope() == Scope::Solved || height.is_some() || telling(&ends[1]);
@@ -62,8 +59,29 @@ pub(in super::super) fn drawing(
     Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
 }
 
+/// How the height between both ends is written, where it may be shown.
+pub(super) fn height(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> Option<Math> {
+    let named = quantities.staged(&format!("h_{}", stage.body), index);
+    match &stage.height {
+        Some(term) => quantities.symbol_of_known(term),
+        None => quantities.named(&named).map(|_| name_math(&named)),
+    }
+}
+
 /// One end of the swing: the angle of the cord on the drawing, and the vectors of the body there.
 fn end(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Swing, side: usize) -> SwingEnd {
+    let (angle, label) = angle(quantities, compass, index, stage, side);
+    SwingEnd { angle, label, vectors: vectors(quantities, compass, &stage.body, index + 1 + side, angle) }
+}
+
+/// The angle of the cord on the drawing, counter-clockwise from straight down, and how it is written.
+pub(super) fn angle(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Swing,
+    side: usize,
+) -> (f64, Option<Math>) {
     let places = stage.places();
     let instant = index + 1 + side;
     let (size, label) = match &places[side] {
@@ -83,8 +101,7 @@ fn end(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Swi
     let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
     let sense = compass.place([forwards, 0.0])[0];
     let comes = side == 0 || matches!(places[0], Place::Angle(_)) && !stage.stops();
-    let angle = if comes { -sense * size } else { sense * size };
-    SwingEnd { angle, label, vectors: vectors(quantities, compass, &stage.body, instant, angle) }
+    (if comes { -sense * size } else { sense * size }, label)
 }
 
 /// The angle to which a height leads, where cord and height are known.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 
+mod carried;
 mod pushes;
 mod row;
 
@@ -9,6 +10,7 @@ use crate::scene::Scene;
 use crate::simulate::record::Moment;
 use crate::simulate::scene::{NothingToSimulate, Observed, follow, observe};
 
+use carried::CARRIED;
 use pushes::PUSHES;
 use row::{BOTH, POLAR, RIGHT, Row, SLOPE, SPACE, UP, UPHILL};
 
@@ -305,7 +307,7 @@ fn run(axes: &str, stage: &str, told: &str) -> Result<Observed, NothingToSimulat
 
 #[test]
 fn every_kind_of_stage_ends_as_it_does_by_hand() {
-    for (axes, stage, told, expected) in BY_HAND.iter().chain(PUSHES) {
+    for (axes, stage, told, expected) in BY_HAND.iter().chain(PUSHES).chain(CARRIED) {
         let observed = run(axes, stage, told).unwrap_or_else(|reason| panic!("{stage}: {reason:?}"));
         for (name, expected) in numbers(expected) {
             let mut all = observed.found.iter().chain(&observed.terms);
@@ -338,7 +340,7 @@ fn what_cannot_be_simulated_says_why() {
 #[test]
 fn the_balances_of_what_is_watched_are_level() {
     let mut watched = 0;
-    for (axes, stage, told, _) in BY_HAND.iter().chain(PUSHES) {
+    for (axes, stage, told, _) in BY_HAND.iter().chain(PUSHES).chain(CARRIED) {
         let motions = with(axes, stage, told, |scene, value| follow(scene, 0, value, 1e-10)).unwrap_or_default();
         for motion in &motions {
             let moments = &motion.record.moments;

@@ -6,6 +6,7 @@ mod bounces;
 mod bowl;
 #[cfg(test)]
 mod by_hand;
+mod carried;
 mod central;
 mod conical;
 mod connected;

@@ -14,6 +14,9 @@ const RAMP: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
 impl StageRun<'_> {
     pub(super) fn slide(&mut self, stage: &Slide) -> Result<(), NothingToSimulate> {
+        if let Some(on) = &stage.on {
+            return self.slide_on(stage, on);
+        }
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let body = stage.body.as_str();
         let slope = match (&stage.incline, &stage.height, stage.way) {

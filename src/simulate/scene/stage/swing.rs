@@ -17,6 +17,9 @@ const ANY_ANGLE: f64 = 1.0;
 
 impl StageRun<'_> {
     pub(super) fn swing(&mut self, stage: &Swing) -> Result<(), NothingToSimulate> {
+        if let Some(on) = &stage.on {
+            return self.swing_on(stage, on);
+        }
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, gravity) = (stage.body.as_str(), self.values.named("g")?);
         let own = |base: &str| (self.values.value)(&format!("{base}_{body}{}", self.values.suffix()));

@@ -1,0 +1,126 @@
+//! A body that rises or sinks on another one which gives way: where it starts, and in a solution where it ends, with the momenta.
+
+use crate::expr::Math;
+use crate::figure::Carried;
+use crate::figure::CarriedBy;
+use crate::figure::CarriedEnd;
+use crate::figure::Drawing;
+use crate::figure::Layout;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::Situation;
+use crate::figure::Wording;
+use crate::scene::stage::Halt;
+use crate::scene::stage::Slide;
+use crate::scene::stage::Swing;
+use crate::scene::stage::UpOrDown;
+
+use super::super::super::wording::capitalised;
+use super::super::compass::Compass;
+use super::super::quantities::Quantities;
+use super::super::quantities::SKETCHED;
+use super::super::quantities::Scope;
+use super::super::words::sentences;
+use super::swing;
+
+/// On the face of another body.
+pub(in super::super) fn on_face(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Slide,
+    on: &str,
+) -> Drawing {
+    let bodies = [stage.body.as_str(), on];
+    let rises = stage.way == Some(UpOrDown::Up);
+    let rightwards = (compass.place([1.0, 0.0])[0] > 0.0) != quantities.is_backwards(stage.direction.as_ref());
+    let [own, carrier] = bodies.map(|body| quantities.velocity(body, index + 1));
+    let brow = if rises { stage.until != Some(Halt::Together) } else { carrier.is_some() && own != carrier };
+    let angle = |side: usize| if (side == 1) == rises { SKETCHED } else { 0.0 };
+    let carried = Carried {
+        ends: [0, 1].map(|side| end(quantities, compass, bodies, index + 1 + side, (angle(side), None))).to_vec(),
+        by: CarriedBy::Face { rightwards: rightwards == rises, brow },
+        height: stage.height.as_ref().and_then(|height| quantities.symbol_of_known(height)),
+    };
+    let [name, other] = bodies.map(|body| quantities.called(body));
+    let place = format!("{name} on {other}");
+    let holds = format!("{name} on the smooth face of {other}, which can move along the floor");
+    drawing(quantities, compass, index, carried, [place, holds, format!("{name} and {other}")])
+}
+
+/// On a cord from another body, or on the circular track in it.
+pub(in super::super) fn on_circle(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Swing,
+    on: &str,
+) -> Drawing {
+    let bodies = [stage.body.as_str(), on];
+    let ends = [0, 1].map(|side| {
+        let angle = swing::angle(quantities, compass, index, stage, side);
+        end(quantities, compass, bodies, index + 1 + side, angle)
+    });
+    let told = stage.arm().and_then(|term| quantities.symbol_of_known(term));
+    let long = |what: &str| told.as_ref().map_or_else(String::new, |told| format!(" of {what} {}", told.plain()));
+    let [name, other] = bodies.map(|body| quantities.called(body));
+    let rightwards = ends.iter().any(|end| end.angle > 0.0);
+    let (by, place, holds) = if stage.radius.is_some() {
+        let holds = format!("{name} on a circular track{} in {other}, which can move along the floor", long("radius"));
+        (CarriedBy::Face { rightwards, brow: false }, format!("{name} on the circular track"), holds)
+    } else {
+        let holds = format!("{name} hangs on a cord{} from {other}, which can move along its track", long("length"));
+        (CarriedBy::Cord(told.clone()), format!("{name} on its cord"), holds)
+    };
+    let carried = Carried { ends: ends.to_vec(), by, height: swing::height(quantities, index, stage) };
+    drawing(quantities, compass, index, carried, [place, holds, format!("{name} and {other}")])
+}
+
+/// The two bodies at an instant: velocities on a sheet, momenta in a solution.
+fn end(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    bodies: [&str; 2],
+    instant: usize,
+    (angle, label): (f64, Option<Math>),
+) -> CarriedEnd {
+    let vectors = |body: &str| match quantities.scope() {
+        Scope::Given => quantities.motion(compass, body, instant),
+        Scope::Solved => {
+            let momentum = quantities.momentum(body, body, instant, quantities.mass(body));
+            momentum.value.map(|_| Moving::momentum(momentum.placed(compass))).into_iter().collect::<Vec<_>>()
+        }
+    };
+    let [rider, carrier] = bodies.map(|body| quantities.body(body, vectors(body)));
+    CarriedEnd { rider, carrier, angle, label }
+}
+
+/// The end is shown beside the start where something is told of it.
+fn drawing(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    carried: Carried,
+    [place, holds, both]: [String; 3],
+) -> Drawing {
+    let is_told = |own: &MovingBody| !own.vectors.is_empty();
+    let tells = |end: &CarriedEnd| {
+        let height = end.angle != 0.0 && carried.height.is_some();
+        height || end.label.is_some() || is_told(&end.rider) || is_told(&end.carrier)
+    };
+    let solved = quantities.scope() == Scope::Solved;
+    let shown = if solved || carried.ends.get(1).is_some_and(tells) { 2 } else { 1 };
+    let height = carried.height.as_ref().map_or_else(String::new, |height| {
+        format!("the difference in height between the start and the end is {}", height.plain())
+    });
+    let phrase = quantities.model().phrase(quantities.scene(), index);
+    let momenta = format!("{phrase}: the momenta of {both} at its start and at its end");
+    let beside = if shown > 1 { "the start is on the left, the end on the right".to_owned() } else { String::new() };
+    let wording = Wording {
+        title: capitalised(&place),
+        description: sentences([holds, height, beside.clone()]),
+        caption: sentences([if solved { momenta } else { place }, beside]),
+    };
+    let layout = Layout::Carried(Carried { ends: carried.ends.into_iter().take(shown).collect(), ..carried });
+    Situation { wording, layout, axes: compass.marks() }.drawing()
+}
