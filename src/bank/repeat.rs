@@ -32,7 +32,8 @@ fn exercises(problem: &Arc<Problem>, form: usize, seeds: u64) -> impl Iterator<I
 /// The problem solved with nothing but its printed numbers gives every printed answer.
 pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let differs = |(seed, first): (u64, Exercise)| {
-        let again = Exercise::with_values(problem, form, seed, &sheet_values(&first), &[]);
+        // With its text, by which a quantity that has a symbol only stays a letter.
+        let again = Exercise::typed(problem, form, seed, &sheet_values(&first), &[]);
         let [ours, theirs] = [meant(&first), again.map(|again| meant(&again)).unwrap_or_default()];
         ours.iter().find(|answer| !theirs.contains(answer)).map(|(id, answer)| {
             let other = theirs.iter().find(|(own, _)| own == id).map_or("no answer", |(_, other)| other);

@@ -278,6 +278,13 @@ fn check_tells_what_is_promised_and_what_was_not_looked_at() {
 }
 
 #[test]
+fn check_says_where_nothing_needed_simulating() {
+    let file = format!("{}/tests/fixtures/found/roots_all.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = Room::empty().fine(&["check", &file, "--seeds", "5"]);
+    assert!(text.contains("nothing needed simulating: 5 seeds by formulas of its own; "), "{text}");
+}
+
+#[test]
 fn check_finds_promises_that_are_broken() {
     let problem = "\
 id: a/b
