@@ -21,6 +21,7 @@ use crate::scene::Term;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
+use super::name::VectorName;
 use super::name::is_bare_name;
 
 /// Names of what a whole stage does, which need the stage in brackets where there are several.
@@ -168,6 +169,13 @@ impl Builder<'_> {
     pub(super) fn unknown_name(&self, name: &str) -> Fault {
         if let Some(fault) = self.about_a_moving_point(name) {
             return fault;
+        }
+        if let (Some(VectorName::Magnitude(vector)), [_]) = (VectorName::parse(name), &self.axes[..])
+            && self.symbols.find(vector).is_some()
+        {
+            let message = format!("`{vector}` has one component here, which is of either sign");
+            let help = format!("write `abs({vector})`; a question for it needs an `id` and a `label`");
+            return Fault::new(Code::UnknownName, message).help(help);
         }
         let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
         let is_stored = |own: &Name| own.kind == QuantityKind::PotentialEnergy && own.instant.is_some();

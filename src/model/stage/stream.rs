@@ -12,6 +12,7 @@ use crate::model::Builder;
 use crate::model::Flowing;
 use crate::model::Influence;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::VectorKind;
 use crate::model::builder::SECOND_COST;
 use crate::model::frame::Direction;
@@ -20,6 +21,7 @@ use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Term;
 use crate::scene::stage::Stream;
+use crate::solve::Relation;
 
 use super::thrust::FLOW;
 
@@ -41,6 +43,11 @@ impl Builder<'_> {
         };
         let arriving = if stage.series { &speed } else { &relative };
         let Some(flow) = self.stream_flow(index, stage, arriving, path) else { return };
+        // Sand that is put down on a belt has no velocity along it, but arrives.
+        if stage.flow.is_none() || !stage.stays {
+            let reason = Reason::NotReached(by.to_owned(), name.clone());
+            self.require(arriving.clone(), Relation::Greater, Expr::zero(), reason);
+        }
         let (leaving, back) = self.stream_leaves(stage, &direction, path);
         let (cause, parts) = (why(stage, &name), self.changes(&direction, leaving.as_ref(), &back));
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();

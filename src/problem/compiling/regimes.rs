@@ -8,6 +8,8 @@ use crate::fault::Fault;
 use crate::model::Model;
 use crate::model::QuantityKind;
 use crate::model::Warning;
+use crate::quantity::UnitSystem;
+use crate::quantity::coherent_unit;
 use crate::solve::Audit;
 use crate::solve::Bounded;
 use crate::solve::Cause;
@@ -86,7 +88,8 @@ impl Regimes {
                 Err(stuck) => {
                     stuck_at.get_or_insert_with(|| {
                         let ways = ways_out(planner, model, &system, &stuck, wanted);
-                        fault(model, &system, &stuck, &ways)
+                        let is_fixed = stuck.remaining.iter().all(|own| planner.is_fixed(&system, told, *own));
+                        fault(model, &system, &stuck, (&ways, is_fixed))
                     });
                     continue;
                 }
@@ -156,8 +159,9 @@ fn ways_out(
     unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(replaced).collect()
 }
 
-/// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given.
-fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[(Symbol, Symbol)]) -> Fault {
+/// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given. Where what is asked
+/// is fixed as it is, the values of further quantities do not matter.
+fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Symbol, Symbol)], bool)) -> Fault {
     let name = |symbol: &Symbol| format!("`{}`", model.symbols.entry(*symbol).name);
     let names = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(", ");
     let laws = |equations: &[usize]| {
@@ -177,7 +181,17 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[(Symbol, Symbol)
             let help = if ways.is_empty() {
                 format!("the givens are {}; describe the scene further, or give more values", names(&known))
             } else {
-                format!("give also {}", ways.join(", or "))
+                let any = enough.first().filter(|_| is_fixed).and_then(|first| first.first()).map_or_else(
+                    String::new,
+                    |own| {
+                        let unit = coherent_unit(model.symbols.entry(*own).dimension, UnitSystem::Si);
+                        format!(
+                            "; its value does not matter: {} will do",
+                            format!("`{}: any {unit}`", model.symbols.entry(*own).name)
+                        )
+                    },
+                );
+                format!("give also {}{any}", ways.join(", or "))
             };
             Fault::new(Code::UnderDetermined, message).help(help)
         }

@@ -29,8 +29,13 @@ pub(in crate::problem) fn known_in(
                 fault
             }
             _ => {
-                let message = format!("a form cannot give `{name}` another value like this");
-                let help = "a form may change what the file's `given` gives by a value, a range or a choice";
+                let (message, help) = if loaded.given.get(name).is_none() {
+                    let message = format!("a form cannot give `{name}`, which the file's `given` does not give");
+                    (message, "give it in the file's `given`, or have it solved first and then told: `reveal: [...]`")
+                } else {
+                    let message = format!("a form cannot give `{name}` another value like this");
+                    (message, "a form may change what the file's `given` gives by a value, a range or a choice")
+                };
                 Some(Fault::new(Code::Value, message).help(help))
             }
         };

@@ -109,7 +109,7 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
         let mut batch = search.next_batch();
         if batch.is_empty() {
             // What counting alone allows says at least why there is no plan, or is one where the search gave up.
-            match structure.sufficient(&sought, &avoided) {
+            match structure.sufficient(&sought, &Bits::empty(structure.unknowns.len()), &avoided) {
                 Some(rows) if tried.insert(rows.clone()) => batch.insert(rows),
                 _ => break,
             };

@@ -52,7 +52,11 @@ pub(super) fn enough(structure: &Structure, freedom: &Freedom, wanted: &Bits) ->
     let columns: Vec<usize> = (0..structure.unknowns.len()).filter(|column| !wanted.contains(*column)).collect();
     let serves = |given: &[usize]| {
         let known = Bits::of(structure.unknowns.len(), given.iter().copied());
-        wanted.iter().all(|column| freedom.fixes(column, given)) && structure.determined(&known).covers(wanted)
+        // Of equations that say the same twice, counting believes that they give what they leave open.
+        let is_open = |rows: Vec<usize>| structure.columns(&rows).iter().any(|column| !freedom.fixes(column, given));
+        wanted.iter().all(|column| freedom.fixes(column, given))
+            && structure.determined(&known).covers(wanted)
+            && !structure.sufficient(wanted, &known, &Bits::empty(structure.rows.len())).is_some_and(is_open)
     };
     let names = |given: &[usize]| given.iter().map(|column| structure.unknowns[*column]).collect::<Vec<_>>();
     let singles: Vec<_> = columns.iter().filter(|column| serves(&[**column])).map(|column| names(&[*column])).collect();

@@ -36,18 +36,19 @@ impl Structure {
     }
 
     /// Some rows that determine the wanted columns, the cheap ones preferred, though not the cheapest set; found
-    /// without any search. They are what the wanted columns depend on in one maximum matching of the rows not `avoided`.
-    pub(in crate::solve) fn sufficient(&self, wanted: &Bits, avoided: &Bits) -> Option<Vec<usize>> {
+    /// without any search. They are what the wanted columns depend on in one maximum matching of the rows not `avoided`; `known`
+    /// columns count as known.
+    pub(in crate::solve) fn sufficient(&self, wanted: &Bits, known: &Bits, avoided: &Bits) -> Option<Vec<usize>> {
         let mut rows: Vec<usize> = (0..self.rows.len()).filter(|row| !avoided.contains(*row)).collect();
         rows.sort_by_key(|row| (self.rows[*row].cost, self.rows[*row].unknowns.len()));
-        let matching = Matching::new(self, &rows, &Bits::empty(self.unknowns.len()));
+        let matching = Matching::new(self, &rows, known);
         let mut chosen = Bits::empty(self.rows.len());
         let mut open: Vec<usize> = wanted.iter().collect();
         while let Some(column) = open.pop() {
             let row = matching.finder(column)?;
             if !chosen.contains(row) {
                 chosen.insert(row);
-                open.extend(self.rows[row].unknowns.iter());
+                open.extend(self.rows[row].unknowns.iter().filter(|column| !known.contains(*column)));
             }
         }
         Some(chosen.iter().collect())
