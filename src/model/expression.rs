@@ -8,6 +8,7 @@ use crate::laws::geometry;
 use crate::quantity::UnitSystem;
 use crate::quantity::coherent_unit;
 
+use super::Because;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
@@ -48,7 +49,7 @@ impl Builder<'_> {
                 let own = Name::of(QuantityKind::Own(id.to_owned()), "");
                 let symbol = self.symbol_of(own, dimension, meaning);
                 self.named_at(symbol, &path.key("id"));
-                self.law(&geometry::ASKED, None, "by definition", (symbol.into(), term.clone()));
+                self.law(&geometry::ASKED, None, Because::Definition, (symbol.into(), term.clone()));
                 self.expressions.insert(symbol, term);
                 Some(symbol)
             }

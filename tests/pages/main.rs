@@ -17,6 +17,7 @@ mod pictures;
 #[path = "../support/problems.rs"]
 mod problems;
 mod render;
+mod sentences;
 #[path = "../support/variants.rs"]
 mod variants;
 #[path = "../support/works.rs"]

@@ -46,6 +46,8 @@ const FOUND: &[(&str, Outcome)] = &[
     ("printed_component", Holds(&["speed_A3 = 20.0 m/s"])),
     ("range_after_flight", Holds(&["e = 0 <= e < 0.917"])),
     ("range_of_multiples", Holds(&["e = 0.250 < e <= 1"])),
+    ("range_in_symbols", Holds(&["e = 0.600 < e <= 1"])),
+    ("ratio_as_a_symbol", Holds(&["v_Q2 = 0.2*u*(4 + 9*e)"])),
     ("required_to_be_positive", Holds(&["e = 0.800 < e <= 1"])),
     ("roots_all", Holds(&["dt = 1.49 s or 0.546 s"])),
     ("shelf", Holds(&["r_ball2.x = 3.97 m"])),

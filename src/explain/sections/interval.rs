@@ -12,6 +12,7 @@ use super::super::terms::display::number_math;
 use super::super::terms::display::printed;
 use super::super::terms::display::with_unit;
 use super::super::terms::printed::chain;
+use super::super::terms::term::Measured;
 
 /// The answer in a sentence, with the reason for the side.
 pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> Vec<Inline> {
@@ -19,11 +20,12 @@ pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &Ra
     let name = || display.name(range.number.symbol);
     let claim = &range.claim;
     let at = with_unit(Math::Number(interval.trial.at.to_f64().to_string()), &range.number.plain_unit());
-    let unit = match &claim.left {
-        Expr::Symbol(symbol) => display.unit(*symbol).clone(),
-        term => display.unit_of(term),
-    };
-    let left = with_unit(number_math(printed(interval.trial.left / unit.factor().to_f64(), 3)), &unit);
+    let measured = display.measured_along(display.worked.steps_tried(range, &interval.trial), &claim.left);
+    let left = measured.map(|own| match (&own.letters, &claim.left) {
+        (None, Expr::Symbol(symbol)) => Measured::new(display.unit(*symbol).clone()),
+        _ => own,
+    });
+    let left = left.map(|own| own.put(number_math(printed(interval.trial.left / display.size(&own), 3))));
     let side = if interval.low.is_some_and(|low| !low.own) { "above" } else { "below" };
     let right = display.symbolic(&claim.right);
     let mut words = Inline::line(&format!("{} ", part.label));
@@ -34,8 +36,12 @@ pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &Ra
         Inline::Text("; with ".into()),
         Inline::Math(Math::relation(name(), Operator::Equals, at)),
         Inline::Text(format!(", {side} it, ")),
-        Inline::Math(Math::relation(display.symbolic(&claim.left), Operator::Equals, left)),
-        Inline::Text(", so that ".into()),
+    ]);
+    if let Some(left) = left {
+        let is = Math::relation(display.symbolic(&claim.left), Operator::Equals, left);
+        words.extend([Inline::Math(is), Inline::Text(", so that ".into())]);
+    }
+    words.extend([
         Inline::Math(Math::relation(display.symbolic(&claim.left), claim.relation.operator(), right)),
         Inline::Text(" holds on that side and not on the other.".into()),
     ]);

@@ -97,11 +97,20 @@ impl<'a> Display<'a> {
     fn measured(self, term: &Expr, unit: impl FnOnce(Dimension) -> Unit) -> (Measured, bool) {
         let letters = self.letters_of(term);
         let is_multiple = letters.is_some();
-        let powers = letters.unwrap_or_default();
+        (self.measured_by(letters.unwrap_or_default(), term, unit), is_multiple)
+    }
+
+    /// How a term's value is printed to which other steps than those of the answer lead; none where it is no multiple of letters.
+    pub(in crate::explain) fn measured_along(self, steps: &[Step], term: &Expr) -> Option<Measured> {
+        let powers = Letters::along(self.worked, steps, &|_| None).powers(self.worked, term)?;
+        Some(self.measured_by(powers, term, |dimension| coherent_unit(dimension, self.worked.problem.units())))
+    }
+
+    fn measured_by(self, powers: Powers, term: &Expr, unit: impl FnOnce(Dimension) -> Unit) -> Measured {
         let symbols = &self.worked.problem.model().symbols;
         let own = term.dimension(symbols).unwrap_or_default();
         if powers.is_empty() {
-            return (Measured::new(unit(own)), is_multiple);
+            return Measured::new(unit(own));
         }
         let mut powers: Vec<(Symbol, Rational)> = powers.into_iter().collect();
         powers.sort_by_key(|(letter, _)| symbols.entry(*letter).dimension != Dimension::MASS);
@@ -111,7 +120,7 @@ impl<'a> Display<'a> {
         // Not as `symbolic`, which asks for this very measure.
         let named = |letter| Leaf { math: self.worked.problem.math_of(letter), kind: LeafKind::Name };
         let math = product.layout(&named);
-        (Measured::new(coherent_unit(rest, self.worked.problem.units())).with_letters(product, math), is_multiple)
+        Measured::new(coherent_unit(rest, self.worked.problem.units())).with_letters(product, math)
     }
 
     /// The size of a unit in SI units, letters included.
@@ -209,13 +218,6 @@ impl<'a> Display<'a> {
             NumberPart { symbol: own, unit: AskedUnit::Unit(unit), .. } if *own == symbol => Some(unit.clone()),
             _ => None,
         })
-    }
-
-    /// The unit of a term, from its dimension.
-    pub(in crate::explain) fn unit_of(self, expr: &Expr) -> Unit {
-        let problem = self.worked.problem;
-        let dimension = expr.dimension(&problem.model().symbols).unwrap_or_default();
-        coherent_unit(dimension, problem.units())
     }
 
     /// How the value of a term is printed, and whether it is a number or a multiple of letters.

@@ -9,6 +9,7 @@ use crate::problem::Worked;
 use crate::quantity::Dimension;
 use crate::quantity::Rational;
 use crate::solve::Closed;
+use crate::solve::Step;
 
 /// The powers of open letters of which a quantity is a multiple; none for a number.
 pub(super) type Powers = BTreeMap<Symbol, Rational>;
@@ -30,16 +31,24 @@ pub(super) struct Letters {
 
 impl Letters {
     pub(in crate::explain) fn of(worked: Worked<'_>) -> Self {
+        let zeros = worked.zeros().map(|zero| (zero, Expr::zero())).collect();
+        Self::along(worked, &worked.leaf().audit.plan.steps, &|unknown| worked.in_givens(unknown, &zeros))
+    }
+
+    /// The same along other steps; `whole` writes an unknown in what is given.
+    pub(super) fn along(worked: Worked<'_>, steps: &[Step], whole: &dyn Fn(Symbol) -> Option<Expr>) -> Self {
         let mut letters = Self::default();
         if worked.form.free.is_empty() {
             return letters;
         }
-        letters.known.extend(worked.zeros().map(|zero| (zero, Some(Growth::Zero))));
+        let literals = worked.problem.model().literals.iter().filter(|(_, own)| own.value.is_zero());
+        let zeros = worked.zeros().chain(literals.map(|(symbol, _)| *symbol));
+        letters.known.extend(zeros.map(|zero| (zero, Some(Growth::Zero))));
         let own = |letter: &Symbol| (*letter, Some(Growth::By(Powers::from([(*letter, Rational::ONE)]))));
         letters.known.extend(worked.form.free.iter().map(own));
-        for step in &worked.leaf().audit.plan.steps {
+        for step in steps {
             for (unknown, closed) in step.roots.iter().flat_map(|root| &root.values) {
-                let growth = letters.solved(worked, *unknown, closed);
+                let growth = letters.solved(worked, (*unknown, closed), whole);
                 let other_root = letters.known.get(unknown).cloned();
                 letters.known.insert(*unknown, common(other_root.into_iter().chain([growth])));
             }
@@ -47,7 +56,12 @@ impl Letters {
         letters
     }
 
-    fn solved(&self, worked: Worked<'_>, unknown: Symbol, closed: &Closed) -> Option<Growth> {
+    fn solved(
+        &self,
+        worked: Worked<'_>,
+        (unknown, closed): (Symbol, &Closed),
+        whole: &dyn Fn(Symbol) -> Option<Expr>,
+    ) -> Option<Growth> {
         let number = Some(Growth::By(Powers::new()));
         if !closed.symbols().iter().any(|own| self.is_open(*own) || self.is_zero(*own)) {
             return number;
@@ -57,8 +71,7 @@ impl Letters {
             _ => None,
         };
         let by_algebra = || {
-            let zeros = worked.zeros().map(|zero| (zero, Expr::zero())).collect();
-            let whole = worked.in_givens(unknown, &zeros).filter(|whole| !whole.contains(unknown))?;
+            let whole = whole(unknown).filter(|whole| !whole.contains(unknown))?;
             self.growth(worked, &whole)
         };
         // A pure number that is told or asked has a value whatever the letters are.

@@ -12,6 +12,7 @@ use crate::solve::Move;
 use crate::solve::Root;
 use crate::solve::Statement;
 use crate::solve::Step;
+use crate::solve::System;
 
 use super::super::terms::algebra::positive_first;
 use super::super::terms::algebra::without_common_minus;
@@ -91,6 +92,7 @@ impl Derivation {
             let worked_out = (has_integral && !gives).then(|| [left.clone(), right.clone()]);
             derivation.lines.push(Line { number: None, left, relation, right, origin: Origin::Law(*equation) });
             if let Some([left, right]) = worked_out {
+                let [left, right] = [left, right].map(|side| decided(system, &side));
                 derivation.replace(*equation, &left, &right, Origin::Integrate(place));
             }
         }
@@ -231,6 +233,27 @@ impl Origin {
             | Self::Collect { of, .. }
             | Self::Solve { of, .. } => vec![*of],
         }
+    }
+}
+
+/// A term in which each quantity given piece by piece, between bounds whose values are known beforehand, is replaced by the piece
+/// that holds in every variant.
+fn decided(system: &System, term: &Expr) -> Expr {
+    let Expr::Piecewise(own) = term else { return term.map_children(|part| decided(system, part)) };
+    let value = |term: &Expr| {
+        let known = term.substitute(&|symbol| system.values.get(&symbol).cloned()).simplify();
+        known.as_number().cloned()
+    };
+    let at = value(&own.variable);
+    let holds = |until: &Option<Expr>| {
+        let Some(until) = until else { return Some(true) };
+        Some(at.clone()? <= value(until)?)
+    };
+    // An open bound before the piece that holds leaves all of it open.
+    let found = own.pieces.iter().map(|(until, piece)| (holds(until), piece)).find(|(holds, _)| *holds != Some(false));
+    match found {
+        Some((Some(true), piece)) => decided(system, piece),
+        _ => term.clone(),
     }
 }
 

@@ -104,9 +104,14 @@ fn balance_of_energy(
     meaning: String,
 ) -> Option<Symbol> {
     let own = builder.in_stage(kind, "", stage);
+    let key = format!("balance {own}");
     let symbol = builder.symbol(own, meaning);
     let [before, after] = builder.kinetic_energies(stage);
     let [before, after] = [Expr::from(before?), Expr::from(after?)];
+    // A stage may be named in several ways: `T_lost` and `T_lost[1]`.
+    if !builder.defined.insert(key) {
+        return Some(symbol);
+    }
     let change = if law.id == energy::LOSS.id { before - after } else { after - before };
     builder.law(law, Some(stage), Because::Definition, (symbol.into(), change));
     Some(symbol)

@@ -10,6 +10,7 @@ use super::super::Name;
 use super::super::QuantityKind;
 use super::super::VectorKind;
 use super::super::builder::SECOND_COST;
+use super::super::stage::Description;
 use super::velocity::polar_velocity;
 
 pub(super) fn speed(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
@@ -47,7 +48,12 @@ impl Builder<'_> {
         match &components[..] {
             [only] => {
                 let value = Expr::apply(Function::Abs, only.clone());
-                self.law(&geometry::SPEED, None, "the motion is along a line", (speed_expr, value));
+                let because = if self.turns(body, instant) {
+                    format!("{owner} moves at right angles to the radius")
+                } else {
+                    "the motion is along a line".to_owned()
+                };
+                self.law(&geometry::SPEED, None, because, (speed_expr, value));
             }
             [] => {}
             several => {
@@ -101,6 +107,15 @@ impl Builder<'_> {
             follows = true;
         }
         follows
+    }
+
+    /// Whether a body moves round a point before or after an instant.
+    fn turns(&self, body: &str, instant: usize) -> bool {
+        let around = [instant.checked_sub(1), instant.checked_sub(2)].into_iter().flatten();
+        let stages = around.filter_map(|stage| self.scene.stages.get(stage));
+        stages
+            .map(|stage| Description::of(self.scene, stage))
+            .any(|own| own.about.is_some() && own.bodies.iter().any(|(named, _)| *named == body))
     }
 
     fn takes_part(&self, stage: usize, body: &str) -> bool {

@@ -19,6 +19,7 @@ struct Round<'a> {
     index: usize,
     body: &'a str,
     name: String,
+    centre: String,
     gravity: Expr,
     /// Distance, radial and transverse velocity at both instants.
     states: [[Expr; 3]; 2],
@@ -42,14 +43,14 @@ impl Builder<'_> {
             self.quantity(Name::of(QuantityKind::Speed, body).at(instant)).map_or_else(Expr::zero, Expr::from)
         });
         if stage.orbit == Some(Orbit::Circle) {
-            self.circle(&Round { index, body, name, gravity: gravity.clone(), states });
+            self.circle(&Round { index, body, name, centre, gravity: gravity.clone(), states });
             return Some(gravity);
         }
         let energies = [0, 1].map(|side: usize| orbit::energy(&gravity, &states[side][0], &speeds[side]));
         let because = format!("the gravity of {centre} is the only force on {name}; the mass cancels");
         let [before, after] = energies.clone();
         self.law(&orbit::ORBIT_ENERGY, Some(index), because, (before, after));
-        let round = Round { index, body, name, gravity, states };
+        let round = Round { index, body, name, centre, gravity, states };
         match stage.orbit {
             Some(Orbit::Ellipse) => self.ellipse(&round, energies),
             Some(Orbit::Parabola) => self.parabola(&round, energies),
@@ -61,7 +62,7 @@ impl Builder<'_> {
 
     /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.
     fn distance_of(&mut self, round: &Round<'_>, which: &str, words: &str) -> Expr {
-        let meaning = format!("the {words} distance of {} from the centre", round.name);
+        let meaning = format!("the {words} distance of {} from {}", round.name, round.centre);
         self.positive(Name::of(QuantityKind::Position, round.body).along(which), meaning).into()
     }
 
@@ -75,7 +76,7 @@ impl Builder<'_> {
         let period = Expr::from(self.positive(Name::of(QuantityKind::Period, body), meaning));
         let [least, greatest] =
             [("min", "least"), ("max", "greatest")].map(|(which, words)| self.distance_of(round, which, words));
-        let because = "the orbit is an ellipse with the centre at a focus";
+        let because: &str = &format!("the orbit is an ellipse with {} at a focus", round.centre);
         let one = Expr::one();
         let sides = [
             (least.clone(), axis.clone() * (one.clone() - eccentricity.clone())),

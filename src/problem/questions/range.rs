@@ -17,6 +17,7 @@ use crate::solve::Bounded;
 use crate::solve::Equation;
 use crate::solve::Planner;
 use crate::solve::Relation;
+use crate::solve::Step;
 
 use super::super::compiling::input::Input;
 use super::super::compiling::regimes::Regimes;
@@ -72,6 +73,8 @@ pub struct Trial {
     pub at: Decimal,
     /// The left side of the claim there, in SI units.
     pub left: f64,
+    /// The way that the scene goes there.
+    leaf: usize,
 }
 
 /// How far from a limit towards the boundary the model is tried where there is no motion at the limit itself.
@@ -222,6 +225,14 @@ impl Worked<'_> {
         }
     }
 
+    /// The steps that give the sides of the claim from a value that was tried.
+    #[must_use]
+    pub fn steps_tried(&self, range: &RangePart, trial: &Trial) -> &[Step] {
+        let mut trials = self.form.trials.iter();
+        let own = trials.find(|(own, _)| *own == range.number.symbol);
+        own.map_or(&[], |(_, regimes)| regimes.leaf(trial.leaf).answer_steps())
+    }
+
     /// Whether the claim holds with that value of the quantity, in the unit of the question.
     fn tried(&self, regimes: &Regimes, range: &RangePart, at: f64, unit: &Unit) -> Option<(bool, Trial)> {
         let at = round_to_figures(at, range.number.figures)?;
@@ -241,6 +252,6 @@ impl Worked<'_> {
             solved.or_else(|| inputs.get(symbol.index()).and_then(Input::bounded)).map_or(f64::NAN, |own| own.value)
         };
         let [left, right] = [&range.claim.left, &range.claim.right].map(|side| side.evaluate(&value));
-        Some((range.claim.holds_between(left, right)?, Trial { at, left }))
+        Some((range.claim.holds_between(left, right)?, Trial { at, left, leaf: scratch.leaf() }))
     }
 }

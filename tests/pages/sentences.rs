@@ -1,0 +1,67 @@
+//! Sentences of worked solutions that were once wrong or said twice: what a page says, and what it does not say any more.
+
+use std::sync::Arc;
+
+use momentous::exercise::Exercise;
+use momentous::explain::Audience;
+use momentous::render::{Format, Renderer, Solution};
+
+use crate::variants;
+
+/// The worked solution of a scene as Markdown.
+fn page(scene: &str, given: &[(&str, &str)], ask: &[&str]) -> String {
+    let text = variants::sheet(scene, given, ask);
+    let exercise = Exercise::draw(&Arc::new(variants::problem("test.yaml", &text)), 0, 1).unwrap();
+    page_of(&exercise)
+}
+
+fn page_of(exercise: &Exercise) -> String {
+    let (outline, audience) = (exercise.outline(Audience::Everyone), Audience::Everyone);
+    let solution = Solution { outline, identity: exercise.identity(), audience, faded: None };
+    Renderer::new(None).unwrap().render_solution(&solution, Format::Markdown).unwrap().text
+}
+
+/// A problem of the fixtures.
+fn fixture(name: &str) -> String {
+    let path = format!("{}/tests/fixtures/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let problem = variants::problem(name, &std::fs::read_to_string(path).unwrap());
+    page_of(&Exercise::draw(&Arc::new(problem), 0, 1).unwrap())
+}
+
+#[test]
+fn a_body_on_an_arm_does_not_move_along_a_line() {
+    let scene = "axes: { x: [counter-clockwise, clockwise] }\nbodies:\n  A: { name: ball A }\n  B: { name: ball B }\npoints:\n  O: { name: the pivot }\nstages:\n  - rotate: { about: O, bodies: { A: a, B: a }, moment: M, during: tau }";
+    let given =
+        [("m_A", "2 kg"), ("m_B", "1 kg"), ("a", "0.5 m"), ("M", "4 N m"), ("tau", "2 s"), ("omega_1", "1 rad/s")];
+    let said = page(scene, &given, &["speed_A2"]);
+    assert!(said.contains("Ball A moves at right angles to the radius, so by the definition of speed"), "{said}");
+    assert!(!said.contains("along a line"), "{said}");
+}
+
+#[test]
+fn an_orbit_names_what_is_at_its_focus() {
+    let said = fixture("exercises/ser-halley");
+    assert!(said.contains("ellipse with the Sun at a focus") && said.contains("distance of Comet Halley from the Sun"));
+}
+
+#[test]
+fn the_energy_that_one_impact_loses_is_checked_once() {
+    let said = fixture("reference/pl-ballistic-pendulum");
+    assert_eq!(said.matches("Kinetic energy lost in the impact").count(), 1, "{said}");
+}
+
+#[test]
+fn an_integral_between_plain_times_is_given_by_its_one_piece() {
+    let scene = "axes: { x: ahead }\nbodies:\n  A: { name: the ball }\nstages:\n  - push: { body: A, during: 6 ms, forces: [ { name: the bat, value: { points: [[0 s, 0 N], [2 ms, F_m], [4 ms, F_m], [6 ms, 0 N]] } } ] }";
+    let said = page(scene, &[("m_A", "0.15 kg"), ("v_A1", "-30 m/s"), ("v_A2", "40 m/s")], &["F_m"]);
+    let (_, evaluated) = said.split_once("Evaluating the integral").unwrap();
+    // By hand: 0.15*70 = F (6 + 2)/2 ms.
+    assert!(!evaluated.contains("cases") && evaluated.contains("2625"), "{said}");
+}
+
+#[test]
+fn a_range_says_multiples_of_what_may_be_anything() {
+    let said = fixture("found/range_in_symbols");
+    // By hand, with e = 1: (3 - 5)/8 of 2 u.
+    assert!(said.contains(r"v_{P2} = -0.500\,u") && said.contains(r"1.2\,u \ge 0"), "{said}");
+}
