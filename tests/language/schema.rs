@@ -82,6 +82,9 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "rest_that_never_comes",
     "no_known_method",
     "potential_energy_without_a_spring",
+    "magnitude_along_a_line",
+    "ratio_without_its_parts",
+    "stream_that_brings_nothing",
 ];
 
 fn is_valid(path: &Path) -> bool {
