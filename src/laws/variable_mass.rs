@@ -99,7 +99,7 @@ pub const EVEN_SPEED: Law = Law {
 pub const USED: Law = Law {
     id: "mass-thrown-away",
     name: "the conservation of mass",
-    statement: "The mass that a rocket has lost is its mass flow times the time.",
+    statement: "The mass that a body has lost or gained is the mass flow times the time.",
     signs: "A flow is positive.",
     when: "The flow is steady.",
     source: "The meaning of a flow.",
@@ -139,6 +139,39 @@ pub const ACCELERATION: Law = Law {
     wrong: wrong::variable_mass::ACCELERATION,
 };
 
+/// A body that gains mass.
+pub const GAINING: Law = Law {
+    id: "momentum-with-gained-mass",
+    name: "the principle of impulse and momentum for a body that gains mass",
+    statement: "The momentum of a body at the start, plus the momentum that the arriving mass brings, plus the impulses of the forces, is the momentum of the body with all that has joined it.",
+    signs: "Velocities and impulses along the axis are positive, against it negative. What falls straight down brings no momentum along a level axis.",
+    when: "All that arrives stays on the body.",
+    source: "The principle of impulse and momentum for the body together with all that will join it.",
+    wrong: wrong::variable_mass::GAINING,
+};
+
+/// A body that loses mass which is not thrown.
+pub const LOSING: Law = Law {
+    id: "velocity-with-lost-mass",
+    name: "the principle of impulse and momentum for a body that loses mass",
+    statement: "The velocity changes by the force divided by the flow, times the logarithm of the ratio of the masses before and after. Without a force it stays the same.",
+    signs: "Velocities and forces along the axis are positive, against it negative.",
+    when: "What leaves has the velocity of the body at that instant, the flow is steady, and the forces stay the same.",
+    source: "The force divided by the mass that is left, integrated over time.",
+    wrong: wrong::variable_mass::LOSING,
+};
+
+/// The acceleration of a body whose mass changes.
+pub const CHANGING: Law = Law {
+    id: "equation-of-motion-of-changing-mass",
+    name: "the equation of motion of a body whose mass changes",
+    statement: "The mass that a body has at an instant, times its acceleration, is the sum of the forces on it plus the mass that arrives per unit time, times the velocity of this mass relative to the body.",
+    signs: "Positive along the axis.",
+    when: "What arrives stays on the body; what leaves has its velocity, and adds nothing.",
+    source: "The principle of impulse and momentum for the body and what joins or leaves it in a short time.",
+    wrong: wrong::variable_mass::CHANGING,
+};
+
 /// The laws of this chapter.
 pub const LAWS: &[&Law] = &[
     &FLOW,
@@ -153,6 +186,9 @@ pub const LAWS: &[&Law] = &[
     &LIFT_OFF,
     &EVEN_SPEED,
     &ROCKET_DRAG,
+    &GAINING,
+    &LOSING,
+    &CHANGING,
 ];
 
 /// `u ln(m_1 / m_2)`: what the thrust adds to the velocity.
@@ -193,4 +229,38 @@ pub fn ratio_against_resistance(
 #[must_use]
 pub fn against_resistance(even: &Expr, ratio: &Expr) -> Expr {
     Expr::product([even.clone(), Expr::one() - ratio.clone(), (Expr::one() + ratio.clone()).powi(-1)])
+}
+
+/// `m_2 = m_1 + change`.
+#[must_use]
+pub fn changed([before, after]: [&Expr; 2], change: &Expr) -> Sides {
+    (after.clone(), before.clone() + change.clone())
+}
+
+/// `m_1 v_1 + sum = m_2 v_2`, where the sum is of the impulses and of the momentum that arrives.
+#[must_use]
+pub fn gaining([before, after]: [&Expr; 2], [start, end]: [&Expr; 2], given: impl IntoIterator<Item = Expr>) -> Sides {
+    (Expr::sum([before.clone() * start.clone()].into_iter().chain(given)), after.clone() * end.clone())
+}
+
+/// `v_2 - v_1 = F/q ln(m_1 / m_2)`, the integral of `F / (m_1 - q t)`.
+#[must_use]
+pub fn losing(force: &Expr, flow: &Expr, masses: [&Expr; 2], [start, end]: [&Expr; 2]) -> Sides {
+    (end.clone() - start.clone(), gained(&(force.clone() / flow.clone()), masses))
+}
+
+/// `(m_1 v_1 + F t) / (m_1 + q t)`: the velocity of a body that gains mass, at a time.
+#[must_use]
+pub fn velocity_gaining(drive: &Expr, flow: &Expr, [mass, velocity]: [&Expr; 2], time: &Expr) -> Expr {
+    let momentum = mass.clone() * velocity.clone() + drive.clone() * time.clone();
+    momentum / (mass.clone() + flow.clone() * time.clone())
+}
+
+/// `F/q dt + m_1/q (v_1 - F/q) ln(m_2 / m_1)`: the integral of that velocity over a time.
+#[must_use]
+pub fn way_gaining(drive: &Expr, flow: &Expr, [before, after]: [&Expr; 2], velocity: &Expr, time: &Expr) -> Expr {
+    let even = drive.clone() / flow.clone();
+    let logarithm = Expr::apply(Function::Ln, after.clone() / before.clone());
+    let slower = Expr::product([before.clone() / flow.clone(), velocity.clone() - even.clone(), logarithm]);
+    even * time.clone() + slower
 }

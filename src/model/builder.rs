@@ -55,6 +55,8 @@ pub(super) const SECOND_COST: u32 = 11;
 /// A model in the making. Stages add to it, and so does every name that somebody mentions.
 pub struct Builder<'s> {
     pub(super) scene: &'s Scene,
+    /// The instant at which the stage begins that is being written.
+    pub(super) begins: usize,
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<(Axis, Senses)>,
     pub(super) symbols: SymbolTable,
@@ -117,6 +119,7 @@ impl<'s> Builder<'s> {
     pub(super) fn new(scene: &'s Scene) -> Self {
         Self {
             scene,
+            begins: 1,
             timeline: Timeline::new(scene),
             axes: scene.axes.rectangular(),
             symbols: SymbolTable::default(),
@@ -307,40 +310,6 @@ impl<'s> Builder<'s> {
     /// The bodies of which a body consists that a stage makes or divides.
     pub(super) fn parts_of(&self, union: &str) -> Vec<String> {
         self.scene.parts_of(union).into_iter().map(str::to_owned).collect()
-    }
-
-    /// The mass of a body; of a union, the sum of its parts.
-    pub(super) fn mass(&mut self, body: &str) -> Expr {
-        let parts = self.parts_of(body);
-        if !parts.is_empty() {
-            let masses: Vec<Expr> = parts.iter().map(|part| self.mass(part)).collect();
-            return Expr::sum(masses);
-        }
-        let meaning = format!("the mass of {}", self.called(body));
-        let term = self.scene.bodies.get(body).and_then(|entry| entry.mass.clone());
-        match term {
-            Some(term) => {
-                let path = crate::fault::Path::root().key("scene").key("bodies").key(body).key("mass");
-                self.read_positive(&term, Dimension::MASS, &meaning, &path)
-            }
-            None if !self.given.contains(&format!("m_{body}")) && !self.scene.division_of(body).is_empty() => {
-                let scene = self.scene;
-                Expr::sum(scene.division_of(body).into_iter().map(|part| self.mass(part)).collect::<Vec<_>>())
-            }
-            None => self.positive(Name::of(QuantityKind::Mass, body), meaning).into(),
-        }
-    }
-
-    /// Makes the masses that are names of their own, where another mass is given in terms of them: `m` before `2*m`.
-    pub(super) fn masses_by_name(&mut self) {
-        let scene = self.scene;
-        let is_name = |term: &crate::scene::Term| super::name::is_bare_name(term.0.trim());
-        let masses = || scene.bodies.iter().filter_map(|(body, entry)| Some((body, entry.mass.as_ref()?)));
-        if masses().any(|(_, term)| !is_name(term)) {
-            for (body, _) in masses().filter(|(_, term)| is_name(term)) {
-                self.mass(body);
-            }
-        }
     }
 
     /// A velocity component at an instant; under the instant since which the body has it.

@@ -62,7 +62,7 @@ impl Builder<'_> {
 
     /// Mass and velocities of bodies at an instant.
     pub(super) fn carrying(&mut self, bodies: &[&str], instant: usize) -> Carriers {
-        bodies.iter().map(|body| (self.mass(body), self.velocities(body, instant))).collect()
+        bodies.iter().map(|body| (self.mass_at(body, instant), self.velocities(body, instant))).collect()
     }
 
     /// The momentum of the bodies of a stage before and after it: conserved along every axis; where one of them is guided,

@@ -18,6 +18,7 @@ mod guide;
 mod incline;
 mod influence;
 mod instance;
+mod masses;
 mod mistaken;
 mod name;
 mod overview;

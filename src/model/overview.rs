@@ -57,7 +57,7 @@ impl<'s> Builder<'s> {
     /// The momentum along each axis of what is told of `mass_of`, with the velocity that `body` has at an instant.
     #[must_use]
     pub fn momentum_with(&mut self, mass_of: &str, body: &str, instant: usize) -> Vec<Expr> {
-        let mass = self.mass_of(mass_of);
+        let mass = self.mass_of(mass_of, instant);
         self.velocities_of(body, instant).into_iter().map(|velocity| mass.clone() * velocity).collect()
     }
 
@@ -68,10 +68,10 @@ impl<'s> Builder<'s> {
         axes.into_iter().map(|axis| self.velocity(body, instant, axis)).collect()
     }
 
-    /// The mass of a body.
+    /// The mass of a body at an instant.
     #[must_use]
-    pub fn mass_of(&mut self, body: &str) -> Expr {
-        self.mass(body)
+    pub fn mass_of(&mut self, body: &str, instant: usize) -> Expr {
+        self.mass_at(body, instant)
     }
 
     /// The body with which another moves at an instant: itself, or what it is a part of.

@@ -45,6 +45,9 @@ pub enum Reason {
     /// A body that throws mass away would gain some.
     #[error("{0} would gain mass")]
     GainsMass(String),
+    /// A body would lose more mass than it has.
+    #[error("{1} that leaves {0} would be at least as heavy as {0} with all that is in it")]
+    RunsOutOfMass(String, String),
     /// A body would stop, and friction reverse.
     #[error("{0} would stop and friction would reverse before the end")]
     StopsEarly(String),

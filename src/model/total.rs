@@ -18,7 +18,9 @@ impl Builder<'_> {
         let (axis, _) = *self.axes.get(position)?;
         let terms = self.movers_of(bodies, instant).into_iter();
         Some(Expr::sum(
-            terms.map(|(body, mover)| self.mass(&body) * self.velocity(&mover, instant, axis)).collect::<Vec<_>>(),
+            terms
+                .map(|(body, mover)| self.mass_at(&body, instant) * self.velocity(&mover, instant, axis))
+                .collect::<Vec<_>>(),
         ))
     }
 
@@ -35,7 +37,7 @@ impl Builder<'_> {
         if self.axes.is_empty() || turns {
             return self.kinetic_term(body, instant);
         }
-        let mass = self.mass(body);
+        let mass = self.mass_at(body, instant);
         let frame = self.frames.get(stage).cloned().flatten().filter(|frame| !frame.normal.turn.is_zero());
         if let Some(frame) = frame
             && self.is_changed_in(body, stage)
@@ -56,7 +58,7 @@ impl Builder<'_> {
             0 => {
                 let terms = movers.iter().map(|(body, mover)| {
                     let (radius, velocity) = self.polar_state(mover, about, instant);
-                    Expr::product([self.mass(body), radius, velocity])
+                    Expr::product([self.mass_at(body, instant), radius, velocity])
                 });
                 Some(vec![Expr::sum(terms.collect::<Vec<_>>())])
             }
@@ -85,14 +87,18 @@ impl Builder<'_> {
                     }
                     let distance = if body == strike.body { &strike.at } else { strike.carries.get(&body)? };
                     let distance = self.read(distance, crate::quantity::Dimension::LENGTH, "", &path);
-                    terms.push(Expr::product([self.mass(&body), distance, self.transverse(&body, instant)]));
+                    terms.push(Expr::product([
+                        self.mass_at(&body, instant),
+                        distance,
+                        self.transverse(&body, instant),
+                    ]));
                 }
                 Some(vec![Expr::sum(terms)])
             }
             count => {
                 let mut whole = vec![Expr::zero(); if count == 2 { 1 } else { count }];
                 for (body, mover) in movers {
-                    let mass = self.mass(&body);
+                    let mass = self.mass_at(&body, instant);
                     let (arm, velocity) = (self.arm(&mover, instant, about)?, self.velocities(&mover, instant));
                     for (sum, moment) in whole.iter_mut().zip(angular::moments(&arm, &velocity)) {
                         *sum = sum.clone() + mass.clone() * moment;
@@ -139,7 +145,7 @@ impl Builder<'_> {
             }
             Partners::Surface(body, surface) => {
                 let frame = self.frames.get(stage).cloned().flatten()?;
-                let (mass, moves) = (self.mass(body), self.velocity_of_surface(surface));
+                let (mass, moves) = (self.mass_at(body, stage + 1), self.velocity_of_surface(surface));
                 Some([0, 1].map(|side| {
                     let split = self.split(body, stage + 1 + side, stage, &frame);
                     let seen = split.along - moves.clone();

@@ -85,6 +85,15 @@ impl Scene {
             || matches!(self.stage_before(index), Some(Stage::Motion(motion)) if motion.body == body)
     }
 
+    /// The instant since which a body has the mass that a stage has made of its own, as it has it at `instant`; none where it has kept
+    /// the mass that it began with.
+    #[must_use]
+    pub fn mass_since(&self, body: &str, instant: usize) -> Option<usize> {
+        let before = self.stages.iter().enumerate().take(instant.checked_sub(1)?);
+        let changes = |stage: &Stage| matches!(stage, Stage::Push(push) if push.mass_change().is_some() && push.pushed().any(|own| own == body));
+        before.filter(|(_, stage)| changes(stage)).map(|(index, _)| index + 2).last()
+    }
+
     fn stage_before(&self, index: usize) -> Option<&Stage> {
         self.stages.get(index.checked_sub(1)?)
     }

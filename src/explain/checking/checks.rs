@@ -10,6 +10,7 @@ use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::laws::orbit;
 use crate::laws::restitution;
+use crate::laws::variable_mass;
 use crate::solve;
 use crate::solve::Equation;
 use crate::solve::Statement;
@@ -34,6 +35,7 @@ const MOST: usize = 4;
 const BALANCES: &[(&str, &str)] = &[
     (momentum::CONSERVATION.id, "Momentum before and after:"),
     (momentum::IMPULSE_MOMENTUM.id, "Initial momentum plus impulse, and final momentum:"),
+    (variable_mass::GAINING.id, "Initial momentum plus impulse, and final momentum with the load:"),
     (mass_centre::MOTION.id, "Initial momentum plus impulse, and final momentum:"),
     (restitution::RESTITUTION.id, "Velocity of separation, and e times the velocity of approach:"),
     (restitution::RESTITUTION_SURFACE.id, "Velocity away from the surface, and e times the velocity towards it:"),

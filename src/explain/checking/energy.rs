@@ -114,7 +114,8 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
     let [e @ Expr::Symbol(coefficient), approach] = &factors[..] else { return None };
     let mass = |body: &String| -> Option<Symbol> {
         let written = scene.bodies.get(body)?.mass.as_ref().map(|term| term.0.trim().to_owned());
-        worked.problem.model().symbol_of(&written.unwrap_or_else(|| format!("m_{body}")))
+        let changed = scene.mass_since(body, stage + 1).map(|since| format!("m_{body}{since}"));
+        worked.problem.model().symbol_of(&changed.or(written).unwrap_or_else(|| format!("m_{body}")))
     };
     let [a, b] = [Expr::from(mass(first)?), Expr::from(mass(second)?)];
     let known = display.known_to_the_reader();

@@ -190,7 +190,7 @@ fn drawing(
     [before, after]: [Place; 2],
     impulse: AngularImpulse,
 ) -> Drawing {
-    let mass = quantities.mass_math(body);
+    let mass = quantities.mass_math(body, stage + 1);
     let (name, centre) = (quantities.called(body), quantities.point(about));
     let phrase = quantities.model().phrase(quantities.scene(), stage);
     let change = match impulse.value {

@@ -172,7 +172,7 @@ pub(super) fn rotation(quantities: &Quantities<'_>, index: usize, stage: &Rotate
     // What nobody asks for may not be solved: without a moment it follows.
     let resists = |own: &Carried<'_>| {
         let distance = quantities.evaluate(&quantities.term(own.distances[1])?)?;
-        Some(quantities.mass(own.body)? * distance * distance)
+        Some(quantities.mass(own.body, index + 1)? * distance * distance)
     };
     let carried: Option<f64> = all.iter().map(resists).sum();
     let inertia = match rotor {
@@ -211,9 +211,9 @@ fn arm(
         let name = quantities.velocity_name(own.body, index + 1 + side);
         let distance = quantities.evaluate(&quantities.term(own.distances[side])?)?;
         let turns = || Some(quantities.named(&format!("omega_{}", index + 1 + side)).or(turn)? * distance);
-        let momentum = quantities.mass(own.body)? * quantities.named(&name).or_else(turns)?;
+        let momentum = quantities.mass(own.body, index + 1)? * quantities.named(&name).or_else(turns)?;
         moment += momentum * distance;
-        let label = product([quantities.mass_math(own.body), name_math(&name)]);
+        let label = product([quantities.mass_math(own.body, index + 1), name_math(&name)]);
         let vector = LabelledVector::known(label, across(own.angle, momentum));
         particles.push(on_arm(quantities, own, side, vec![Moving::momentum(vector)]));
     }

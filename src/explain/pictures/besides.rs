@@ -15,7 +15,7 @@ use super::quantities::Quantities;
 impl Besides {
     /// What the arrows of that body need in a stage.
     pub(super) fn of(quantities: &Quantities<'_>, stage: usize, body: &str) -> Self {
-        let mass = quantities.mass_symbol(body).filter(|_| quantities.mass(body).is_none());
+        let mass = quantities.mass_symbol(body, stage + 1).filter(|_| quantities.mass(body, stage + 1).is_none());
         let own = mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
         let mut forces = own.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
         let end = forces.next().map(|ActingForce { during: [_, end], .. }| end);

@@ -10,6 +10,7 @@ mod diagram_plan;
 mod flow;
 mod graph;
 mod labels;
+mod masses;
 mod moment;
 mod momentum;
 mod oblique;

@@ -125,7 +125,7 @@ pub(super) fn concerns_mass_centre(quantities: &Quantities<'_>) -> bool {
 fn balance(quantities: &Quantities<'_>, arrows: Arrows, stage: usize, row: &Planned, count: usize) -> Balance {
     let Participant { body, before, after } = &row.participant;
     // Alone in its diagram, a body of unknown mass is drawn to the scale of its velocities.
-    let scale = quantities.mass(body).or((count == 1).then_some(1.0));
+    let scale = |instant: usize| quantities.mass(body, instant).or((count == 1).then_some(1.0));
     let model = quantities.model();
     // Forces that depend on the position have one impulse together.
     let one_by_one = model.forces.iter().any(|force| force.stage == stage);
@@ -136,11 +136,11 @@ fn balance(quantities: &Quantities<'_>, arrows: Arrows, stage: usize, row: &Plan
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());
             forces.map(|force| quantities.impulse_of_force(force)).collect()
         }
-        Arrows::Weight => vec![quantities.impulse_of_weight(body)],
+        Arrows::Weight => vec![quantities.impulse_of_weight(body, stage)],
         Arrows::Resultant => vec![resultant()],
         Arrows::Impulses | Arrows::Forces => {
             // To the scale of velocities, an impulse is the change of velocity.
-            let massless = quantities.mass_symbol(body).is_some_and(|mass| quantities.is_assumed(mass));
+            let massless = quantities.mass_symbol(body, stage + 1).is_some_and(|mass| quantities.is_assumed(mass));
             let value = |impulse| if massless { None } else { quantities.impulse_value(impulse) };
             let named = impulses_on(quantities, stage, body).zip(&row.impulses);
             named.map(|(impulse, name)| Labelled { label: name.clone(), value: value(impulse) }).collect()
@@ -148,9 +148,15 @@ fn balance(quantities: &Quantities<'_>, arrows: Arrows, stage: usize, row: &Plan
     };
     Balance {
         body: body.clone(),
-        before: Labelled { label: row.before.clone(), value: quantities.momentum_value(before, stage + 1, scale) },
+        before: Labelled {
+            label: row.before.clone(),
+            value: quantities.momentum_value(before, stage + 1, scale(stage + 1)),
+        },
         impulses,
-        after: Labelled { label: row.after.clone(), value: quantities.momentum_value(after, stage + 2, scale) },
+        after: Labelled {
+            label: row.after.clone(),
+            value: quantities.momentum_value(after, stage + 2, scale(stage + 2)),
+        },
     }
 }
 

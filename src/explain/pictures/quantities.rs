@@ -1,12 +1,9 @@
 //! The numbers that a figure may show: on a problem sheet what is given, in a solution also what was solved.
 
-use std::sync::Arc;
-
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Names;
 use crate::expr::Symbol;
-use crate::expr::name_math;
 use crate::expr::parse;
 use crate::model::Direction;
 use crate::model::Model;
@@ -28,7 +25,6 @@ use super::super::terms::display::Shown;
 use super::super::terms::manner::Manners;
 use super::cache::PictureCache;
 use super::compass::Compass;
-use super::labels::factor;
 use super::oblique::Oblique;
 
 /// How much a figure may show.
@@ -316,61 +312,6 @@ impl<'a> Quantities<'a> {
             }
         };
         self.along_axes(&components)
-    }
-
-    /// The mass of a body, from its weight if need be.
-    pub(super) fn mass(&self, body: &str) -> Option<f64> {
-        let parts = self.scene().parts_of(body);
-        if !parts.is_empty() {
-            return parts.iter().map(|part| self.mass(part)).sum();
-        }
-        let own = match self.mass_term(body) {
-            Some(term) => self.evaluate(&self.term(term)?),
-            None => self.named(&format!("m_{body}")),
-        };
-        // No body is without mass: where the equations leave only that, the mass is not known.
-        let own = own.filter(|mass| *mass > 0.0);
-        let parts = self.scene().division_of(body);
-        let sum = || parts.iter().map(|part| self.mass(part)).sum::<Option<f64>>().filter(|_| !parts.is_empty());
-        let own = own.or_else(sum);
-        own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
-    }
-
-    /// The symbol of the mass of a body, where it is one.
-    pub(super) fn mass_symbol(&self, body: &str) -> Option<Symbol> {
-        match self.mass_term(body) {
-            Some(term) => match self.term(term)? {
-                Expr::Symbol(symbol) => Some(symbol),
-                _ => None,
-            },
-            None => self.model().symbol_of(&format!("m_{body}")),
-        }
-    }
-
-    /// How the mass of a body is written.
-    pub(super) fn mass_math(&self, body: &str) -> Math {
-        let mut members = self.scene().members(body);
-        let parts = self.scene().division_of(body);
-        if self.model().symbol_of(&format!("m_{body}")).is_none() && self.mass_term(body).is_none() && !parts.is_empty()
-        {
-            members = parts;
-        }
-        if members.len() > 1 {
-            let mut sum = Vec::new();
-            for member in members {
-                if !sum.is_empty() {
-                    sum.push(Math::Operator(crate::expr::Operator::Plus));
-                }
-                sum.push(self.mass_math(member));
-            }
-            return Math::Bracketed(Arc::new(Math::Row(sum)));
-        }
-        let term = self.mass_term(body).and_then(|term| self.term(term));
-        term.map_or_else(|| name_math(&format!("m_{body}")), |term| factor(&term, self.symbolic(&term)))
-    }
-
-    fn mass_term(&self, body: &str) -> Option<&'a Term> {
-        self.scene().bodies.get(body)?.mass.as_ref()
     }
 
     /// When an instant is, as an adverbial phrase.

@@ -103,7 +103,10 @@ pub(super) fn solution(
             let plot = graph::force_plot(quantities, index);
             let place = if push.is_of_several() { snapshot::pushed } else { snapshot::in_space };
             let place = if index == 0 { place(quantities, compass) } else { None };
-            [place, plot, momenta()].into_iter().collect()
+            // What leaves, or arrives with a velocity, takes momentum with it that is none of the body's.
+            let carried = push.mass_change().is_some_and(|own| !own.gains || own.velocity.is_some());
+            let last = if carried { sheet::line::drawing(quantities, compass, index) } else { momenta() };
+            [place, plot, last].into_iter().collect()
         }
         Stage::Slide(slide @ Slide { on: Some(on), .. }) => {
             vec![Some(sheet::carried::on_face(quantities, compass, index, slide, on)), momenta()]

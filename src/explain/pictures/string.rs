@@ -86,7 +86,7 @@ impl Load {
             None => None,
         };
         let speeds = [speed(index + 1)?, speed(index + 2)?];
-        Some(Self { mass: quantities.mass(side.body)?, gravity: quantities.named("g")?, friction, speeds })
+        Some(Self { mass: quantities.mass(side.body, index + 1)?, gravity: quantities.named("g")?, friction, speeds })
     }
 
     /// The normal force: none on a body that hangs.
@@ -119,7 +119,7 @@ impl Load {
             several => product([Math::Number(several.to_string()), name_math(&tension)]),
         };
         let weight = Some([0.0, -self.mass * self.gravity]);
-        let mut impulses = vec![impulse(pulled, pull), impulse(quantities.weight_math(body), weight)];
+        let mut impulses = vec![impulse(pulled, pull), impulse(quantities.weight_math(body, index), weight)];
         if side.rest != Rest::Hanging {
             // A floor pushes at right angles to the way, upwards.
             let normal = if x < 0.0 { [y, -x] } else { [-y, x] };

@@ -70,7 +70,7 @@ impl Quantities<'_> {
 
     /// How that momentum is written.
     pub(super) fn momentum_name(&self, mass_of: &str, body: &str, instant: usize) -> Math {
-        product([self.mass_math(mass_of), name_math(&self.velocity_name(body, instant))])
+        product([self.mass_math(mass_of, instant), name_math(&self.velocity_name(body, instant))])
     }
 
     /// The momentum of a mass with the velocity that a body has at an instant.
@@ -83,7 +83,7 @@ impl Quantities<'_> {
 
     /// The components of a momentum along the axes one by one, to the scale of the velocity; those that are zero left out.
     pub(super) fn momentum_components(&self, body: &str, instant: usize) -> Vec<Labelled> {
-        let (name, mass) = (self.velocity_name(body, instant), self.mass_math(body));
+        let (name, mass) = (self.velocity_name(body, instant), self.mass_math(body, instant));
         let component = |(position, axis): (usize, &Axis)| {
             let component = format!("{name}.{}", axis.letter());
             let value = self.named(&component).filter(|value| *value != 0.0)?;
@@ -121,7 +121,7 @@ impl Quantities<'_> {
             self.integral_name(force)
         } else {
             let strength = match force.kind {
-                ForceKind::Weight => self.weight_math(&force.on),
+                ForceKind::Weight => self.weight_math(&force.on, force.stage),
                 _ => factor(&force.strength, self.unsigned(&force.strength)),
             };
             product([strength, self.duration(start, end)])
@@ -130,16 +130,16 @@ impl Quantities<'_> {
     }
 
     /// The impulse of weight over a fall; its value follows from the momenta.
-    pub(super) fn impulse_of_weight(&self, body: &str) -> Labelled {
-        Labelled { label: product([self.weight_math(body), name_math("dt")]), value: None }
+    pub(super) fn impulse_of_weight(&self, body: &str, stage: usize) -> Labelled {
+        Labelled { label: product([self.weight_math(body, stage), name_math("dt")]), value: None }
     }
 
-    /// How the weight of a body is written.
-    pub(super) fn weight_math(&self, body: &str) -> Math {
+    /// How the weight of a body at the start of a stage is written.
+    pub(super) fn weight_math(&self, body: &str, stage: usize) -> Math {
         let weight = format!("W_{body}");
         match self.named(&weight) {
             Some(_) => name_math(&weight),
-            None => product([self.mass_math(body), name_math("g")]),
+            None => product([self.mass_math(body, stage + 1), name_math("g")]),
         }
     }
 

@@ -58,7 +58,7 @@ pub(super) fn diagram_wording(
     let phrase = quantities.model().phrase(scene, stage);
     let names: Vec<String> = balances.iter().map(|balance| quantities.called(&balance.body)).collect();
     let whom = if names.len() > 2 { "each body".to_owned() } else { list(&names) };
-    let unit = balances.iter().all(|balance| quantities.mass(&balance.body).is_some());
+    let unit = balances.iter().all(|balance| quantities.mass(&balance.body, stage + 1).is_some());
     let unit = (unit && quantities.has_numbers())
         .then(|| coherent_unit(Dimension::MOMENTUM, quantities.worked.problem.units()));
     let largest = largest(balances);

@@ -32,6 +32,11 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         },
         Stage::Push(push) => {
             let bodies = list(&push.pushed().map(name).collect::<Vec<_>>());
+            if let Some(change) = push.mass_change() {
+                let joins = if change.gains { "joins" } else { "leaves" };
+                let how = if push.forces.is_empty() { "moves freely" } else { "is pushed" };
+                return format!("{} {joins} {bodies}, which {how}", change.name);
+            }
             if push.is_resisted_alone() {
                 return format!(
                     "{bodies} {} against the resistance",

@@ -26,6 +26,10 @@ const WALL_GAP: f64 = 46.0;
 const TIED_GAP: f64 = 44.0;
 const CORD: f64 = 64.0;
 const CEILING_HALF: f64 = 26.0;
+/// How far grains fall, how many rows and columns are drawn of them, and how far apart these are.
+const GRAINS: f64 = 30.0;
+const ROWS: u32 = 4;
+const COLUMNS: [f64; 3] = [-5.0, 0.0, 5.0];
 
 /// Bodies along a line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,6 +50,19 @@ pub struct Line {
     pub tied: Option<Tie>,
     /// A fixed wall beyond the last body.
     pub wall: bool,
+    /// Mass that falls onto a body, or out of it.
+    pub grains: Option<Grains>,
+}
+
+/// Mass that falls onto a body from above, or out of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grains {
+    /// Which body, by its position.
+    pub body: usize,
+    /// Whether they join it.
+    pub join: bool,
+    /// What is written at them.
+    pub label: Option<Math>,
 }
 
 /// What ties bodies to each other.
@@ -112,6 +129,7 @@ impl Line {
             ends[lower] += if lower == 0 { -SLOPE_OVERHANG } else { SLOPE_OVERHANG };
         }
         self.draw_cords(canvas, &placed, &frame);
+        self.draw_grains(canvas, &placed, &frame);
         // Angles look out for bodies, so all bodies come before the first vector.
         for (number, mut outline) in placed {
             for moving in self.bodies.get(number).map_or(&[][..], |body| &body.vectors) {
@@ -178,6 +196,26 @@ impl Line {
                     Tie::Firm => draw_cord(canvas, from, to),
                 }
             }
+        }
+    }
+
+    /// Short strokes in columns, every other column half a row lower; none where the line is seen from above.
+    fn draw_grains(&self, canvas: &mut Canvas, placed: &[(usize, Body)], frame: &Frame) {
+        let Some(grains) = self.grains.as_ref().filter(|_| frame.up.y > 1.0 - 1e-9) else { return };
+        let Some((_, body)) = placed.get(grains.body) else { return };
+        let half = body.support(frame.up);
+        let top = body.centre() + frame.up * if grains.join { half + GRAINS } else { -half };
+        let row = GRAINS / f64::from(ROWS);
+        for (column, aside) in COLUMNS.into_iter().enumerate() {
+            let lower = if column % 2 == 0 { 0.1 } else { 0.5 };
+            for number in 0..ROWS {
+                let from = top + frame.along * aside - frame.up * (row * (f64::from(number) + lower));
+                canvas.line([from, from - frame.up * (0.4 * row)], Role::Path, false);
+            }
+        }
+        if let Some(label) = &grains.label {
+            let beside = top + frame.along * (COLUMNS[2] + 3.0);
+            canvas.label(label, Role::Path, Anchor::Along { from: beside, to: beside - frame.up * GRAINS });
         }
     }
 

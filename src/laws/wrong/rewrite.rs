@@ -22,6 +22,11 @@ impl Taught<'_> {
         self.symbols.entry(symbol).dimension == dimension
     }
 
+    /// Whether a term is a velocity by itself.
+    pub(super) fn is_velocity(&self, term: &Expr) -> bool {
+        matches!(term, Expr::Symbol(symbol) if self.is(*symbol, Dimension::VELOCITY))
+    }
+
     /// Whether a term contains a quantity of that dimension.
     pub(super) fn has(&self, term: &Expr, dimension: Dimension) -> bool {
         term.symbols().into_iter().any(|symbol| self.is(symbol, dimension))

@@ -9,9 +9,14 @@ use super::Taught;
 use super::Wrong;
 use super::WrongForm;
 use super::force::WEIGHT_AS_MASS;
+use super::momentum::IMPULSE_REVERSED;
+use super::momentum::SIGN_LOST;
 use super::momentum::START_FORGOTTEN;
 use super::momentum::WEIGHT_FORGOTTEN;
+use super::rewrite::factors;
+use super::rewrite::gain_reversed;
 use super::rewrite::one;
+use super::rewrite::sign_lost;
 use super::rewrite::start_forgotten;
 use super::rewrite::terms;
 
@@ -64,6 +69,34 @@ pub const BASE_TEN: Misconception = Misconception {
     ask: "Which logarithm results from integrating one over the mass?",
     hint: "The integral of one over the mass is the natural logarithm of the mass.",
 };
+/// The mass taken to stay what it was, although some joins or leaves.
+pub const CHANGE_FORGOTTEN: Misconception = Misconception {
+    id: "change-of-mass-forgotten",
+    does: "takes the mass to stay what it is at the start",
+    ask: "Is the mass that moves at the end the same as that at the start?",
+    hint: "Mass joins the body or leaves it all the time: write the mass at the end by the flow and the time.",
+};
+/// `m_1 v_1^2 = m_2 v_2^2` for a body that is loaded.
+pub const LOAD_BY_ENERGY: Misconception = Misconception {
+    id: "energy-for-momentum-of-load",
+    does: "conserves kinetic energy while mass joins the body and is dragged along",
+    ask: "What happens to each grain when it meets the body: does it bounce off, or is it dragged along?",
+    hint: "Each grain that joins the body makes a small plastic impact: momentum is conserved in it, and kinetic energy is lost.",
+};
+/// `m_1 v_1 + F dt = m_2 v_2` for a body that leaks.
+pub const LEAK_AS_THRUST: Misconception = Misconception {
+    id: "leak-as-thrust",
+    does: "leaves out the momentum that the lost mass carries away, as if what leaves pushed the body on",
+    ask: "Which velocity does the mass have at the moment it leaves, and which momentum does it carry away?",
+    hint: "Only what is thrown relative to the body pushes it. What merely falls out keeps the velocity that it has.",
+};
+/// The momentum that arriving mass needs left out.
+pub const DRAGGED_FORGOTTEN: Misconception = Misconception {
+    id: "arriving-mass-forgotten",
+    does: "leaves out the force that it takes to bring the arriving mass to the velocity of the body",
+    ask: "Which velocity does the mass have before it joins the body, and which afterwards?",
+    hint: "In each unit of time the arriving mass gains momentum, and the body has to give it.",
+};
 
 /// Wrong forms of the force of a stream.
 pub const STREAM: &[WrongForm] = &[
@@ -91,6 +124,22 @@ pub const ROCKET: &[WrongForm] = &[
 pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &WEIGHT_FORGOTTEN, write: thrust_alone }];
 /// Wrong forms of the condition of lift-off.
 pub const LIFT_OFF: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass }];
+/// Wrong forms of impulse and momentum of a body that gains mass.
+pub const GAINING: &[WrongForm] = &[
+    WrongForm { of: &CHANGE_FORGOTTEN, write: first_mass_kept },
+    WrongForm { of: &LOAD_BY_ENERGY, write: load_by_energy },
+    WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &IMPULSE_REVERSED, write: gain_reversed },
+];
+/// Wrong forms of the velocity of a body that loses mass.
+pub const LOSING: &[WrongForm] = &[
+    WrongForm { of: &CHANGE_FORGOTTEN, write: |law| law.both(|side| logarithm(side, &linear)) },
+    WrongForm { of: &LEAK_AS_THRUST, write: leak_as_thrust },
+    WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
+];
+/// Wrong forms of the acceleration of a body whose mass changes.
+pub const CHANGING: &[WrongForm] = &[WrongForm { of: &DRAGGED_FORGOTTEN, write: arriving_forgotten }];
 
 /// The thrust in place of the net force.
 fn thrust_alone(law: &Taught<'_>) -> Vec<Wrong> {
@@ -148,4 +197,47 @@ fn linear(ratio: &Expr) -> Expr {
 fn to_base_ten(ratio: &Expr) -> Expr {
     let natural = |term: Expr| Expr::apply(Function::Ln, term);
     natural(ratio.clone()) / natural(Expr::integer(10))
+}
+
+/// `m_1 v_1 + J = m_1 v_2`.
+fn first_mass_kept(law: &Taught<'_>) -> Vec<Wrong> {
+    let started = terms(&law.sides.0).into_iter().next().unwrap_or_else(Expr::zero);
+    let [before, after] =
+        [&started, &law.sides.1].map(|momentum| factors(momentum).into_iter().find(|own| law.is_velocity(own)));
+    let (Some(before), Some(after)) = (before, after) else { return Vec::new() };
+    let masses = factors(&started).into_iter().filter(|own| *own != before);
+    one((law.left(), Expr::product(masses.chain([after]))))
+}
+
+/// `m_1 v_1^2 = m_2 v_2^2`, where nothing else acts.
+fn load_by_energy(law: &Taught<'_>) -> Vec<Wrong> {
+    if terms(&law.sides.0).len() > 1 {
+        return Vec::new();
+    }
+    law.replaced(&|symbol| law.is(symbol, Dimension::VELOCITY).then(|| Expr::from(symbol).powi(2)))
+}
+
+/// `v_2 - r v_1 = F/q (r - 1)` with the ratio r of the masses: the momentum of what is left, with nothing carried away.
+fn leak_as_thrust(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_mass = |term: &Expr| matches!(term, Expr::Symbol(symbol) if law.is(*symbol, Dimension::MASS));
+    let Some((after, left)) = law.beside("mass-thrown-away").find(|sides| is_mass(&sides.0)) else {
+        return Vec::new();
+    };
+    let before = Expr::sum(terms(left).into_iter().filter(|term| !term.begins_with_minus()));
+    let ratio = before / after.clone();
+    let carried = |part: Expr| if part.begins_with_minus() { ratio.clone() * part } else { part };
+    let left = Expr::sum(terms(&law.sides.0).into_iter().map(carried));
+    // Without a force, the law says that the velocity stays.
+    let right = if law.is_velocity(&law.sides.1) {
+        ratio * law.right()
+    } else {
+        logarithm(&law.sides.1, &|_| ratio.clone() - Expr::one())
+    };
+    one((left, right))
+}
+
+/// The forces alone on the right side.
+fn arriving_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    let forces = |term: &Expr| !matches!(term, Expr::Symbol(_));
+    if terms(&law.sides.1).len() > 1 { law.without(&forces) } else { Vec::new() }
 }

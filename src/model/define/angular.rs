@@ -33,7 +33,7 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
             return None;
         }
         for body in &bodies {
-            let mass = builder.mass(body);
+            let mass = builder.mass_at(body, instant);
             let (radius, velocity) = builder.polar_state(body, about, instant);
             terms.push(Expr::product([mass, radius, velocity]));
         }
@@ -44,7 +44,7 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
                 terms.push(builder.momentum_about(body, about, instant)?);
                 continue;
             }
-            let mass = builder.mass(body);
+            let mass = builder.mass_at(body, instant);
             let (arm, velocity) = (builder.arm(body, instant, about)?, builder.velocities(body, instant));
             terms.push(mass * angular::moments(&arm, &velocity).into_iter().nth(turning)?);
         }
@@ -159,7 +159,7 @@ impl Builder<'_> {
         let bodies: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
         let scene = self.scene;
         let Some(turning) = self.turning(name).filter(|_| bodies.len() > 1) else { return };
-        let mass = Expr::sum(bodies.iter().map(|body| self.mass(body)).collect::<Vec<_>>());
+        let mass = Expr::sum(bodies.iter().map(|body| self.mass_at(body, instant)).collect::<Vec<_>>());
         let letters = self.axis_letters();
         let of_centre = |kind, letter: &str| Name::of(kind, MASS_CENTRE).at(instant).along(letter);
         let velocity = letters.iter().map(|letter| self.quantity(of_centre(QuantityKind::Velocity, letter)));
@@ -215,7 +215,7 @@ impl Builder<'_> {
         let gravity = self.gravity();
         let weight = |builder: &mut Self, on: String| ActingForce {
             stage,
-            strength: builder.mass(&on) * gravity.clone(),
+            strength: builder.mass_at(&on, instant) * gravity.clone(),
             on,
             kind: ForceKind::Weight,
             called: "weight".to_owned(),

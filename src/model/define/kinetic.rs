@@ -2,9 +2,13 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
 use crate::laws::Law;
 use crate::laws::energy;
 use crate::scene::Stage;
+use crate::scene::stage::MassChange;
 
 use super::super::Because;
 use super::super::Builder;
@@ -51,7 +55,7 @@ pub(super) fn potential_energy(builder: &mut Builder<'_>, name: &Name) -> Option
         format!("the potential energy of {owner} {when}"),
     );
     let height = Expr::integer(-down) * builder.place(&body, instant, axis);
-    let (mass, gravity) = (builder.mass(&body), builder.gravity());
+    let (mass, gravity) = (builder.mass_at(&body, instant), builder.gravity());
     let sides = (symbol.into(), Expr::product([mass, gravity, height]));
     builder.law(&energy::POTENTIAL, None, Because::Definition, sides);
     Some(symbol)
@@ -75,6 +79,7 @@ pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let meaning = format!("the work done during {}", builder.stage_phrase(stage));
     let own = builder.in_stage(QuantityKind::Work, "", stage);
     let symbol = builder.symbol(own, meaning);
+    builder.check_energy(stage, |_| true);
     let [before, after] = builder.kinetic_energies(stage);
     let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
     let because = "the work of all forces equals the change in kinetic energy";
@@ -106,6 +111,7 @@ fn balance_of_energy(
     let own = builder.in_stage(kind, "", stage);
     let key = format!("balance {own}");
     let symbol = builder.symbol(own, meaning);
+    builder.check_energy(stage, |change| !change.gains || change.velocity.is_some());
     let [before, after] = builder.kinetic_energies(stage);
     let [before, after] = [Expr::from(before?), Expr::from(after?)];
     // A stage may be named in several ways: `T_lost` and `T_lost[1]`.
@@ -121,6 +127,16 @@ impl Builder<'_> {
     /// The kinetic energies of all bodies before and after a stage.
     fn kinetic_energies(&mut self, stage: usize) -> [Option<Symbol>; 2] {
         [stage + 1, stage + 2].map(|instant| self.quantity(Name::of(QuantityKind::KineticEnergy, "").at(instant)))
+    }
+
+    /// What joins a body, or leaves it, carries kinetic energy that is no work and no loss.
+    fn check_energy(&mut self, stage: usize, carries: impl Fn(&MassChange<'_>) -> bool) {
+        let Some(Stage::Push(push)) = self.scene.stages.get(stage) else { return };
+        let Some(change) = push.mass_change().filter(carries) else { return };
+        let message = format!("the kinetic energy that {} carries with it is neither work nor loss", change.name);
+        let help = "ask for the kinetic energies at both ends: `T_1`, `T_2`";
+        let path = Path::root().key("scene").key("stages").index(stage).key("push").key(change.key());
+        self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path));
     }
 
     /// The stages that are impacts; all of them where none is.
@@ -143,7 +159,7 @@ impl Builder<'_> {
         if let Some(turning) = self.kinetic_of_rotor(body, instant) {
             return turning;
         }
-        let mass = self.mass(body);
+        let mass = self.mass_at(body, instant);
         if self.axes.is_empty() {
             let speed = self.quantity(Name::of(QuantityKind::Speed, body).at(instant));
             let speed = speed.map_or_else(Expr::zero, Expr::from);
@@ -162,7 +178,7 @@ impl Builder<'_> {
         })?;
         let frame = self.frames.get(stage)?.clone()?;
         let split = self.split(body, instant, stage, &frame);
-        let mass = self.mass(body);
+        let mass = self.mass_at(body, instant);
         Some(energy::kinetic(&mass, &[split.along, split.across?]))
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn total_mass(builder: &mut Builder<'_>, name: &Name) -> Option<Symbo
     }
     let meaning = format!("the mass of {}", builder.called(&name.subject));
     let symbol = builder.positive(name.clone(), meaning);
-    let parts = builder.mass(&name.subject);
+    let parts = builder.mass_at(&name.subject, builder.timeline.last());
     builder.law(&mass_centre::TOTAL_MASS, None, "together they are one body", (symbol.into(), parts));
     Some(symbol)
 }
@@ -67,7 +67,9 @@ impl Builder<'_> {
             .filter(|impulse| impulse.stage + 2 == instant && !matches!(impulse.by, Agent::Body(_)))
             .filter_map(|impulse| impulse.components.get(position).cloned())
             .collect();
-        let pushed = self.scene.stages.get(instant - 2).is_some_and(|stage| matches!(stage, Stage::Fall(_)));
+        let pushed = self.scene.stages.get(instant - 2).is_some_and(|stage| {
+            matches!(stage, Stage::Fall(_)) || matches!(stage, Stage::Push(push) if push.mass_change().is_some())
+        });
         if alive < 2 || pushed || self.downwards(position).is_some() && !self.is_impulsive(instant) {
             return;
         }
@@ -97,7 +99,7 @@ pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, insta
     let mut parts = Vec::new();
     for body in bodies {
         let place = builder.quantity(Name::of(QuantityKind::Position, &body).at(instant).along(letter))?;
-        parts.push((builder.mass(&body), Expr::from(place)));
+        parts.push((builder.mass_at(&body, instant), Expr::from(place)));
     }
     let sides = mass_centre::mass_centre(&symbol.into(), &parts);
     builder.law(

@@ -207,7 +207,7 @@ impl Builder<'_> {
     /// Mass and velocity component of every body alive at an instant.
     fn carriers(&mut self, instant: usize, axis: Axis) -> Vec<(Expr, Expr)> {
         let bodies: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-        bodies.iter().map(|body| (self.mass(body), self.velocity(body, instant, axis))).collect()
+        bodies.iter().map(|body| (self.mass_at(body, instant), self.velocity(body, instant, axis))).collect()
     }
 
     /// The magnitude of a vector with these components, under the name without a component.
@@ -275,7 +275,7 @@ fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         ("the system".to_owned(), builder.carriers(instant, axis))
     } else {
         let (body, since) = builder.body_at(name)?;
-        (builder.called(&body), vec![(builder.mass(&body), builder.velocity(&body, since, axis))])
+        (builder.called(&body), vec![(builder.mass_at(&body, instant), builder.velocity(&body, since, axis))])
     };
     let meaning = Meaning { noun: "the momentum", of: format!("of {whose} {when}") };
     let symbol = builder.component(builder.canonical(name), meaning);
@@ -341,7 +341,7 @@ fn weight(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     }
     let meaning = format!("the weight of {}", builder.called(&name.subject));
     let symbol = builder.positive(builder.canonical(name), meaning);
-    let (mass, gravity) = (builder.mass(&name.subject), builder.gravity());
+    let (mass, gravity) = (builder.mass_at(&name.subject, 1), builder.gravity());
     builder.law(&force::WEIGHT, None, Because::Definition, (symbol.into(), mass * gravity));
     Some(symbol)
 }

@@ -105,7 +105,7 @@ impl Builder<'_> {
                     return None;
                 }
                 let before = [first, second].map(|body| along(self, body));
-                Some(Deformed { masses: [first, second].map(|body| Some(self.mass(body))), before })
+                Some(Deformed { masses: [first, second].map(|body| Some(self.mass_at(body, stage + 1))), before })
             }
             // Along the outward normal a body comes with a negative velocity: its impulse is counted from the surface.
             Partners::Surface(body, surface) => {
@@ -113,7 +113,7 @@ impl Builder<'_> {
                 let path = crate::fault::Path::root().key("scene").key("surfaces").key(surface).key("velocity");
                 let moves = velocity.map_or_else(Expr::zero, |term| self.read(&term, Dimension::VELOCITY, "", &path));
                 let before = [along(self, body), moves];
-                Some(Deformed { masses: [Some(-self.mass(body)), None], before })
+                Some(Deformed { masses: [Some(-self.mass_at(body, stage + 1)), None], before })
             }
         }
     }

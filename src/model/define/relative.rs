@@ -35,7 +35,7 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
         let mut terms = Vec::new();
         for body in bodies {
             let relative = builder.quantity(relative(&body))?;
-            terms.push(builder.mass(&body) * Expr::from(relative));
+            terms.push(builder.mass_at(&body, instant) * Expr::from(relative));
         }
         let because = "relative to the centre of mass, the total momentum of the system is zero";
         builder.law_at(SECOND_COST, &mass_centre::NO_MOMENTUM, None, because, (Expr::sum(terms), Expr::zero()));
@@ -54,7 +54,7 @@ pub(super) fn relative_energy(builder: &mut Builder<'_>, name: &Name) -> Option<
         let name = Name::of(QuantityKind::RelativeVelocity, &body).at(instant);
         let components = letters.iter().map(|letter| builder.quantity(name.clone().along(*letter)).map(Expr::from));
         let components: Vec<Expr> = components.collect::<Option<_>>()?;
-        terms.push(energy::kinetic(&builder.mass(&body), &components));
+        terms.push(energy::kinetic(&builder.mass_at(&body, instant), &components));
     }
     let because = "the velocities are those relative to the centre of mass";
     builder.law(&energy::KINETIC, None, because, (symbol.into(), Expr::sum(terms)));
@@ -75,7 +75,7 @@ pub(super) fn energy_of_the_centre(builder: &mut Builder<'_>, instant: usize) ->
     let velocity = letters.iter().map(|letter| builder.quantity(name.clone().along(*letter)).map(Expr::from));
     let velocity: Vec<Expr> = velocity.collect::<Option<_>>()?;
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-    let mass = Expr::sum(bodies.iter().map(|body| builder.mass(body)).collect::<Vec<_>>());
+    let mass = Expr::sum(bodies.iter().map(|body| builder.mass_at(body, instant)).collect::<Vec<_>>());
     let meaning =
         format!("the kinetic energy of the total mass moving with the centre of mass {}", builder.when(instant));
     let symbol = builder.symbol(Name::of(QuantityKind::KineticEnergy, MASS_CENTRE).at(instant), meaning);

@@ -121,7 +121,7 @@ pub(in crate::model) fn holding_pull(builder: &mut Builder<'_>, name: &Name) -> 
     let meaning = format!("the pull on {called} towards {centre} {}", builder.when(instant));
     let symbol = builder.symbol(Name::of(QuantityKind::Tension, body).at(instant), meaning);
     let arm = builder.read_positive(arm.ends()[side], Dimension::LENGTH, "", &Path::root());
-    let (mass, velocity) = (builder.mass(body), builder.transverse(body, instant));
+    let (mass, velocity) = (builder.mass_at(body, instant), builder.transverse(body, instant));
     let because =
         format!("{called} moves on a level circle at that instant, and nothing else pulls it towards {centre}");
     let sides = (symbol.into(), mass * velocity.powi(2) / arm);

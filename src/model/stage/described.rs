@@ -75,7 +75,7 @@ impl<'a> Description<'a> {
             },
             Stage::Push(own) => {
                 let fills_space = own.over.is_none() && own.incline.is_none();
-                let noun = if own.is_resisted_alone() { "motion" } else { "push" };
+                let noun = if own.is_motion() { "motion" } else { "push" };
                 let key = if own.body.is_some() { "body" } else { "bodies" };
                 let bodies = own.pushed().map(|body| (body, Some(key))).collect();
                 Self { bodies, fills_space, ..Self::lasting(noun) }

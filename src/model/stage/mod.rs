@@ -24,6 +24,7 @@ mod motion;
 mod orbit;
 mod push;
 mod push_by_place;
+mod push_changing;
 mod push_motion;
 mod push_quadratic;
 mod push_resisted;
@@ -70,6 +71,7 @@ impl Builder<'_> {
         let scene = self.scene;
         for (index, stage) in scene.stages.iter().enumerate() {
             let path = Path::root().key("scene").key("stages").index(index).key(stage.key());
+            self.begins = index + 1;
             match stage {
                 Stage::Impact(stage) => self.impact(index, stage, &path),
                 Stage::Push(stage) => self.push(index, stage, &path),

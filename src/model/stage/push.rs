@@ -109,6 +109,9 @@ impl Builder<'_> {
         let sign = self.sense(stage.direction.as_ref(), path);
         let [start, end] = [start, end].map(Clone::clone);
         let pushed = Pushed { index, body, acting, clock, start, end, incline, over, stops, sign };
+        if let Some(change) = stage.mass_change() {
+            return self.push_changing(&pushed, &change, stage, path);
+        }
         if let Some(place) = place {
             return self.push_by_place(&pushed, place, stage, friction, path);
         }

@@ -51,6 +51,7 @@ pub(in crate::problem) fn conserved(
     check_bodies(ask, builder, path)?;
     let axes = axes(ask, builder, path)?;
     let about = about(ask, builder, path)?;
+    keeps_its_mass(ask, stage, builder, path)?;
     let is_sudden = builder.scene().stages.get(stage).is_some_and(takes_no_time);
     let balance = Balance { ask, stage, axes, about: &about, is_sudden };
     let names: Vec<String> = ask.of.iter().map(|body| builder.name_of(body)).collect();
@@ -123,6 +124,18 @@ fn check_bodies(ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Opti
         }
     };
     builder.fault(fault.at_path(path.key("of")));
+    None
+}
+
+/// What leaves a body carries its share away, so that forces do not decide what the rest keeps.
+fn keeps_its_mass(ask: &Conserved, stage: usize, builder: &mut Builder<'_>, path: &Path) -> Option<()> {
+    let Some(Stage::Push(push)) = builder.scene().stages.get(stage) else { return Some(()) };
+    let loses = push.loses.as_ref().filter(|_| push.pushed().any(|own| ask.of.iter().any(|body| body == own)));
+    let Some(own) = loses else { return Some(()) };
+    let message =
+        format!("{} that leaves carries its share away, so what the rest keeps is not said by forces", own.name);
+    let help = "ask for a velocity, or compare two: `holds: \"v_A2 > v_A1\"`";
+    builder.fault(Fault::new(Code::Value, message).help(help).at_path(path.key("of")));
     None
 }
 

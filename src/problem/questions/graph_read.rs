@@ -133,7 +133,8 @@ fn moves(stage: &Stage) -> Option<Moves<'_>> {
             // A body at rest may stay so for a while.
             let may_rest =
                 own.forces.iter().any(|own| matches!(own, Force::Friction(own) if own.friction.at_rest.is_some()));
-            (own.resistance.is_none() && !may_rest).then(|| Moves::These(own.pushed().collect()))
+            (own.resistance.is_none() && own.mass_change().is_none() && !may_rest)
+                .then(|| Moves::These(own.pushed().collect()))
         }
         Stage::Slide(own) => (!own.is_ramp()).then(|| Moves::These(vec![&own.body])),
         Stage::Fall(own) => Some(Moves::These(vec![&own.body])),
@@ -248,8 +249,11 @@ impl Reader<'_, '_> {
         });
         let forces = forces.collect::<Option<Vec<Expr>>>()?;
         let factor = match self.plotted {
-            Plotted::Velocity => self.builder.mass_of(whole).powi(-1),
-            Plotted::Momentum if whole != self.body => self.builder.mass_of(self.body) / self.builder.mass_of(whole),
+            Plotted::Velocity => self.builder.mass_of(whole, stage + 1).powi(-1),
+            Plotted::Momentum if whole != self.body => {
+                let [own, all] = [self.body, whole].map(|body| self.builder.mass_of(body, stage + 1));
+                own / all
+            }
             Plotted::Momentum | Plotted::Force => Expr::one(),
         };
         let written_out = |force: Expr| force.substitute(&|symbol| self.pressing(symbol));

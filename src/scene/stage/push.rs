@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::{Force, Strength, Term};
 
-use super::{Resistance, Until};
+use super::{Gain, Loss, MassChange, Resistance, Until};
 
 /// Forces act on a body, or on several bodies, for a time.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -40,6 +40,12 @@ pub struct Push {
     /// speed, or along one axis `{ quadratic: k }` in proportion to its square.
     #[serde(default)]
     pub resistance: Option<Resistance>,
+    /// What falls onto the body all the time and stays there, along one level axis: `{ name: the sand, flow: q }`.
+    #[serde(default)]
+    pub gains: Option<Gain>,
+    /// What leaves the body all the time with its velocity, along one level axis: `{ name: the sand, flow: q }`.
+    #[serde(default)]
+    pub loses: Option<Loss>,
     /// The forces. Weight acts by itself in a vertical plane.
     pub forces: Vec<Force>,
     /// `graph` if the sheet's graph tells the force that is given by points: it prints the time and the force of each, and the text
@@ -86,6 +92,38 @@ impl Push {
     #[must_use]
     pub fn is_resisted_alone(&self) -> bool {
         self.resistance.is_some() && self.forces.is_empty()
+    }
+
+    /// How the mass of the body changes, where it does.
+    #[must_use]
+    pub fn mass_change(&self) -> Option<MassChange<'_>> {
+        let gain = self.gains.as_ref().map(|own| MassChange {
+            gains: true,
+            name: &own.name,
+            flow: own.flow.as_ref(),
+            mass: own.mass.as_ref(),
+            velocity: own.velocity.as_ref(),
+        });
+        let loss = self.loses.as_ref().map(|own| MassChange {
+            gains: false,
+            name: &own.name,
+            flow: own.flow.as_ref(),
+            mass: own.mass.as_ref(),
+            velocity: None,
+        });
+        gain.or(loss)
+    }
+
+    /// The term that says how long it lasts, where one does.
+    #[must_use]
+    pub fn duration(&self) -> Option<&Term> {
+        if let Some(During::For(term)) = &self.during { Some(term) } else { None }
+    }
+
+    /// Whether no pushes and pulls act, but the body moves against a resistance or its mass changes.
+    #[must_use]
+    pub fn is_motion(&self) -> bool {
+        self.is_resisted_alone() || self.mass_change().is_some() && self.forces.is_empty()
     }
 
     /// What its pushes and pulls are called.

@@ -17,7 +17,7 @@ use super::vector::part;
 impl Values<'_> {
     /// Forces of known law for a known time: each axis for itself.
     pub(super) fn push(&self, stage: &Push) -> Result<Staged, NothingToSimulate> {
-        if stage.incline.is_some() || stage.resistance.is_some() {
+        if stage.incline.is_some() || stage.resistance.is_some() || stage.mass_change().is_some() {
             return Err(NothingToSimulate::NoMethod);
         }
         let [start, end] = match &stage.during {

@@ -153,8 +153,9 @@ impl Values<'_> {
 
     /// The mass of a body, or of what a body consists of.
     pub(super) fn mass(&self, body: &str) -> Result<f64, NothingToSimulate> {
-        let own = |member: &str| match self.scene.bodies.get(member) {
-            Some(Body { mass: Some(term), .. }) => self.term(term),
+        let own = |member: &str| match (self.scene.mass_since(member, self.index + 1), self.scene.bodies.get(member)) {
+            (Some(since), _) => self.named(&format!("m_{member}{since}")),
+            (None, Some(Body { mass: Some(term), .. })) => self.term(term),
             _ => self.named(&format!("m_{member}")).or_else(|missing| {
                 let weight = self.named(&format!("W_{member}")).map_err(|_| missing)?;
                 Ok(weight / self.named("g")?)

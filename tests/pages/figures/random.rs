@@ -112,6 +112,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             hung: dice.chance(20).then_some(0),
             tied: dice.chance(20).then(|| if dice.chance(50) { Tie::Slack } else { Tie::Firm }),
             wall: dice.chance(20),
+            grains: None,
         }),
         1 => {
             let second = match dice.below(6) {

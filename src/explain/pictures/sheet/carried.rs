@@ -87,7 +87,7 @@ fn end(
     let vectors = |body: &str| match quantities.scope() {
         Scope::Given => quantities.motion(compass, body, instant),
         Scope::Solved => {
-            let momentum = quantities.momentum(body, body, instant, quantities.mass(body));
+            let momentum = quantities.momentum(body, body, instant, quantities.mass(body, instant));
             momentum.value.map(|_| Moving::momentum(momentum.placed(compass))).into_iter().collect::<Vec<_>>()
         }
     };

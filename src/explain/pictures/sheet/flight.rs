@@ -65,7 +65,7 @@ fn resisted(quantities: &Quantities<'_>, compass: &Compass, index: usize, flight
     let (Resistance::Linear(term), Some(body)) = (flight.resistance.as_ref()?, flight.flying().next()) else {
         return None;
     };
-    let rate = || Some(quantities.evaluate(&quantities.term(term)?)? / quantities.mass(body)?);
+    let rate = || Some(quantities.evaluate(&quantities.term(term)?)? / quantities.mass(body, index + 1)?);
     let by_axes = |of: &dyn Fn(&str) -> Option<f64>| Some([of("x")?, of("y")?]);
     let place = |instant: usize| by_axes(&|letter| quantities.named(&format!("r_{body}{instant}.{letter}")));
     let lasts = || quantities.named(&quantities.staged("dt", index));

@@ -3,6 +3,7 @@
 use crate::expr::Math;
 use crate::figure::Drawing;
 use crate::figure::Form;
+use crate::figure::Grains;
 use crate::figure::Layout;
 use crate::figure::Line;
 use crate::figure::LineSpring;
@@ -20,6 +21,7 @@ use crate::scene::stage::Partners;
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
+use super::super::words::sentences;
 use super::super::words::situation_wording;
 
 /// The bodies before a stage; after the last one, where nothing is given of them before. In a solution with their momenta.
@@ -50,9 +52,13 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
     if bodies.is_empty() || quantities.scope() == Scope::Solved && !is_telling(&bodies) {
         return None;
     }
-    let wording = situation_wording(quantities, &bodies, &when);
+    let mut wording = situation_wording(quantities, &bodies, &when);
     let upright = libm::cos(compass.axis_angle(0)).abs() < 1e-9;
     let names: Vec<&str> = bodies.iter().map(|(name, _)| name.as_str()).collect();
+    let grains = grains(quantities, &names, stage);
+    if let Some((_, told)) = &grains {
+        wording.description = format!("{} {told}", wording.description);
+    }
     let line = Line {
         angle: line_angle(quantities, compass, stage),
         floor: !upright && has_floor(quantities, stage, &bodies),
@@ -61,6 +67,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         hung: hung(quantities, &names).filter(|_| !upright),
         tied: tied(quantities, stage),
         wall: has_wall(quantities, stage),
+        grains: grains.map(|(grains, _)| grains),
         bodies: bodies.into_iter().map(|(_, body)| body).collect(),
     };
     Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
@@ -69,7 +76,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
 fn bodies(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Vec<(String, MovingBody)> {
     let vectors = |body: &String| {
         if quantities.scope() == Scope::Solved {
-            let momentum = quantities.momentum(body, body, stage + 1, quantities.mass(body));
+            let momentum = quantities.momentum(body, body, stage + 1, quantities.mass(body, stage + 1));
             return vec![Moving::momentum(momentum.placed(compass))];
         }
         let before = quantities.motion(compass, body, stage + 1);
@@ -171,6 +178,16 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
 fn tied(quantities: &Quantities<'_>, stage: usize) -> Option<Tie> {
     let own = quantities.scene().stages.get(stage)?;
     if let Stage::Taut(_) = own { Some(Tie::Slack) } else { matches!(own, Stage::Tow(_)).then_some(Tie::Firm) }
+}
+
+/// What falls onto one of the bodies in a stage, or out of it, and how that is said.
+fn grains(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(Grains, String)> {
+    let Stage::Push(push) = quantities.scene().stages.get(stage)? else { return None };
+    let (change, body) = (push.mass_change()?, push.pushed().next()?);
+    let label = change.flow.and_then(|flow| quantities.symbol_of_known(flow));
+    let falls = if change.gains { "falls onto" } else { "falls out of" };
+    let told = sentences([format!("{} {falls} {}", change.name, quantities.called(body))]);
+    Some((Grains { body: names.iter().position(|name| *name == body)?, join: change.gains, label }, told))
 }
 
 /// Which of the bodies hangs on a cord, on which it or what it becomes will swing: one that is at rest.

@@ -28,7 +28,7 @@ pub(in super::super) fn drawing(
     let vectors = |instant: usize| match quantities.scope() {
         Scope::Given => quantities.motion(compass, &stage.body, instant),
         Scope::Solved => {
-            let scale = quantities.mass(&stage.body).unwrap_or(1.0);
+            let scale = quantities.mass(&stage.body, instant).unwrap_or(1.0);
             let momentum = quantities.momentum(&stage.body, &stage.body, instant, Some(scale));
             momentum.value.map(|_| Moving::momentum(momentum.placed(compass))).into_iter().collect::<Vec<_>>()
         }

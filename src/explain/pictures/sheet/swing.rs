@@ -118,7 +118,7 @@ fn vectors(quantities: &Quantities<'_>, compass: &Compass, body: &str, instant: 
     let mut vectors = match quantities.scope() {
         Scope::Given => quantities.motion(compass, body, instant),
         Scope::Solved => {
-            let scale = quantities.mass(body).unwrap_or(1.0);
+            let scale = quantities.mass(body, instant).unwrap_or(1.0);
             let momentum = quantities.momentum(body, body, instant, Some(scale));
             let known = momentum.value.map(|_| Moving::momentum(momentum.placed(compass)));
             known.into_iter().collect()

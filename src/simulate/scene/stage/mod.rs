@@ -19,6 +19,7 @@ mod moment;
 mod motion;
 mod push;
 mod push_by_place;
+mod push_changing;
 mod push_system;
 mod rates;
 mod rotate;

@@ -25,6 +25,9 @@ impl StageRun<'_> {
         let Some(body) = stage.pushed().next().filter(|_| !stage.is_of_several()) else {
             return self.push_system(stage);
         };
+        if let Some(change) = stage.mass_change() {
+            return self.push_changing(stage, &change, body);
+        }
         if matches!(self.values.axes()[..], [axis] if stage.depends_on_place(axis.letter())) {
             return self.push_by_place(stage, body);
         }
@@ -111,7 +114,7 @@ impl StageRun<'_> {
     }
 
     /// Notes where a body is after the stage, where it is known where it was before.
-    fn note_place(&mut self, body: &str, displaced: Vector) {
+    pub(super) fn note_place(&mut self, body: &str, displaced: Vector) {
         for axis in self.values.axes() {
             if let Ok(from) = self.values.place_before(body, axis) {
                 let name = self.values.place_name(body, self.values.index + 2, axis);
@@ -153,7 +156,7 @@ impl StageRun<'_> {
         })
     }
 
-    fn pulls(&self, stage: &Push, body: &str) -> Result<Pulls, NothingToSimulate> {
+    pub(super) fn pulls(&self, stage: &Push, body: &str) -> Result<Pulls, NothingToSimulate> {
         let (mut all, mut changes): Pulls = (Vec::new(), Vec::new());
         for (_, force) in stage.forces_on(body) {
             let Force::Pull(Pull { value, direction, .. }) = force else { continue };
@@ -270,12 +273,8 @@ impl StageRun<'_> {
         }
         self.note_velocity(body, velocity(&end.state, 0), size(moves));
         self.note_term(stage.over.as_ref(), dot(ahead, place(&end.state, 0)).abs(), 0.0);
-        let term = match &stage.during {
-            Some(During::For(term)) => Some(term),
-            _ => None,
-        };
         if !matches!((stage.until, finish), (Some(_), Finish::Time(_))) {
-            self.note_duration(term, end.time - begun);
+            self.note_duration(stage.duration(), end.time - begun);
         }
         if needs_weight {
             self.note_here(&format!("N_{body}"), normal(begins), 0.0);

@@ -35,6 +35,30 @@ pub(super) const PUSHES: &[Row] = &[
         "v_A2 -12.64241117657115, w -20",
     ),
     (
+        RIGHT,
+        r#"{"push":{"body":"A","during":"4 s","gains":{"name":"the sand","flow":"1 kg/s"},"forces":[]}}"#,
+        "m_A 2, v_A1 3, r_A1 1",
+        "v_A2 1, m_A2 6, r_A2 7.591673732008658, a_A1 -1.5, F_A2 0, J_A 0",
+    ),
+    (
+        RIGHT,
+        r#"{"push":{"body":"A","gains":{"name":"the sand","flow":"1 kg/s","mass":"4 kg","velocity":"1 m/s"},"forces":[{"value":"2 N"}]}}"#,
+        "m_A 2, v_A1 0",
+        "v_A2 2, dt 4, a_A1 1.5, J_A 8",
+    ),
+    (
+        RIGHT,
+        r#"{"push":{"body":"A","during":"4 s","loses":{"name":"the sand","flow":"0.5 kg/s"},"forces":[{"value":"1 N"}]}}"#,
+        "m_A 4, v_A1 1, r_A1 0",
+        "v_A2 2.386294361119891, m_A2 2, r_A2 6.454822555520437, a_A2 0.5",
+    ),
+    (
+        RIGHT,
+        r#"{"push":{"body":"A","until":"rest","gains":{"name":"the sand","flow":"1 kg/s"},"forces":[{"value":"3 N","direction":"to the left"}]}}"#,
+        "m_A 2, v_A1 3",
+        "dt 2, m_A2 4, v_A2 0",
+    ),
+    (
         SPACE,
         r#"{"push":{"body":"A","during":"2 s","forces":[{"value":{"x":"6 N","y":"3*t*1 N/s"}}]}}"#,
         "m_A 2, v_A1.x 1, v_A1.y 0, v_A1.z 4, r_A1.x 1, r_A1.y 2, r_A1.z 3",

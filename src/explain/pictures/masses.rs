@@ -1,0 +1,79 @@
+//! Masses of bodies at instants: their values, their symbols, and how they are written.
+
+use std::sync::Arc;
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Symbol;
+use crate::expr::name_math;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::scene::Term;
+
+use super::labels::factor;
+use super::quantities::Quantities;
+
+impl<'a> Quantities<'a> {
+    /// The mass of a body at an instant, from its weight if need be.
+    pub(super) fn mass(&self, body: &str, instant: usize) -> Option<f64> {
+        let parts = self.scene().parts_of(body);
+        if !parts.is_empty() {
+            return parts.iter().map(|part| self.mass(part, instant)).sum();
+        }
+        let own = match self.mass_term(body, instant) {
+            Some(term) => self.evaluate(&self.term(term)?),
+            None => self.named(&self.mass_name(body, instant)),
+        };
+        // No body is without mass: where the equations leave only that, the mass is not known.
+        let own = own.filter(|mass| *mass > 0.0);
+        let parts = self.scene().division_of(body);
+        let sum =
+            || parts.iter().map(|part| self.mass(part, instant)).sum::<Option<f64>>().filter(|_| !parts.is_empty());
+        let own = own.or_else(sum);
+        own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
+    }
+
+    /// The symbol of the mass of a body at an instant, where it is one.
+    pub(super) fn mass_symbol(&self, body: &str, instant: usize) -> Option<Symbol> {
+        match self.mass_term(body, instant) {
+            Some(term) => match self.term(term)? {
+                Expr::Symbol(symbol) => Some(symbol),
+                _ => None,
+            },
+            None => self.model().symbol_of(&self.mass_name(body, instant)),
+        }
+    }
+
+    /// How the mass of a body at an instant is written.
+    pub(super) fn mass_math(&self, body: &str, instant: usize) -> Math {
+        let mut members = self.scene().members(body);
+        let parts = self.scene().division_of(body);
+        let named = self.model().symbol_of(&self.mass_name(body, instant)).is_some();
+        if !named && self.mass_term(body, instant).is_none() && !parts.is_empty() {
+            members = parts;
+        }
+        if members.len() > 1 {
+            let mut sum = Vec::new();
+            for member in members {
+                if !sum.is_empty() {
+                    sum.push(Math::Operator(crate::expr::Operator::Plus));
+                }
+                sum.push(self.mass_math(member, instant));
+            }
+            return Math::Bracketed(Arc::new(Math::Row(sum)));
+        }
+        let term = self.mass_term(body, instant).and_then(|term| self.term(term));
+        term.map_or_else(|| name_math(&self.mass_name(body, instant)), |term| factor(&term, self.symbolic(&term)))
+    }
+
+    /// The mass as the author wrote it, where no stage has changed it.
+    fn mass_term(&self, body: &str, instant: usize) -> Option<&'a Term> {
+        let first = self.scene().bodies.get(body)?.mass.as_ref();
+        first.filter(|_| self.scene().mass_since(body, instant).is_none())
+    }
+
+    fn mass_name(&self, body: &str, instant: usize) -> String {
+        let own = Name::of(QuantityKind::Mass, body);
+        self.scene().mass_since(body, instant).map_or_else(|| own.clone(), |since| own.clone().at(since)).to_string()
+    }
+}

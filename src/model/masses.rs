@@ -1,0 +1,60 @@
+//! The masses of bodies, as they are from one instant to another.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::quantity::Dimension;
+use crate::scene::Term;
+
+use super::Builder;
+use super::Name;
+use super::QuantityKind;
+use super::name::is_bare_name;
+
+impl Builder<'_> {
+    /// The mass of a body when the stage begins that is being written.
+    pub(super) fn mass(&mut self, body: &str) -> Expr {
+        self.mass_at(body, self.begins)
+    }
+
+    /// The mass of a body at an instant; of a union, the sum of its parts.
+    pub(super) fn mass_at(&mut self, body: &str, instant: usize) -> Expr {
+        let parts = self.parts_of(body);
+        if !parts.is_empty() {
+            let masses: Vec<Expr> = parts.iter().map(|part| self.mass_at(part, instant)).collect();
+            return Expr::sum(masses);
+        }
+        if let Some(since) = self.scene.mass_since(body, instant) {
+            let meaning = format!("the mass of {} {}", self.called(body), self.when(since));
+            return self.positive(Name::of(QuantityKind::Mass, body).at(since), meaning).into();
+        }
+        let whole_time = self.scene.mass_since(body, self.timeline.last()).is_none();
+        let at_first = if whole_time { String::new() } else { format!(" {}", self.when(1)) };
+        let meaning = format!("the mass of {}{at_first}", self.called(body));
+        let term = self.scene.bodies.get(body).and_then(|entry| entry.mass.clone());
+        match term {
+            Some(term) => {
+                let path = Path::root().key("scene").key("bodies").key(body).key("mass");
+                self.read_positive(&term, Dimension::MASS, &meaning, &path)
+            }
+            None if !self.given.contains(&format!("m_{body}")) && !self.scene.division_of(body).is_empty() => {
+                let scene = self.scene;
+                Expr::sum(
+                    scene.division_of(body).into_iter().map(|part| self.mass_at(part, instant)).collect::<Vec<_>>(),
+                )
+            }
+            None => self.positive(Name::of(QuantityKind::Mass, body), meaning).into(),
+        }
+    }
+
+    /// Makes the masses that are names of their own, where another mass is given in terms of them: `m` before `2*m`.
+    pub(super) fn masses_by_name(&mut self) {
+        let scene = self.scene;
+        let is_name = |term: &Term| is_bare_name(term.0.trim());
+        let masses = || scene.bodies.iter().filter_map(|(body, entry)| Some((body, entry.mass.as_ref()?)));
+        if masses().any(|(_, term)| !is_name(term)) {
+            for (body, _) in masses().filter(|(_, term)| is_name(term)) {
+                self.mass_at(body, 1);
+            }
+        }
+    }
+}

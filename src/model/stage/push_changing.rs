@@ -1,0 +1,305 @@
+//! A body on a level line whose mass changes at a steady rate while forces act on it: sand that falls into a cart, or runs out of it.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::laws::motion;
+use crate::laws::variable_mass;
+use crate::model::Builder;
+use crate::model::Effect;
+use crate::model::Influence;
+use crate::model::Integral;
+use crate::model::QuantityKind;
+use crate::model::Reason;
+use crate::model::forces::Acts;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Force;
+use crate::scene::stage::MassChange;
+use crate::scene::stage::Push;
+use crate::solve::Relation;
+
+use super::push::Pushed;
+use super::thrust::FLOW;
+
+/// A change of mass, read.
+struct Changing<'a> {
+    pushed: &'a Pushed<'a>,
+    gains: bool,
+    /// What joins or leaves.
+    what: &'a str,
+    axis: Axis,
+    name: String,
+    masses: [Expr; 2],
+    velocities: [Expr; 2],
+    flow: Expr,
+    /// The velocity with which it arrives.
+    arrives: Expr,
+    /// The forces along the axis.
+    force: Expr,
+    /// The impulse of each of them along the axis.
+    impulses: Vec<Expr>,
+    lasts: Expr,
+}
+
+impl Changing<'_> {
+    /// What is left of a mass that flows away, at a time.
+    fn left_at(&self, time: &Expr) -> Expr {
+        self.masses[0].clone() - self.flow.clone() * (time.clone() - self.pushed.start.clone())
+    }
+
+    /// An integral over the time of the stage.
+    fn over_time(&self, integrand: Expr) -> Integral {
+        let Pushed { clock, start, end, .. } = self.pushed;
+        Integral { integrand, variable: *clock, low: start.clone(), high: end.clone() }
+    }
+}
+
+impl Builder<'_> {
+    /// A push of a body that gains or loses mass all the time.
+    pub(super) fn push_changing(&mut self, pushed: &Pushed<'_>, change: &MassChange<'_>, stage: &Push, path: &Path) {
+        self.check_changing(pushed, change, stage, path);
+        let Some((axis, _)) = self.axes.first().cloned() else { return };
+        let (index, body, at) = (pushed.index, pushed.body, path.key(change.key()));
+        let name = self.called(body);
+        let masses = [index + 1, index + 2].map(|instant| self.mass_at(body, instant));
+        let [start, end] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        let velocities = [start, if pushed.stops { Expr::zero() } else { end }];
+        let (gains, what) = (change.gains, change.name);
+        let meaning =
+            format!("the mass of {what} that {} {name} per unit time", if gains { "joins" } else { "leaves" });
+        let flow = match change.flow {
+            Some(term) => self.read_positive(term, FLOW, &meaning, &at.key("flow")),
+            None => self.positive(self.in_stage(QuantityKind::MassFlow, body, index), meaning).into(),
+        };
+        let arrives = change.velocity.map_or_else(Expr::zero, |term| {
+            let meaning = format!("the velocity with which {what} arrives");
+            let velocity = self.read(term, Dimension::VELOCITY, &meaning, &at.key("velocity"));
+            self.zero_if_so_written(velocity)
+        });
+        let (mut forces, mut impulses) = (Vec::new(), Vec::new());
+        for force in &pushed.acting {
+            let part = self.components(&force.direction).into_iter().next().unwrap_or_else(Expr::zero);
+            forces.push(force.strength.clone() * part.clone());
+            impulses.push(self.impulse_of(index, force, pushed.clock, [&pushed.start, &pushed.end]) * part);
+        }
+        let force = Expr::sum(forces).simplify();
+        let lasts = (pushed.end.clone() - pushed.start.clone()).simplify();
+        let own =
+            Changing { pushed, gains, what, axis, name, masses, velocities, flow, arrives, force, impulses, lasts };
+        let arrived = self.change_of_mass(&own, change, &at);
+        if gains {
+            self.velocity_of_gaining(&own, &arrived)
+        } else {
+            self.velocity_of_losing(&own)
+        }
+        self.way_of_changing(&own);
+        self.rates_of_changing(&own);
+        self.note_changing(&own);
+    }
+
+    /// The mass at the end, by the flow and by what joins or leaves in all, which is returned.
+    fn change_of_mass(&mut self, own: &Changing<'_>, change: &MassChange<'_>, at: &Path) -> Expr {
+        let (index, [before, after]) = (Some(own.pushed.index), own.masses.each_ref());
+        let (joins, flows) = if own.gains { ("joins", "arrives") } else { ("leaves", "leaves") };
+        let steady = own.flow.clone() * own.lasts.clone();
+        let because = format!("{} {flows} at a steady rate", own.what);
+        let whole = match change.mass {
+            Some(term) => {
+                let meaning = format!("the whole mass of {} that {joins} {}", own.what, own.name);
+                self.read_positive(term, Dimension::MASS, &meaning, &at.key("mass"))
+            }
+            None => steady.clone(),
+        };
+        let changed = if own.gains { whole.clone() } else { -whole.clone() };
+        let so_much = if change.mass.is_some() { format!("this mass {joins} {}", own.name) } else { because.clone() };
+        self.law(&variable_mass::USED, index, so_much, variable_mass::changed([before, after], &changed));
+        if change.mass.is_some() {
+            self.law(&variable_mass::USED, index, because, (whole.clone(), steady));
+        }
+        if !own.gains {
+            let reason = Reason::RunsOutOfMass(own.name.clone(), own.what.to_owned());
+            self.require(before.clone(), Relation::Greater, whole.clone(), reason);
+        }
+        whole
+    }
+
+    fn velocity_of_gaining(&mut self, own: &Changing<'_>, arrived: &Expr) {
+        let Changing { pushed, what, name, .. } = own;
+        let given = own.impulses.iter().cloned().chain([arrived.clone() * own.arrives.clone()]);
+        let given = given.filter(|impulse| !impulse.is_zero());
+        let brings = if own.arrives.is_zero() {
+            format!(
+                "{what} falls straight down, brings no momentum along the motion, and takes on the velocity of {name}"
+            )
+        } else {
+            format!("{what} brings its momentum, and takes on the velocity of {name}")
+        };
+        let nothing = if pushed.acting.is_empty() { "; no force acts along the motion" } else { "" };
+        let [masses, velocities] = [&own.masses, &own.velocities].map(|pair| pair.each_ref());
+        let sides = variable_mass::gaining(masses, velocities, given);
+        self.law(&variable_mass::GAINING, Some(pushed.index), format!("{brings}{nothing}"), sides);
+    }
+
+    fn velocity_of_losing(&mut self, own: &Changing<'_>) {
+        let (what, name) = (own.what, &own.name);
+        let keeps = format!("{what} leaves with the velocity of {name} and pushes on nothing");
+        let [start, end] = own.velocities.each_ref();
+        if own.force.is_zero() {
+            let because = format!("{keeps}, and no force acts along the motion");
+            let sides = (end.clone(), start.clone());
+            return self.law(&variable_mass::LOSING, Some(own.pushed.index), because, sides);
+        }
+        let because = format!("{keeps}, and at each time the force accelerates what is left");
+        let sides = variable_mass::losing(&own.force, &own.flow, own.masses.each_ref(), [start, end]);
+        let integrand = own.force.clone() / own.left_at(&own.pushed.clock.into());
+        let integral = own.over_time(integrand);
+        self.integral(&variable_mass::LOSING, own.pushed.index, because, sides, integral);
+    }
+
+    /// Where the body is at the end, as far as there is a formula.
+    fn way_of_changing(&mut self, own: &Changing<'_>) {
+        let Changing { pushed, force, flow, arrives, lasts, .. } = own;
+        let (index, clock) = (pushed.index, pushed.clock);
+        if force.contains(clock) {
+            return;
+        }
+        let [from, to] = [index + 1, index + 2].map(|instant| self.place(pushed.body, instant, own.axis));
+        let [[before, after], [start, end]] = [&own.masses, &own.velocities].map(|pair| pair.each_ref());
+        let because = format!("the same holds up to each earlier time, which gives the velocity of {} then", own.name);
+        let time = Expr::from(clock) - pushed.start.clone();
+        let (integrand, value) = if own.gains {
+            let drive = (force.clone() + flow.clone() * arrives.clone()).simplify();
+            let integrand = variable_mass::velocity_gaining(&drive, flow, [before, start], &time);
+            (integrand, variable_mass::way_gaining(&drive, flow, [before, after], start, lasts))
+        } else if force.is_zero() {
+            let because = format!("the velocity of {} stays the same", own.name);
+            let sides = kinematics::mean_velocity([&from, &to], [start, end], lasts);
+            return self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
+        } else {
+            let even = force.clone() / flow.clone();
+            let left = own.left_at(&clock.into());
+            let integrand = start.clone() + variable_mass::gained(&even, [before, &left]);
+            (integrand, start.clone() * lasts.clone() + variable_mass::way(&even, [before, after], lasts))
+        };
+        let integral = own.over_time(integrand);
+        self.integral(&motion::DISPLACEMENT, index, because, (to - from, value), integral);
+    }
+
+    /// Acceleration and net force at both ends.
+    fn rates_of_changing(&mut self, own: &Changing<'_>) {
+        let Changing { pushed, what, name, .. } = own;
+        let first = usize::from(self.scene.follows_a_force(pushed.index, pushed.body));
+        let ends = [&pushed.start, &pushed.end].into_iter().zip(&own.masses).zip(&own.velocities);
+        for (side, ((time, mass), velocity)) in ends.enumerate().skip(first) {
+            let [force, acceleration] = self.net_force_and_acceleration(pushed.body, pushed.index + 1 + side, own.axis);
+            let there = own.force.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
+            let because = format!("these are all forces on {name} with its load along the motion");
+            self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
+            let (because, given) = if own.gains {
+                let slower = if own.arrives.is_zero() {
+                    -(own.flow.clone() * velocity.clone())
+                } else {
+                    own.flow.clone() * (own.arrives.clone() - velocity.clone())
+                };
+                (format!("{what} has to be brought to the velocity of {name}"), slower)
+            } else {
+                (format!("{what} leaves with the velocity of {name} and pushes on nothing"), Expr::zero())
+            };
+            let sides = (mass.clone() * acceleration, force + given);
+            self.law(&variable_mass::CHANGING, Some(pushed.index), because, sides);
+        }
+    }
+
+    /// What acts, and what is left out.
+    fn note_changing(&mut self, own: &Changing<'_>) {
+        let Changing { pushed, what, name, .. } = own;
+        let acts = Acts { stage: pushed.index, on: pushed.body, during: [&pushed.start, &pushed.end] };
+        for (force, impulse) in pushed.acting.iter().zip(&own.impulses) {
+            self.note_pull(acts, &force.name, &force.strength, &force.direction);
+            self.note_impulse(pushed.index, pushed.body, force.name.as_str(), vec![impulse.clone()]);
+        }
+        if own.gains {
+            let relative = own.arrives.clone() - own.velocities[0].clone();
+            let brings = Influence::outside(pushed.index, pushed.body, *what)
+                .force(vec![own.flow.clone() * own.arrives.clone()]);
+            let dragged = format!("{what} is brought to the velocity of {name}, which changes kinetic energy");
+            self.acts(brings.works(Effect::Of(relative), &dragged));
+        }
+        let across = "it has no component along the motion";
+        self.not_needed("weight and everything else that acts across the motion", across);
+        self.neglect("friction", "the problem does not mention any");
+    }
+
+    /// What has no formula while the mass changes.
+    fn check_changing(&mut self, pushed: &Pushed<'_>, change: &MassChange<'_>, stage: &Push, path: &Path) {
+        let key = change.key();
+        let letter = self.axes.first().map_or("", |(axis, _)| axis.letter());
+        let changes = pushed.acting.iter().any(|force| force.strength.contains(pushed.clock));
+        let rubs = stage.forces.iter().any(|force| matches!(force, Force::Friction(_)));
+        let level = self.axes.len() == 1 && self.downwards(0).is_none() && stage.incline.is_none();
+        let members = self.scene.members(pushed.body).len() > 1 || !self.scene.division_of(pushed.body).is_empty();
+        let unmoved = pushed.stops && pushed.acting.is_empty() && change.velocity.is_none();
+        let faults = [
+            (
+                stage.gains.is_some() && stage.loses.is_some(),
+                "a body cannot gain and lose mass in the same stage",
+                "leave one of `gains` and `loses`",
+                key,
+            ),
+            (
+                !level,
+                "a body whose mass changes moves along one level axis",
+                "leave one axis, along which no weight acts, and no `incline`",
+                key,
+            ),
+            (
+                members,
+                "the mass of a body that consists of others, or comes apart, cannot change",
+                "let the mass of one of the bodies change, in a stage before they join",
+                key,
+            ),
+            (
+                stage.resistance.is_some(),
+                "a `resistance` cannot act on a body whose mass changes",
+                "leave one of the two, or divide the motion into stages",
+                "resistance",
+            ),
+            (
+                rubs,
+                "`friction` cannot act on a body whose mass changes",
+                "write a resistance that stays the same as one of the forces",
+                "forces",
+            ),
+            (
+                stage.over.is_some(),
+                "`over` cannot be used while the mass changes",
+                "say how long the stage lasts, `during: dt`, or give the position at its end",
+                "over",
+            ),
+            (
+                stage.depends_on_place(letter),
+                "a force on a body whose mass changes must not depend on its position",
+                "write forces that stay the same",
+                "forces",
+            ),
+            (
+                !change.gains && changes,
+                "a force on a body that loses mass must not change with time: there is no formula for its motion in general",
+                "write forces that stay the same, in several stages where they change in steps",
+                "forces",
+            ),
+            (
+                unmoved,
+                "a body does not come to rest where no force acts along its motion",
+                "remove `until: rest`",
+                "until",
+            ),
+        ];
+        for (_, message, help, key) in faults.into_iter().filter(|(is_so, ..)| *is_so) {
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key(key)));
+        }
+    }
+}
