@@ -134,7 +134,9 @@ impl Builder<'_> {
     }
 
     pub(super) fn read_angle(&mut self, text: &str, path: &Path) -> Expr {
-        self.read(&Term(text.trim().to_owned()), Dimension::NONE, "the angle", path)
+        let angle = self.read(&Term(text.trim().to_owned()), Dimension::NONE, "the angle", path);
+        self.needs_unit(&angle, path);
+        angle
     }
 
     /// The components of a direction along the scene's axes, in their order.

@@ -2,6 +2,7 @@
 
 mod acting;
 mod alternative;
+mod angle_unit;
 mod builder;
 mod check;
 mod collision;
@@ -43,6 +44,7 @@ mod wording;
 
 pub use acting::{ActingForce, Flowing, ForceKind, Slope};
 pub use alternative::Alternative;
+pub use angle_unit::angle_without_unit;
 pub use builder::Builder;
 pub use contact_weight::ContactWeight;
 pub use finished::Model;

@@ -150,7 +150,10 @@ impl Builder<'_> {
                 self.faults.push(fault.help(help).at_path(path.clone()));
                 Expr::zero()
             }
-            Ok(expr) => expr,
+            Ok(expr) => {
+                self.need_units(&expr, path);
+                expr
+            }
             Err(fault) => {
                 let mut report = match unknown.first() {
                     Some(name) => self.unknown_name(name),

@@ -56,6 +56,18 @@ impl Unit {
         }
     }
 
+    /// Whether it is a unit of angles, turns among them.
+    #[must_use]
+    pub fn measures_angles(&self) -> bool {
+        self.dimension() == Dimension::NONE && self.kind_of_turning() == (0, 1)
+    }
+
+    /// Whether it counts how often something happens in a time, as a hertz does.
+    #[must_use]
+    pub fn counts_events(&self) -> bool {
+        self.kind_of_turning().0 != 0
+    }
+
     /// The exponents of frequencies and of angles.
     fn kind_of_turning(&self) -> (i8, i8) {
         let total = |is_one: fn(&Symbol) -> bool| {

@@ -97,6 +97,7 @@ impl Builder<'_> {
         if let Some(term) = &stage.cone {
             let meaning = "the angle between the axis and the wall of the cone";
             let angle = self.read_positive(term, Dimension::NONE, meaning, &path.key("cone"));
+            self.needs_unit(&angle, &path.key("cone"));
             let tangent = Expr::apply(Function::Tan, angle);
             let because = "the wall of the cone is straight";
             let sides = (height * tangent.clone(), radii[1].clone() - radii[0].clone());

@@ -150,6 +150,7 @@ impl Builder<'_> {
             (Some(term), None, false) => {
                 let meaning = format!("the angle through which {} is turned", stage.by);
                 let turn = self.read(term, Dimension::NONE, &meaning, &path.key("turned"));
+                self.needs_unit(&turn, &path.key("turned"));
                 let leaving = Direction::turned(direction.quarters, direction.turn.clone() + turn);
                 (Some(leaving), Expr::zero())
             }

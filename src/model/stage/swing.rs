@@ -95,7 +95,9 @@ impl Builder<'_> {
                 let angle = match term {
                     Some(term) => {
                         let key = path.key(if side == 0 { "from" } else { "to" });
-                        self.read_positive(term, Dimension::NONE, &meaning, &key)
+                        let angle = self.read_positive(term, Dimension::NONE, &meaning, &key);
+                        self.needs_unit(&angle, &key);
+                        angle
                     }
                     None => self
                         .positive(Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since), meaning)

@@ -38,6 +38,7 @@ use super::super::questions::offered;
 use super::super::questions::roots;
 use super::super::reading::load::Loaded;
 use super::super::reading::mentions::mention_in_texts;
+use super::super::reading::turning;
 use super::super::reading::unsound;
 use super::super::sampling::no_variant::Rejection;
 use super::super::sampling::sampler::Sampler;
@@ -159,6 +160,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     let mut model = builder.finish()?;
     model.system.values = beforehand(&model, &in_forms);
     let mut faults = idle((loaded, asked), &model, &known, &drafts, &require);
+    faults.extend(turning::angles_by_use(&model, &known));
     let mut forms = Vec::new();
     let mut planner = Planner::default();
     for (form, known) in drafts.into_iter().zip(in_forms) {
@@ -288,7 +290,8 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
                 let message = format!("`{name}` is {expected}, but its unit is one of {found}");
                 builder.fault(Fault::new(Code::Dimension, message).help("change the unit").at_path(path.clone()));
             }
-            if let Some(fault) = unsound::too_small(builder, name, symbol, &origin) {
+            let unclear = turning::unclear(&builder.name(symbol).kind, name, &origin, unit);
+            if let Some(fault) = unclear.or_else(|| unsound::too_small(builder, name, symbol, &origin)) {
                 builder.fault(fault.at_path(path.clone()));
             }
             if origin.is_positive() {
@@ -319,6 +322,12 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
                     continue;
                 }
                 let text = &fraction.map_or_else(|| text.clone(), |fraction| fraction.expression());
+                if let Some(symbol) = builder.mention(name)
+                    && builder.name(symbol).kind.is_angle()
+                {
+                    let term = builder.term(text, &path);
+                    builder.needs_unit(&term, &path);
+                }
                 if builder.mention(name).is_none() {
                     let meaning = "the value given for it";
                     builder.declare(name, text, meaning, &path);

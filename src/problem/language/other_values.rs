@@ -6,6 +6,7 @@ use crate::model::Builder;
 use crate::quantity::dimension_name;
 
 use super::super::reading::load::Loaded;
+use super::super::reading::turning;
 use super::super::reading::unsound;
 use super::form::Question;
 use super::given::Given;
@@ -24,6 +25,8 @@ pub(in crate::problem) fn known_in(
         let fault = match (own.iter_mut().find(|known| known.name == name), value(given)) {
             (Some(known), Some((origin, unit))) if loaded.given.get(name).and_then(value).is_some() => {
                 let fault = unlike(known, &origin, unit.dimension());
+                let kind = &builder.name(known.symbol).kind;
+                let fault = fault.or_else(|| turning::unclear(kind, name, &origin, &unit));
                 let fault = fault.or_else(|| unsound::too_small(builder, name, known.symbol, &origin));
                 (known.origin, known.unit) = (origin, unit);
                 fault

@@ -10,4 +10,5 @@ pub(super) mod origin;
 pub(super) mod position;
 pub(super) mod schema;
 pub(super) mod shape;
+pub(super) mod turning;
 pub(super) mod unsound;
