@@ -104,6 +104,16 @@ impl Expr {
         Self::Number(Rational::from(numerator) / Rational::from(denominator))
     }
 
+    /// Whether it is a product of which one factor is a hundred, as a percentage is often written.
+    #[must_use]
+    pub fn is_a_hundredfold(&self) -> bool {
+        match self {
+            Self::Number(number) => *number == Rational::from(100),
+            Self::Product(factors) => factors.iter().any(Self::is_a_hundredfold),
+            _ => false,
+        }
+    }
+
     /// The value, where the term is a plain number.
     #[must_use]
     pub fn as_number(&self) -> Option<&Rational> {

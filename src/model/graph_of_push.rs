@@ -1,6 +1,7 @@
 //! Which force of a push a sheet prints as a graph, and whether it can.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
@@ -12,7 +13,7 @@ use super::stage::Acting;
 
 impl Builder<'_> {
     /// Notes the one graph among the forces of a push.
-    pub(super) fn print_graph(&mut self, index: usize, acting: &[Acting], path: &Path) {
+    pub(super) fn print_graph(&mut self, index: usize, acting: &[Acting], end: &Expr, path: &Path) {
         let mut graphs = acting.iter().filter(|force| !force.points.is_empty());
         let (Some(force), None) = (graphs.next(), graphs.next()) else {
             let fault = Fault::new(Code::Value, "the sheet's graph tells the one force that is given by points");
@@ -33,7 +34,29 @@ impl Builder<'_> {
             self.faults.push(fault.help(help).at_path(path.clone()));
             return;
         }
+        if self.goes_on_after(&points, end) {
+            let fault = Fault::new(Code::Value, "the sheet's graph goes on after the push has ended");
+            let help = "end both at the same time: write the time of the last point in `during`, or leave out the points after the end";
+            self.faults.push(fault.help(help).at_path(path.clone()));
+            return;
+        }
         self.graph = Some(PrintedGraph { stage: index, called: force.name.clone(), points, path: path.clone() });
+    }
+
+    /// Whether the last point lies after the end, or the graph alone tells an end that is not its last point.
+    fn goes_on_after(&self, points: &[[Expr; 2]], end: &Expr) -> bool {
+        let Some([last, _]) = points.last() else { return false };
+        let written = |symbol: Symbol| {
+            let (_, value) = self.literals.iter().find(|(own, _)| *own == symbol)?;
+            Some(Expr::measured(&value.value, &value.unit))
+        };
+        let rest = (last.clone() - end.clone()).substitute(&written).simplify();
+        let is_drawn = |symbol: &Symbol| points.iter().any(|[time, _]| time.contains(*symbol));
+        match self.sign_of(&rest) {
+            _ if rest.is_zero() => false,
+            Some(sign) => sign > 0,
+            None => end.symbols().iter().all(is_drawn),
+        }
     }
 }
 

@@ -62,6 +62,12 @@ impl Unit {
         self.dimension() == Dimension::NONE && self.kind_of_turning() == (0, 1)
     }
 
+    /// Whether it is the per cent.
+    #[must_use]
+    pub fn is_percent(&self) -> bool {
+        matches!(self.powers(), [only] if only.exponent == 1 && only.symbol.row.symbol == "%")
+    }
+
     /// Whether it counts how often something happens in a time, as a hertz does.
     #[must_use]
     pub fn counts_events(&self) -> bool {

@@ -95,7 +95,7 @@ impl Builder<'_> {
             self.told_throughout(&force.name, &force.strength, end);
         }
         if stage.told == Some(ToldBy::Graph) {
-            self.print_graph(index, &acting, &path.key("told"));
+            self.print_graph(index, &acting, end, &path.key("told"));
         }
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let over = stage.over.as_ref().map(|term| {

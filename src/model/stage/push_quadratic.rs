@@ -163,7 +163,7 @@ impl Builder<'_> {
     }
 
     /// Whether a sum of products of positive quantities is positive (1) or negative (-1); none where that depends on the values.
-    fn sign_of(&self, sum: &Expr) -> Option<i64> {
+    pub(in crate::model) fn sign_of(&self, sum: &Expr) -> Option<i64> {
         let terms = if let Expr::Sum(terms) = sum { terms.to_vec() } else { vec![sum.clone()] };
         let sign = |term: &Expr| {
             let sure = term.all_symbols(&|symbol| self.system.positive.contains(&symbol)) && is_product(term);

@@ -242,6 +242,15 @@ pub(super) fn number_part(
             }
         },
     };
+    if find.id.is_some()
+        && matches!(&unit, AskedUnit::Unit(unit) if unit.is_percent())
+        && builder.term(&find.find, &path.key("find")).is_a_hundredfold()
+    {
+        let message = format!("`{}` in % is a hundred times too large", find.find);
+        let fault = Fault::new(Code::Value, message).help("`%` is already a hundredth: leave out `100*`");
+        builder.fault(fault.at_path(path.key("find")));
+        return None;
+    }
     let tolerance = find.tolerance.as_ref().or(loaded.draft.tolerance.as_ref());
     let tolerance = match tolerance.map(|term| read_tolerance(term, entry.dimension)) {
         None => default_tolerance(&unit),
