@@ -36,6 +36,7 @@ use super::Integral;
 use super::Name;
 use super::Omission;
 use super::Omitted;
+use super::Passage;
 use super::PrintedGraph;
 use super::QuantityKind;
 use super::Reason;
@@ -75,6 +76,7 @@ pub struct Builder<'s> {
     pub(super) influences: Vec<Influence>,
     pub(super) flowing: Vec<Flowing>,
     pub(super) slopes: Vec<Slope>,
+    pub(super) passages: Vec<Passage>,
     pub(super) graph: Option<PrintedGraph>,
     /// How long each stage lasts, where that is used.
     pub(super) lasting: Vec<Option<Expr>>,
@@ -136,6 +138,7 @@ impl<'s> Builder<'s> {
             influences: Vec::new(),
             flowing: Vec::new(),
             slopes: Vec::new(),
+            passages: Vec::new(),
             graph: None,
             lasting: vec![None; scene.stages.len()],
             turned: Vec::new(),

@@ -20,6 +20,7 @@ use super::Impulse;
 use super::Instance;
 use super::Name;
 use super::Omission;
+use super::Passage;
 use super::PrintedGraph;
 use super::Reason;
 use super::Slope;
@@ -49,6 +50,8 @@ pub struct Model {
     pub forces: Vec<ActingForce>,
     /// The slopes of floors.
     pub slopes: Vec<Slope>,
+    /// The ways that bodies have to go through to the end.
+    pub passages: Vec<Passage>,
     /// The force that the sheet tells by its graph.
     pub graph: Option<PrintedGraph>,
     /// The streams that meet bodies.

@@ -24,6 +24,7 @@ mod mistaken;
 mod name;
 mod overview;
 mod pair;
+mod passage;
 mod place;
 mod printed_graph;
 mod quantity_kind;
@@ -53,6 +54,7 @@ pub use influence::{Effect, Influence, Moment, Work};
 pub use instance::{Agent, Because, Impulse, Instance, Integral, Omission, Omitted};
 pub use mistaken::Mistaken;
 pub use name::{Instant, Name, VectorName, component_name};
+pub use passage::Passage;
 pub use printed_graph::PrintedGraph;
 pub use quantity_kind::{QuantityKind, VectorKind};
 pub use reason::{Reason, Warning};
@@ -288,6 +290,7 @@ impl<'s> Builder<'s> {
             literals: self.literals,
             frames: self.frames,
             slopes: self.slopes,
+            passages: self.passages,
             graph: self.graph,
             free: self.free,
             expressions: self.expressions,

@@ -63,6 +63,9 @@ pub enum Reason {
     /// The same at the start or the end of a stage.
     #[error("{0} would move the other way at the {1} of {2}")]
     MovesBackAt(String, String, String),
+    /// A body would come to rest before the end of the way along which forces act on it.
+    #[error("{0} would come to rest before it had gone the whole way")]
+    TurnsBack(String),
     /// The forces besides a resistance are not what drives a body.
     #[error("the forces besides the resistance would hold {0} back")]
     HeldBack(String),

@@ -12,6 +12,7 @@ use crate::model::Effect;
 use crate::model::Influence;
 use crate::model::Integral;
 use crate::model::Name;
+use crate::model::Passage;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::wording;
@@ -50,6 +51,8 @@ impl Builder<'_> {
             let sides = (ends[1].clone(), ends[0].clone() + sign.clone() * over.clone());
             self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
         }
+        let way = pushed.over.clone().map(|over| ends[0].clone() + sign.clone() * over);
+        let end = way.unwrap_or_else(|| ends[1].clone());
         let mut forces = Vec::new();
         let mut works = Vec::new();
         for force in &pushed.acting {
@@ -88,13 +91,14 @@ impl Builder<'_> {
         let energies = [&before, &after].map(|velocity| energy::kinetic(&mass, std::slice::from_ref(velocity)));
         let [start, stop] = energies;
         let because = format!("the forces on {name} do work over the distance");
-        self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, stop));
+        self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start.clone(), works, stop));
         self.moves_along(index, body, [&(sign.clone() * before), &(sign.clone() * after)]);
         if pushed.over.is_none() {
             let reason = Reason::MovesBack(name.clone());
             self.require(sign * (ends[1].clone() - ends[0].clone()), Relation::AtLeast, Expr::zero(), reason);
         }
         let net = Expr::sum(forces).simplify();
+        self.passages.extend(passage(&net, place, [&ends[0], &end], &start, Reason::TurnsBack(name.clone())));
         let nets = ends.each_ref().map(|end| net.substitute(&|own| (own == place).then(|| end.clone())));
         self.rates_along(pushed, axis, nets);
         let lasts = pushed.end.clone() - pushed.start.clone();
@@ -155,4 +159,10 @@ impl Builder<'_> {
             fault(message, "leave one of the two, or divide the motion into stages".into(), path.key("resistance"));
         }
     }
+}
+
+/// The way through which a net force acts; none where the force has no integral, which is a fault already.
+fn passage(net: &Expr, place: Symbol, [start, end]: [&Expr; 2], kinetic: &Expr, reason: Reason) -> Option<Passage> {
+    let work = net.definite(place, start, &place.into())?;
+    Some(Passage { place, ends: [start.clone(), end.clone()], kinetic: kinetic.clone() + work, reason })
 }

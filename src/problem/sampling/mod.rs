@@ -3,6 +3,7 @@
 pub(super) mod limit;
 pub(super) mod neglected;
 pub(super) mod no_variant;
+mod passage;
 mod refusal;
 pub(super) mod rounding;
 pub(super) mod sampler;

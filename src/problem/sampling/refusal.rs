@@ -78,7 +78,8 @@ impl Sampler<'_> {
         let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
         let unprinted = || self.unprinted().map(|printed| Rejection::Unprinted(name(printed)));
         let misfit = || self.misfit().map(Rejection::Options);
-        zero_unit().or_else(lost).or_else(undefined).or_else(unprinted).or_else(misfit)
+        let turned = || self.turned_back().map(|reason| Rejection::Condition(reason.to_string()));
+        zero_unit().or_else(lost).or_else(undefined).or_else(unprinted).or_else(turned).or_else(misfit)
     }
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.

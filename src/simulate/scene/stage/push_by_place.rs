@@ -58,8 +58,13 @@ impl StageRun<'_> {
                 (way, 0.0)
             }
             (None, Some(way)) => {
-                let [energy] = self.integrator(way / 4.0).until(0.0, [begins], way, &gains)?;
-                (way, energy)
+                // A body that comes to rest on the way gets no further; from rest, one that is driven back goes nowhere.
+                let end = self.integrator(way / 64.0).run(0.0, [begins], way, &gains, &|_, state| state[0])?;
+                match (begins == 0.0 && ahead * force(from) < 0.0, end.stopped) {
+                    (true, _) => (0.0, 0.0),
+                    (false, true) => (end.time, 0.0),
+                    (false, false) => (way, end.state[0]),
+                }
             }
             (None, None) => return Err(NothingToSimulate::ValueMissing),
         };

@@ -1,0 +1,78 @@
+//! Whether bodies get to the end of their ways, where forces on them depend on the place: energy alone does not tell.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::model::Passage;
+use crate::model::Reason;
+
+use super::sampler::Sampler;
+
+/// The equal parts of a way, at whose ends its kinetic energy is looked at.
+const PARTS: u32 = 64;
+
+/// The share of a way just behind its start and before its end, where the energy may have turned already.
+const EDGE: f64 = 1e-6;
+
+/// The share of the largest energy on the way below which there is none.
+const NONE: f64 = 1e-9;
+
+/// The share of the largest energy above which a body moves for certain.
+const MOVES: f64 = 1e-3;
+
+/// How often the place of a least energy is narrowed down.
+const NARROWED: usize = 40;
+
+impl Sampler<'_> {
+    /// Why a body does not get to the end of its way with the numbers solved last.
+    pub(super) fn turned_back(&self) -> Option<&Reason> {
+        let passages = self.problem.model().passages.iter();
+        passages.filter(|own| self.turns_back(own)).map(|own| &own.reason).next()
+    }
+
+    /// Whether there is none of the kinetic energy left before the end; not where what it follows from is not solved.
+    fn turns_back(&self, passage: &Passage) -> bool {
+        let mut symbols = passage.kinetic.symbols();
+        symbols.extend(passage.ends.iter().flat_map(Expr::symbols));
+        symbols.remove(&passage.place);
+        let solved = symbols.into_iter().map(|own| self.answer(own).map(|answer| (own, answer.value)));
+        let Some(solved) = solved.collect::<Option<BTreeMap<Symbol, f64>>>() else { return false };
+        let value = |symbol: Symbol| solved.get(&symbol).copied().unwrap_or(f64::NAN);
+        let [start, end] = passage.ends.each_ref().map(|end| end.evaluate(&value));
+        let energy = |share: f64| {
+            let place = start + share * (end - start);
+            passage.kinetic.evaluate(&|own| if own == passage.place { place } else { value(own) })
+        };
+        let inner = (1..PARTS).map(|part| f64::from(part) / f64::from(PARTS));
+        let shares: Vec<f64> = [0.0, EDGE].into_iter().chain(inner).chain([1.0 - EDGE, 1.0]).collect();
+        let seen: Vec<(f64, f64)> = shares.into_iter().map(|share| (share, energy(share))).collect();
+        let largest = seen.iter().map(|(_, energy)| energy.abs()).fold(0.0, f64::max);
+        let mut highest = 0.0_f64;
+        seen.windows(3).any(|own| {
+            let [(low, before), (_, middle), (high, after)] = own else { return false };
+            highest = highest.max(*before);
+            if !middle.is_finite() {
+                return true;
+            }
+            if middle > before || middle > after {
+                return false;
+            }
+            let least = least(&energy, [*low, *high]).min(*middle);
+            least < -NONE * largest || (least <= NONE * largest && highest > MOVES * largest)
+        })
+    }
+}
+
+/// The least value of a function that has one least value between two places.
+fn least(function: &dyn Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> f64 {
+    for _ in 0..NARROWED {
+        let third = (high - low) / 3.0;
+        if function(low + third) < function(high - third) {
+            high -= third;
+        } else {
+            low += third;
+        }
+    }
+    function(f64::midpoint(low, high))
+}
