@@ -51,6 +51,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("required_to_be_positive", Holds(&["e = 0.800 < e <= 1"])),
     ("roots_all", Holds(&["dt = 1.49 s or 0.546 s"])),
     ("shelf", Holds(&["r_ball2.x = 3.97 m"])),
+    ("sides_as_written", Holds(&["a = no"])),
     ("slide_by_height", Holds(&["v_A2 = 11.9 m/s"])),
     ("small_beside_large", Holds(&["v_B2 = 0.0150 m/s", "T_B2 = 6.75 × 10^-4 J", "J_B = 0.0900 N s"])),
     // None is lost with any seed, which `varies` says.
@@ -116,6 +117,12 @@ fn differing((name, outcome): &(&str, Outcome)) -> Option<String> {
 fn each_file_ends_as_the_table_says() {
     let differing: Vec<String> = FOUND.iter().filter_map(differing).collect();
     assert!(differing.is_empty(), "\n{}", differing.join("\n"));
+}
+
+#[test]
+fn sides_of_a_comparison_are_named_as_the_author_wrote_them() {
+    let (_, solved) = run(&["solve", &path("sides_as_written"), "--format", "json"]);
+    assert!(solved.contains("abs(v_A2) is greater than abs(v_B2)"), "{solved}");
 }
 
 #[test]

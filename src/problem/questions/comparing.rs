@@ -15,6 +15,7 @@ use crate::solve::Relation;
 
 use super::super::language::ask::Holds;
 use super::super::language::ask::Order;
+use super::super::language::comparison::split_relation;
 use super::super::language::condition::condition;
 use super::super::language::form;
 use super::super::reading::load::Loaded;
@@ -46,7 +47,8 @@ pub(in crate::problem) fn claim(
 ) -> Option<(String, Claim)> {
     let condition = condition(builder, text, Reason::Asked, path)?;
     let (left, relation, right) = (condition.left, condition.relation, condition.right);
-    let words = [&left, &right].map(|side| in_words(builder, side));
+    let written = split_relation(text).map_or(["", ""], |(left, _, right)| [left, right]);
+    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
     let than = match relation {
         Relation::Less => "less than",
         Relation::AtMost => "at most",
@@ -119,13 +121,13 @@ pub(in crate::problem) fn order(ask: &Order, builder: &mut Builder<'_>, path: &P
     Some((label, PartKind::Choice(ChoicePart::Order(symbols))))
 }
 
-/// A side of a comparison as a noun phrase: the meaning of a quantity.
-fn in_words(builder: &Builder<'_>, side: &Expr) -> String {
+/// A side of a comparison as a noun phrase: the meaning of a quantity, or what the author wrote.
+fn in_words(builder: &Builder<'_>, side: &Expr, written: &str) -> String {
     match side {
         Expr::Symbol(symbol) => {
             let entry = builder.symbols().entry(*symbol);
             if entry.meaning.is_empty() { entry.name.clone() } else { entry.meaning.clone() }
         }
-        _ => "the other side of the comparison".to_owned(),
+        _ => written.to_owned(),
     }
 }
