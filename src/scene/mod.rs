@@ -91,7 +91,7 @@ impl Scene {
     pub fn mass_since(&self, body: &str, instant: usize) -> Option<usize> {
         let before = self.stages.iter().enumerate().take(instant.checked_sub(1)?);
         let changes = |stage: &Stage| matches!(stage, Stage::Push(push) if push.mass_change().is_some() && push.pushed().any(|own| own == body));
-        before.filter(|(_, stage)| changes(stage)).map(|(index, _)| index + 2).last()
+        before.filter(|(_, stage)| changes(stage)).map(|(index, _)| index + 2).next_back()
     }
 
     fn stage_before(&self, index: usize) -> Option<&Stage> {

@@ -91,9 +91,9 @@ impl Builder<'_> {
             Changing { pushed, gains, what, axis, name, masses, velocities, flow, arrives, force, impulses, lasts };
         let arrived = self.change_of_mass(&own, change, &at);
         if gains {
-            self.velocity_of_gaining(&own, &arrived)
+            self.velocity_of_gaining(&own, &arrived);
         } else {
-            self.velocity_of_losing(&own)
+            self.velocity_of_losing(&own);
         }
         self.way_of_changing(&own);
         self.rates_of_changing(&own);
@@ -138,7 +138,7 @@ impl Builder<'_> {
             format!("{what} brings its momentum, and takes on the velocity of {name}")
         };
         let nothing = if pushed.acting.is_empty() { "; no force acts along the motion" } else { "" };
-        let [masses, velocities] = [&own.masses, &own.velocities].map(|pair| pair.each_ref());
+        let [masses, velocities] = [&own.masses, &own.velocities].map(<[Expr; 2]>::each_ref);
         let sides = variable_mass::gaining(masses, velocities, given);
         self.law(&variable_mass::GAINING, Some(pushed.index), format!("{brings}{nothing}"), sides);
     }
@@ -167,7 +167,7 @@ impl Builder<'_> {
             return;
         }
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(pushed.body, instant, own.axis));
-        let [[before, after], [start, end]] = [&own.masses, &own.velocities].map(|pair| pair.each_ref());
+        let [[before, after], [start, end]] = [&own.masses, &own.velocities].map(<[Expr; 2]>::each_ref);
         let because = format!("the same holds up to each earlier time, which gives the velocity of {} then", own.name);
         let time = Expr::from(clock) - pushed.start.clone();
         let (integrand, value) = if own.gains {

@@ -71,7 +71,8 @@ impl StageRun<'_> {
             "Momentum and energy are those of the body with its load; what joins or leaves counts as external.",
         );
         let index = self.values.index;
-        let largest = [begun, (begun + end) / 2.0, end].map(|time| force(time).abs()).into_iter().fold(0.0, f64::max);
+        let largest =
+            [begun, f64::midpoint(begun, end), end].map(|time| force(time).abs()).into_iter().fold(0.0, f64::max);
         if told {
             let scene = self.values.scene;
             let skipped = usize::from(scene.follows_a_force(index, body));
