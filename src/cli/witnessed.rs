@@ -19,7 +19,7 @@ pub(super) fn write_form(output: &mut Output, simulated: &Simulated) -> Result<(
         [] => format!("nothing needed simulating: {seeds} seeds by formulas of its own"),
         ways => format!("simulated: {seeds} seeds by {}", ways.join(", ")),
     };
-    writeln!(output, "    {how}; {compared} comparisons, at most {apart:.0e} apart, and no bound above {bound:.0e}",)?;
+    writeln!(output, "    {how}; {compared} comparisons, at most {apart:.0e} apart, and no bound above {bound:.0e}")?;
     if !witnessed.is_empty() {
         writeln!(output, "    a 0.1 % error would be detected in: {}", witnessed.join(", "))?;
     }

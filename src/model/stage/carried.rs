@@ -223,7 +223,7 @@ impl<'s> Builder<'s> {
         let support = Influence::outside(*index, bodies[1], "the support").force(vec![Expr::zero()]);
         self.acts(support.workless());
         self.act_on_each_other(*index, *bodies, acting);
-        self.neglect(format!("resistance to the motion of {other}"), "the problem does not mention any");
+        self.neglect(format!("resistance to the motion of {other}"), "the problem gives none");
         self.not_needed(
             format!("the force between {name} and {other}"),
             "its impulses cancel within the system, and so does its work",

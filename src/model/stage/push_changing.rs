@@ -10,7 +10,6 @@ use crate::laws::variable_mass;
 use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
-use crate::model::Integral;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::forces::Acts;
@@ -42,19 +41,6 @@ struct Changing<'a> {
     /// The impulse of each of them along the axis.
     impulses: Vec<Expr>,
     lasts: Expr,
-}
-
-impl Changing<'_> {
-    /// What is left of a mass that flows away, at a time.
-    fn left_at(&self, time: &Expr) -> Expr {
-        self.masses[0].clone() - self.flow.clone() * (time.clone() - self.pushed.start.clone())
-    }
-
-    /// An integral over the time of the stage.
-    fn over_time(&self, integrand: Expr) -> Integral {
-        let Pushed { clock, start, end, .. } = self.pushed;
-        Integral { integrand, variable: *clock, low: start.clone(), high: end.clone() }
-    }
 }
 
 impl Builder<'_> {
@@ -154,9 +140,7 @@ impl Builder<'_> {
         }
         let because = format!("{keeps}, and at each time the force accelerates what is left");
         let sides = variable_mass::losing(&own.force, &own.flow, own.masses.each_ref(), [start, end]);
-        let integrand = own.force.clone() / own.left_at(&own.pushed.clock.into());
-        let integral = own.over_time(integrand);
-        self.integral(&variable_mass::LOSING, own.pushed.index, because, sides, integral);
+        self.law(&variable_mass::LOSING, Some(own.pushed.index), because, sides);
     }
 
     /// Where the body is at the end, as far as there is a formula.
@@ -169,23 +153,18 @@ impl Builder<'_> {
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(pushed.body, instant, own.axis));
         let [[before, after], [start, end]] = [&own.masses, &own.velocities].map(<[Expr; 2]>::each_ref);
         let because = format!("the same holds up to each earlier time, which gives the velocity of {} then", own.name);
-        let time = Expr::from(clock) - pushed.start.clone();
-        let (integrand, value) = if own.gains {
+        let value = if own.gains {
             let drive = (force.clone() + flow.clone() * arrives.clone()).simplify();
-            let integrand = variable_mass::velocity_gaining(&drive, flow, [before, start], &time);
-            (integrand, variable_mass::way_gaining(&drive, flow, [before, after], start, lasts))
+            variable_mass::way_gaining(&drive, flow, [before, after], start, lasts)
         } else if force.is_zero() {
             let because = format!("the velocity of {} stays the same", own.name);
             let sides = kinematics::mean_velocity([&from, &to], [start, end], lasts);
             return self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
         } else {
             let even = force.clone() / flow.clone();
-            let left = own.left_at(&clock.into());
-            let integrand = start.clone() + variable_mass::gained(&even, [before, &left]);
-            (integrand, start.clone() * lasts.clone() + variable_mass::way(&even, [before, after], lasts))
+            start.clone() * lasts.clone() + variable_mass::way(&even, [before, after], lasts)
         };
-        let integral = own.over_time(integrand);
-        self.integral(&motion::DISPLACEMENT, index, because, (to - from, value), integral);
+        self.law(&motion::DISPLACEMENT, Some(index), because, (to - from, value));
     }
 
     /// Acceleration and net force at both ends.
@@ -230,7 +209,7 @@ impl Builder<'_> {
         }
         let across = "it has no component along the motion";
         self.not_needed("weight and everything else that acts across the motion", across);
-        self.neglect("friction", "the problem does not mention any");
+        self.neglect("friction", "the problem gives none");
     }
 
     /// What has no formula while the mass changes.

@@ -185,10 +185,7 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Sy
                     String::new,
                     |own| {
                         let unit = coherent_unit(model.symbols.entry(*own).dimension, UnitSystem::Si);
-                        format!(
-                            "; its value does not matter: {} will do",
-                            format!("`{}: any {unit}`", model.symbols.entry(*own).name)
-                        )
+                        format!("; its value does not matter: `{}: any {unit}` will do", model.symbols.entry(*own).name)
                     },
                 );
                 format!("give also {}{any}", ways.join(", or "))
