@@ -249,14 +249,8 @@ pub fn losing(force: &Expr, flow: &Expr, masses: [&Expr; 2], [start, end]: [&Exp
     (end.clone() - start.clone(), gained(&(force.clone() / flow.clone()), masses))
 }
 
-/// `(m_1 v_1 + F t) / (m_1 + q t)`: the velocity of a body that gains mass, at a time.
-#[must_use]
-pub fn velocity_gaining(drive: &Expr, flow: &Expr, [mass, velocity]: [&Expr; 2], time: &Expr) -> Expr {
-    let momentum = mass.clone() * velocity.clone() + drive.clone() * time.clone();
-    momentum / (mass.clone() + flow.clone() * time.clone())
-}
-
-/// `F/q dt + m_1/q (v_1 - F/q) ln(m_2 / m_1)`: the integral of that velocity over a time.
+/// `F/q dt + m_1/q (v_1 - F/q) ln(m_2 / m_1)`: the integral over a time of the velocity
+/// `(m_1 v_1 + F t) / (m_1 + q t)` of a body that gains mass.
 #[must_use]
 pub fn way_gaining(drive: &Expr, flow: &Expr, [before, after]: [&Expr; 2], velocity: &Expr, time: &Expr) -> Expr {
     let even = drive.clone() / flow.clone();

@@ -119,13 +119,12 @@ fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found
         return Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(expected.unit.to_string()));
     }
     let judgement = if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
-    match found {
-        // The minus sign has been noted: the figures are those of the magnitude.
-        Found::NegativeMagnitude => {
-            figures::judged(judgement, target, answer.written, &number.clone().negated(), converted)
-        }
-        _ => figures::judged(judgement, target, answer.written, number, converted),
-    }
+    // Of a magnitude the minus sign has been noted: its figures are judged without it.
+    let number = match found {
+        Found::NegativeMagnitude => &number.clone().negated(),
+        _ => number,
+    };
+    figures::judged(judgement, target, answer.written, number, converted)
 }
 
 /// The judgement on a number that stands alone.
