@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::expr::SymbolTable;
 use crate::problem::AskedUnit;
+use crate::problem::Meant;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
@@ -68,16 +69,23 @@ pub(super) fn certified(columns: &[Column<'_>]) -> Outcome {
     broken(&columns_in_words(columns, loose))
 }
 
-/// Nothing is the same for every seed, where seeds differ at all.
-pub(super) fn varies(columns: &[Column<'_>], variants: usize) -> Outcome {
+/// Nothing is the same for every seed, where seeds differ at all and it is not meant.
+pub(super) fn varies(columns: &[Column<'_>], variants: usize, meant: &[Meant]) -> Outcome {
     if variants < 2 {
         return Outcome::NotChecked("every seed has the same givens");
+    }
+    if meant.contains(&Meant::OneAnswer) {
+        return Outcome::Kept;
     }
     let constant = |column: &Column<'_>| {
         let printed = column.answers.first()?.printed.as_str();
         (column.distinct() == 1).then(|| format!("`{}` is always {printed}", column.id))
     };
-    broken(&columns_in_words(columns, constant))
+    let said = columns_in_words(columns, constant);
+    if said.is_empty() {
+        return Outcome::Kept;
+    }
+    Outcome::Broken(format!("{}; if that is meant, write `allow: [one-answer]`", said.join("; ")))
 }
 
 /// A zero is rare, unless it is always there, which is a constant.

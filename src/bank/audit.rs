@@ -84,7 +84,7 @@ fn form_audit(
         Promise::Draws => draws(&samples),
         Promise::Determined => determined(&samples),
         Promise::Certified => answers::certified(&columns),
-        Promise::Varies => answers::varies(&columns, variants),
+        Promise::Varies => answers::varies(&columns, variants, &form.meant),
         Promise::NotZero => answers::not_zero(&columns),
         Promise::Variety => variety(&samples, &form.meant),
         Promise::Neglected => neglected(&samples),

@@ -46,12 +46,13 @@ pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) ->
 /// What is printed on a line of a worked solution gives its result.
 pub(super) fn reproduces(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let seeds = seeds.min(MARKED);
-    let out = exercises(problem, form, seeds).filter(|(_, exercise)| lines_out(exercise.worked()) > 0);
-    let said = out.map(|(seed, _)| seed).collect::<Vec<_>>();
-    match said.first() {
-        Some(first) => Outcome::Broken(format!(
-            "a line of the worked solution needs more figures than are printed for {} of {seeds} seeds, seed {first} among them",
-            said.len()
+    let out = exercises(problem, form, seeds).map(|(seed, exercise)| (seed, lines_out(exercise.worked())));
+    let out: Vec<(u64, Vec<String>)> = out.filter(|(_, lines)| !lines.is_empty()).collect();
+    match out.first() {
+        Some((first, lines)) => Outcome::Broken(format!(
+            "a line of the worked solution needs more figures than are printed for {} of {seeds} seeds, with seed {first} the line that gives {}: give numbers whose difference is not so small there",
+            out.len(),
+            lines.join(" and ")
         )),
         None => Outcome::Kept,
     }

@@ -2,6 +2,7 @@
 //! come out.
 
 use crate::expr::Math;
+use crate::expr::Symbol;
 use crate::figure::Drawing;
 use crate::problem::FormulaPart;
 use crate::problem::NumberPart;
@@ -17,6 +18,7 @@ use super::pictures::Quantities;
 use super::pictures::Scope;
 use super::terms::display::Display;
 use super::terms::display::Shown;
+use super::terms::ledger::Item;
 use super::terms::printed;
 
 /// The answers to a part as they are printed, with their unit: one, or every root.
@@ -34,13 +36,24 @@ pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
     printed::formula(Display { worked, manners: &cache.way(worked).manners, shown: &Shown::default() }, part)
 }
 
-/// How many results of a variant's worked solution do not come out of the numbers printed before them.
+/// The results of a variant's worked solution that do not come out of the numbers printed before them, in words.
 #[must_use]
-pub fn lines_out(worked: Worked<'_>) -> usize {
+pub fn lines_out(worked: Worked<'_>) -> Vec<String> {
     let cache = SolutionCache::of(worked);
     let shown = Shown::default();
     let way = cache.way(worked);
-    computed::figures(Display { worked, manners: &way.manners, shown: &shown }, way).stubborn.len()
+    let figures = computed::figures(Display { worked, manners: &way.manners, shown: &shown }, way);
+    let name = |symbol: Symbol| &worked.problem.model().symbols.entry(symbol).name;
+    let said = |item: &Item| match *item {
+        Item::Quantity(symbol) | Item::Answer(symbol) => format!("`{}`", name(symbol)),
+        Item::Coefficient(symbol, _) => format!("a coefficient of the equation for `{}`", name(symbol)),
+        Item::OtherRoot(symbol) => format!("the other root for `{}`", name(symbol)),
+        Item::Balance(_) => "a balance in the check".to_owned(),
+        Item::Side(..) => "a side of a condition in the check".to_owned(),
+        Item::Trial(symbol, number, _) => format!("the trial of `{}` = {number}", name(symbol)),
+        Item::Extreme(symbol, _) => format!("the extreme case of `{}` in the check", name(symbol)),
+    };
+    figures.stubborn.iter().map(said).collect()
 }
 
 /// The figures of the worked solution: the diagrams of every stage, or of the single instant.

@@ -88,6 +88,13 @@ pub enum Message {
         /// What is asked, with its article.
         asked: String,
     },
+    /// A unit where a multiple of a quantity is asked.
+    NoMultiple {
+        /// The quantity.
+        of: String,
+        /// The unit of the number times the quantity, where there is one.
+        unit: Option<String>,
+    },
     /// Off by the factor of a prefix.
     UnitPrefix,
     /// Off by a power of ten.

@@ -178,7 +178,13 @@ impl<'s> Builder<'s> {
             let [expected, found] = [dimension, given].map(dimension_name);
             let message = format!("`{name}` is {expected} in this scene, but its unit is one of {found}");
             let path = Path::root().key("given").key(name.as_str());
-            self.faults.push(Fault::new(Code::Dimension, message).help("change the unit").at_path(path));
+            let is_weight = (dimension, given) == (Dimension::MASS, Dimension::FORCE);
+            let help = if is_weight {
+                "a weight is no mass: choose a unit such as `kg`, `lbm` or `slug`"
+            } else {
+                "change the unit"
+            };
+            self.faults.push(Fault::new(Code::Dimension, message).help(help).at_path(path));
         }
         self.made_by_the_scene(symbol, &meaning);
         if self.symbols.entry(symbol).meaning.is_empty() {

@@ -23,6 +23,7 @@ use super::stage::is_holding_pull;
 use super::stored::is_spring;
 use super::timeline::Timeline;
 use super::unknown::unknown;
+use super::upright;
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -131,8 +132,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies that it connects");
                 vec![fault.help("write `body: A`, or `between: [A, B]`").at_path(at)]
             }
-            Stage::Fall(_) => not_vertical(scene, "a fall", at),
-            Stage::Swing(_) => not_vertical(scene, "a swing", at),
+            Stage::Fall(fall) => upright::falling(scene, index, &fall.body, &at),
+            Stage::Swing(_) => upright::not_vertical(scene, "a swing", &at),
+            Stage::Taut(taut) => upright::over_a_pulley(scene, taut, &at),
             Stage::Connected(_) => in_a_row(scene, stage, ["bodies on a string over a pulley", "along the string"], at),
             Stage::Tow(_) => in_a_row(scene, stage, ["bodies in a row", "ahead"], at),
             Stage::Flight(stage) if stage.flying().next().is_none() => {
@@ -150,7 +152,6 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             Stage::Push(push) => super::stage::pushing(scene, push, &at),
             Stage::Slide(_)
             | Stage::Spring(_)
-            | Stage::Taut(_)
             | Stage::Blow(_)
             | Stage::Bounces(_)
             | Stage::Stream(_)
@@ -158,8 +159,8 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             | Stage::Drift(_)
             | Stage::SlideOff(_)
             | Stage::Walk(_)
-            | Stage::Flight(_)
             | Stage::Motion(_) => Vec::new(),
+            Stage::Flight(_) => upright::weightless(scene, &at),
         });
     }
     faults
@@ -237,13 +238,6 @@ fn names_of_instants(scene: &Scene) -> Vec<Fault> {
         faults.push(fault.at_path(at.index(index)));
     }
     faults
-}
-
-/// What moves by its weight needs a plane in which weight acts.
-fn not_vertical(scene: &Scene, what: &str, at: Path) -> Vec<Fault> {
-    let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
-    let fault = (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"));
-    fault.map(|fault| fault.at_path(at)).into_iter().collect()
 }
 
 /// What does not fit two bodies that follow each other on a string, or in a row.

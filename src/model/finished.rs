@@ -6,9 +6,11 @@ use std::collections::BTreeSet;
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::expr::SymbolTable;
+use crate::laws::geometry;
 use crate::quantity::Quantity;
 use crate::scene::Scene;
 use crate::solve::Equation;
+use crate::solve::Statement;
 use crate::solve::System;
 
 use super::ActingForce;
@@ -88,6 +90,18 @@ impl Model {
     #[must_use]
     pub fn symbol_of(&self, name: &str) -> Option<Symbol> {
         self.mentions.get(name).copied().or_else(|| self.symbols.find(name))
+    }
+
+    /// The term that the problem states a quantity to be.
+    #[must_use]
+    pub fn stated(&self, symbol: Symbol) -> Option<&Expr> {
+        self.system.equations.iter().find_map(|equation| match &equation.statement {
+            Statement::Equal { left: Expr::Symbol(own), right } if *own == symbol => {
+                let is_stated = self.instances.get(equation.tag).is_some_and(|own| own.law.id == geometry::RELATION.id);
+                is_stated.then_some(right)
+            }
+            _ => None,
+        })
     }
 
     /// The stream of a stage.

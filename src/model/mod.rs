@@ -40,6 +40,7 @@ mod timeline;
 mod total;
 mod turned;
 mod unknown;
+mod upright;
 mod weight_in_contact;
 mod wording;
 

@@ -80,6 +80,7 @@ impl Builder<'_> {
         }
         let expr = self.read_any(text, path);
         self.measure(&expr, dimension);
+        let misread = self.misread(&expr, text);
         if let Expr::Symbol(symbol) = expr {
             if self.symbols.entry(symbol).meaning.is_empty() {
                 self.symbols.describe(symbol, meaning.to_owned());
@@ -96,18 +97,43 @@ impl Builder<'_> {
                     dimension_name(dimension),
                     dimension_name(found)
                 );
-                let help = if dimension == Dimension::NONE {
-                    "write a number without a unit, or a ratio in which the units cancel".to_owned()
-                } else {
-                    format!("write it in a unit such as `{}`", coherent_unit(dimension, UnitSystem::Si))
+                let help = match misread {
+                    Some(help) => help,
+                    None if dimension == Dimension::NONE => {
+                        "write a number without a unit, or a ratio in which the units cancel".to_owned()
+                    }
+                    None => format!("write it in a unit such as `{}`", coherent_unit(dimension, UnitSystem::Si)),
                 };
                 self.faults.push(Fault::new(Code::Dimension, message).help(help).at_path(path.clone()));
             }
             Err(clash) => {
-                self.faults.push(Fault::new(Code::Dimension, clash.to_string()).at_path(path.clone()));
+                let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
+                let message = format!("{meaning} has no dimension: {}", clash.sentence(&self.symbols, &unit));
+                self.faults.push(
+                    Fault::new(Code::Dimension, message)
+                        .help("check the units of what it contains")
+                        .at_path(path.clone()),
+                );
             }
         }
         expr
+    }
+
+    /// What a text of the wrong dimension was taken for, where it may mean something else: a name of the scene, or `2m` for `2*m`.
+    fn misread(&self, expr: &Expr, text: &str) -> Option<String> {
+        let Expr::Symbol(symbol) = expr else { return None };
+        let Some((_, quantity)) = self.literals.iter().find(|(own, _)| own == symbol) else {
+            let meaning = &self.symbols.entry(*symbol).meaning;
+            let is_of_the_scene = !meaning.is_empty() && !self.free.contains(symbol);
+            return is_of_the_scene.then(|| format!("`{text}` stands for {meaning}: choose another name"));
+        };
+        let unit = quantity.unit.to_string();
+        (self.given.contains(&unit) && !quantity.value.is_zero()).then(|| {
+            let number = &quantity.value;
+            format!(
+                "{number} {unit} is a value with a unit: for {number} times a quantity `{unit}` write `{number}*{unit}`"
+            )
+        })
     }
 
     /// A name that is asked and whose dimension is not said yet; a pure number, unless its place says otherwise.
@@ -185,6 +211,9 @@ impl Builder<'_> {
         if Name::parse(name).as_ref().is_some_and(is_stored) {
             return fault.help(POTENTIAL_ENERGIES);
         }
+        if let Some(help) = self.not_alone(name) {
+            return fault.help(help);
+        }
         let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
         match did_you_mean(name, known.iter().copied()) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
@@ -203,6 +232,24 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
+    /// What a name lacks that several quantities here have in common: the stage, or the component.
+    fn not_alone(&self, name: &str) -> Option<String> {
+        let each = |names: Vec<String>, conjunction: &str| {
+            names.iter().map(|own| format!("`{own}`")).collect::<Vec<_>>().join(conjunction)
+        };
+        let own = Name::parse(name)?;
+        let in_stages = self.symbols.iter().map(|(symbol, _)| self.name(symbol)).filter(|other| {
+            other.stage.is_some() && own.stage.is_none() && Name { stage: None, ..(*other).clone() } == own
+        });
+        let in_stages: Vec<String> = in_stages.map(ToString::to_string).collect();
+        if in_stages.len() > 1 {
+            return Some(format!("several stages have this quantity: write {}", each(in_stages, " or ")));
+        }
+        let parts: Vec<String> = self.axes.iter().map(|(axis, _)| format!("{name}.{}", axis.letter())).collect();
+        let is_vector = parts.len() > 1 && parts.iter().all(|part| self.symbols.find(part).is_some());
+        is_vector.then(|| format!("it is a vector here, which is named by its components: {}", each(parts, " and ")))
+    }
+
     /// The fault of a moment about a body, which moves.
     fn about_a_moving_point(&self, name: &str) -> Option<Fault> {
         let is_moment = |kind: &QuantityKind| {

@@ -64,7 +64,7 @@ impl Builder<'_> {
 
     /// The points of a graph: time and strength.
     pub(super) fn points(&mut self, graph: &Graph, dimension: Dimension, meaning: &str, path: &Path) -> Vec<[Expr; 2]> {
-        let read = |builder: &mut Self, term: &Term, dimension, position: usize, side: usize| {
+        let read = |builder: &mut Self, term: &Term, (dimension, meaning): (_, &str), position: usize, side: usize| {
             let value = builder.read(term, dimension, meaning, &path.key("points").index(position).index(side));
             builder.zero_if_so_written(value)
         };
@@ -73,7 +73,8 @@ impl Builder<'_> {
             .iter()
             .enumerate()
             .map(|(position, [time, force])| {
-                [read(self, time, Dimension::TIME, position, 0), read(self, force, dimension, position, 1)]
+                let time = read(self, time, (Dimension::TIME, "the time of a point of the graph"), position, 0);
+                [time, read(self, force, (dimension, meaning), position, 1)]
             })
             .collect();
         if points.len() < 2 {

@@ -4,6 +4,7 @@ mod axes;
 mod body;
 mod components;
 mod force;
+mod pulley;
 pub mod stage;
 mod term;
 

@@ -62,6 +62,9 @@ ask: [{ find: F_avg_A, unit: N }]
 /// One component of the vector that is asked stays as it is given; the vector does not.
 const TURNED: &str = include_str!("../fixtures/problems/torque_on_all.yaml");
 
+/// One of its answers is the same for every seed, which it allows.
+const ONE_CONSTANT: &str = include_str!("../fixtures/found/one_constant_part.yaml");
+
 /// A file, what is added to it, a promise, what is found of that and a word of the remark.
 const FOUND: &[(&str, &str, Promise, &str, &str)] = &[
     (TWINS, "", Promise::NotGiven, "broken", "`v_B2` equals a given"),
@@ -71,6 +74,7 @@ const FOUND: &[(&str, &str, Promise, &str, &str)] = &[
     (KINDS, "", Promise::Variety, "noted", "the same answers"),
     (KINDS, "allow: [one-answer]\n", Promise::Variety, "kept", ""),
     (KINDS, "allow: [one-sheet]\n", Promise::Variety, "noted", "the same answers"),
+    (ONE_CONSTANT, "", Promise::Varies, "kept", ""),
     (THROWN, "", Promise::Neglected, "noted", "% of the change of momentum of the ball"),
 ];
 
@@ -86,6 +90,13 @@ fn what_is_found_and_what_is_meant() {
         assert_eq!(own.name(), *outcome, "{added}{}: {own:?}", promise.name());
         assert!(own.remark().unwrap_or_default().contains(remark), "{own:?}");
     }
+}
+
+#[test]
+fn a_constant_part_is_broken_with_the_way_out() {
+    let outcome = found(&ONE_CONSTANT.replace("allow: [one-answer]\n", ""), Promise::Varies);
+    assert_eq!(outcome.name(), "broken");
+    assert_eq!(outcome.remark(), Some("`share` is always 88.9; if that is meant, write `allow: [one-answer]`"));
 }
 
 #[test]

@@ -92,6 +92,19 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "magnitude_along_a_line",
     "ratio_without_its_parts",
     "stream_that_brings_nothing",
+    "condition_of_equality",
+    "duration_called",
+    "fall_along",
+    "flight_without_weight",
+    "force_of_unlike",
+    "fraction_without",
+    "graph_against",
+    "impulse_of_which",
+    "jerk_over",
+    "mass_with_a_number",
+    "reveal_of",
+    "vector_without",
+    "weights_for",
 ];
 
 fn is_valid(path: &Path) -> bool {

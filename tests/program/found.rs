@@ -30,18 +30,27 @@ const FOUND: &[(&str, Outcome)] = &[
     ("direction_along_an_axis", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
     // By hand: 2.25*10*sin 53 and 1.8*10*cos 53.
     ("direction_along_x", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
+    // A raft of four times the mass goes back by a fifth of what the dog walks along it.
+    ("displacement_by_its_direction", Holds(&["s_D = 1.60 m", "s_B = -0.400 m"])),
+    ("enough_for_an_angle", Holds(&["a = no"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),
+    // 2/5 of sqrt(2*9.81*0.4).
+    ("falls_on_a_string", Holds(&["v_B3 = 1.12 m/s"])),
     ("fraction_beside_a_kind", Holds(&["v_B2 = 1.50 m/s", "b = inelastic"])),
     ("fraction_with_a_unit", Holds(&["v_A2 = 0.868 m/s", "T_lost[1] = 5.33 J"])),
     ("fractions_beside_a_kind", Holds(&["v_A2 = 1.00 m/s", "T_lost[1] = 0.833 J", "d = inelastic"])),
     ("given_by_given", Holds(&["v_A2 = 6.00 m/s"])),
+    ("height_in_terms_of_r", Holds(&["v_A2 = sqrt(10*R*g)"])),
     ("interact_after_impact", Holds(&["v_C3 = 0.444 m/s", "p_3 = 1.00 kg m/s"])),
     ("kind_by_numbers", Holds(&["a = perfectly plastic", "b = no"])),
     ("mass_of_a_union", Holds(&["v_C2 = 1.00 m/s", "m_B = 4.00 kg"])),
+    ("mass_in_terms_of_m", Holds(&["J_B = 6.30 m"])),
     ("moon", Refused(&["the text never prints `g`, which the solution needs"])),
     ("multiple_of_a_height", Holds(&["r_A4 = 0.250 h"])),
     ("multiple_of_a_multiple", Holds(&["r_A4 = 1.00 h"])),
     ("name_collision", Refused(&["`t_1` stands for", "`t_2` stands for"])),
+    // 8/9 of the energy, whatever the mass and the speed.
+    ("one_constant_part", Holds(&["share = 88.9%"])),
     ("orbit_circle", Holds(&["r_K1 = 2.50 × 10^8 km"])),
     ("printed_component", Holds(&["speed_A3 = 20.0 m/s"])),
     ("range_after_flight", Holds(&["e = 0 <= e < 0.917"])),
@@ -50,6 +59,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("ratio_as_a_symbol", Holds(&["v_Q2 = 0.2*u*(4 + 9*e)"])),
     ("required_to_be_positive", Holds(&["e = 0.800 < e <= 1"])),
     ("roots_all", Holds(&["dt = 1.49 s or 0.546 s"])),
+    ("share_as_a_formula", Holds(&["q = m_B/(m_A + m_B)"])),
     ("shelf", Holds(&["r_ball2.x = 3.97 m"])),
     ("sides_as_written", Holds(&["a = no"])),
     ("slide_by_height", Holds(&["v_A2 = 11.9 m/s"])),
@@ -73,6 +83,20 @@ const MARKED: &[(&str, &[&str], &str)] = &[
     ("small_beside_large", &["v_B2=-0.25 m/s", "T_B2=0 J", "J_B=0 N s"], "0/3"),
     ("roots_all", &["dt=0.546 or 1.49 s"], "1/1"),
     ("roots_all", &["dt=1.49 s"], "0.5/1"),
+    ("displacement_by_its_direction", &["s_D=1.60 m to the right", "s_B=0.400 m to the left"], "2/2"),
+    ("displacement_by_its_direction", &["s_D=1.60 m to the left", "s_B=-0.400 m"], "1/2"),
+    ("mass_in_terms_of_m", &["J_B=6.30m N s"], "1/1"),
+    ("mass_in_terms_of_m", &["J_B=6.30 N s"], "0.5/1"),
+    ("mass_in_terms_of_m", &["J_B=6.30 kg m/s"], "0.5/1"),
+    ("mass_in_terms_of_m", &["J_B=6.30 m kg"], "0.5/1"),
+];
+
+/// What stands on the sheet of a file or in its solution, and what does not.
+const PRINTED: &[(&str, &str, &str)] = &[
+    ("falls_on_a_string", "is not a solution: particle A moves downwards", "downwards."),
+    ("height_in_terms_of_r", "at the height $5\\,R$", "5.00 m"),
+    ("mass_in_terms_of_m", "Particle A (mass $3\\,m$)", "3.00 kg"),
+    ("share_as_a_formula", "q = \\frac{m_{B}}{m_{A} + m_{B}}", "here $"),
 ];
 
 fn path(name: &str) -> String {
@@ -120,9 +144,24 @@ fn each_file_ends_as_the_table_says() {
 }
 
 #[test]
-fn sides_of_a_comparison_are_named_as_the_author_wrote_them() {
+fn sheets_and_solutions_print_what_the_table_says() {
+    for (name, printed, absent) in PRINTED {
+        let (_, said) = run(&["generate", &path(name), "--seed", "1", "--solution"]);
+        assert!(said.contains(printed) && !said.contains(absent), "{name}: {said}");
+    }
+}
+
+#[test]
+fn marking_says_how_a_multiple_is_written() {
+    let (_, said) =
+        run(&["grade", "--problem", &path("mass_in_terms_of_m"), "--seed", "1", "--answer", "J_B=6.30 kg m/s"]);
+    assert!(said.contains("The question asks for a multiple of `m`"), "{said}");
+}
+
+#[test]
+fn sides_of_a_comparison_are_named_as_the_author_wrote_them_with_their_values() {
     let (_, solved) = run(&["solve", &path("sides_as_written"), "--format", "json"]);
-    assert!(solved.contains("abs(v_A2) is greater than abs(v_B2)"), "{solved}");
+    assert!(solved.contains("abs(v_A2) (1.769\u{a0}m/s) is greater than abs(v_B2) (0.8558\u{a0}m/s)"), "{solved}");
 }
 
 #[test]

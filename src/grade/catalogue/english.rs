@@ -112,6 +112,10 @@ impl English {
             Message::UnitWrongDimension { given, asked } => {
                 format!("Check the unit: this is {given}, but the question asks for {asked}.")
             }
+            Message::NoMultiple { of, unit } => {
+                let unit = unit.as_ref().map_or_else(String::new, |unit| format!(" or with {unit} behind it"));
+                format!("The question asks for a multiple of `{of}`: write a number and `{of}`, without a unit{unit}.")
+            }
             Message::FormulaDimension { given, asked } => {
                 format!("Check the dimensions: this formula is {given}, but the question asks for {asked}.")
             }

@@ -158,9 +158,16 @@ fn other_dimension(answer: &NumberAnswer, unit: &Unit, target: &Target) -> Judge
     let in_base_units =
         directed.scaled(&unit.in_terms_of(asked)).map_or(Found::Elsewhere, |number| compare(target, answer, &number));
     let found = if as_written == Found::Elsewhere { in_base_units } else { as_written };
-    let message = Message::UnitWrongDimension {
-        given: dimension_name(unit.dimension()).to_owned(),
-        asked: dimension_name(asked.dimension()).to_owned(),
+    let multiple = target.expected.called.as_ref().and_then(|called| called.multiple_of.as_ref());
+    let message = match multiple {
+        Some(multiple) => Message::NoMultiple {
+            of: multiple.name.clone(),
+            unit: multiple.units.as_ref().map(|[_, product]| product.unicode()),
+        },
+        None => Message::UnitWrongDimension {
+            given: dimension_name(unit.dimension()).to_owned(),
+            asked: dimension_name(asked.dimension()).to_owned(),
+        },
     };
     fitting(target, answer, &directed, found, true).with_unit(Verdict::UnitWrongDimension, message)
 }

@@ -33,7 +33,8 @@ pub(super) fn reason(kind: UnreadableKind, asked: &ExpectedNumber) -> Unreadable
 }
 
 /// A multiple with a unit, as `6m N s`, `6 m/s m` or `6m kg m/s`, with the mass m: every place is tried as that of the quantity until
-/// what remains is a number with the unit of the multiple or of the product. None where there is no such place.
+/// what remains is a number with the unit of the multiple or of the product. None where there is no such place. A number with the unit of
+/// the product alone keeps it: the quantity is missing.
 pub(super) fn with_unit(
     answer: &str,
     asked: &ExpectedNumber,
@@ -58,7 +59,12 @@ pub(super) fn with_unit(
         let rests = [without_name(signs.clone(), start, end), left_out];
         rests.into_iter().flatten().find_map(|rest| plain(read(&rest)?, &[own, product]))
     };
-    (0..signs.len()).find_map(taken).or_else(|| plain(read(answer)?, &[own]))
+    let alone = || {
+        let found = read(answer)?;
+        let is_product = found.unit.as_ref().is_some_and(|unit| unit.dimension() == product.dimension());
+        if is_product { Some(found) } else { plain(found, &[own]) }
+    };
+    (0..signs.len()).find_map(taken).or_else(alone)
 }
 
 /// The answer with the quantity taken out, or a one put in its place where nothing stands before it. Every other character keeps its

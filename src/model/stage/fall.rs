@@ -22,9 +22,12 @@ impl Builder<'_> {
         let height = self.read_positive(&stage.height, Dimension::LENGTH, &meaning, &path.key("height"));
         let gravity = self.gravity();
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        for (position, axis) in axes.iter().enumerate() {
+        let on_string = self.scene.sinks(index, body).filter(|_| axes.len() == 1);
+        let downwards: Vec<Option<i64>> =
+            (0..axes.len()).map(|position| self.downwards(position).or(on_string)).collect();
+        for (axis, down) in axes.iter().zip(&downwards) {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
-            let Some(down) = self.downwards(position) else {
+            let Some(down) = *down else {
                 let because = format!("weight has no component along {}", axis.letter());
                 self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because, (after, before));
                 continue;
@@ -42,8 +45,8 @@ impl Builder<'_> {
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));
         }
         let mass = self.mass(body);
-        let weight = (0..axes.len()).map(|position| match self.downwards(position) {
-            Some(down) => Expr::integer(down) * mass.clone() * gravity.clone(),
+        let weight = downwards.iter().map(|down| match down {
+            Some(down) => Expr::integer(*down) * mass.clone() * gravity.clone(),
             None => Expr::zero(),
         });
         let components: Vec<Expr> = weight.collect();

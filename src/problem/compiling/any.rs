@@ -26,6 +26,7 @@ use super::super::questions::part::AskedUnit;
 use super::super::reading::load::Loaded;
 use super::planned::Form;
 use super::regimes::Leaf;
+use super::regimes::Regimes;
 
 /// What may be anything, and what a form's text names without telling its value.
 pub(in crate::problem) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
@@ -43,51 +44,89 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
     }
     let zeros = zeros(model, known);
     for leaf in form.solver.leaves() {
-        let sources = Sources::of(leaf);
+        let proof = Proof { form, leaf, zeros: &zeros, sources: Sources::of(leaf) };
         let mut written = fixed(known);
         for part in &form.parts {
             for number in part.kind.numbers() {
-                let mut needed = vec![number.symbol];
-                if let AskedUnit::InTermsOf(unit, _) = number.unit {
-                    needed.push(unit);
-                }
-                let open = free.iter().copied().filter(|known| !sources.never_use(leaf, &needed, known.symbol));
-                let alike = match number.unit {
-                    AskedUnit::InTermsOf(unit, _) => [(number.symbol, Some(unit))],
-                    AskedUnit::Unit(_) => [(number.symbol, None)],
+                let unit = match number.unit {
+                    AskedUnit::InTermsOf(unit, _) => Some(unit),
+                    AskedUnit::Unit(_) => None,
                 };
-                let grows = |symbol| {
-                    is_positive(leaf, &zeros, known, symbol)
-                        && may_grow(&leaf.system, &form.told, &zeros, symbol, &alike)
-                };
-                let open: Vec<&Known> = open.filter(|known| !grows(known.symbol)).collect();
-                if open.is_empty() {
-                    continue;
-                }
-                let mut answer = written_in_givens(leaf, number.symbol, &mut written);
-                if let AskedUnit::InTermsOf(unit, _) = number.unit {
-                    let unit = written_in_givens(leaf, unit, &mut written);
-                    answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
-                }
-                for known in open {
-                    let independent = answer.as_ref().is_some_and(|answer| does_not_depend(answer, known.symbol));
-                    if !independent {
-                        let message =
-                            format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
-                        let mut help =
-                            "give its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`"
-                                .to_owned();
-                        if !is_positive(leaf, &zeros, &form.known, known.symbol) {
-                            let _ = write!(help, "; if it is positive, add `require: [{} > 0]`", known.name);
-                        }
-                        let fault = Fault::new(Code::UnderDetermined, message).help(help);
-                        faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
+                for known in proof.left_open(&free, (number.symbol, unit), &mut written) {
+                    let message = format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
+                    let mut help =
+                        "give its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`"
+                            .to_owned();
+                    if !is_positive(leaf, &zeros, &form.known, known.symbol) {
+                        let _ = write!(help, "; if it is positive, add `require: [{} > 0]`", known.name);
                     }
+                    let fault = Fault::new(Code::UnderDetermined, message).help(help);
+                    faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
                 }
             }
         }
     }
     faults
+}
+
+/// What may be anything and the value of a quantity may depend on, as a form solves it.
+pub(in crate::problem) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Option<&'f Known> {
+    let free: Vec<&Known> = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).collect();
+    if free.is_empty() {
+        return None;
+    }
+    let zeros = zeros(model, &form.known);
+    let forward = form.forward.iter().filter(|_| form.reveal.iter().any(|reveal| reveal.symbol == symbol));
+    forward.chain([&form.solver]).flat_map(Regimes::leaves).find_map(|leaf| {
+        let proof = Proof { form, leaf, zeros: &zeros, sources: Sources::of(leaf) };
+        proof.left_open(&free, (symbol, None), &mut fixed(&form.known)).first().copied()
+    })
+}
+
+/// What is given by an expression of what may be anything: a sheet prints the expression in place of a value.
+pub(in crate::problem) fn by_formula(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
+    let symbols = loaded.given.iter().filter_map(|(name, _)| model.symbol_of(name));
+    // A value with its unit stands in no formula, nor does what the sheet does not tell.
+    let is_letter = |own| form.told.contains(&own) && model.literals.iter().all(|(literal, _)| *literal != own);
+    let in_letters = |symbol: &Symbol| model.stated(*symbol).is_some_and(|own| own.all_symbols(&is_letter));
+    symbols.filter(in_letters).filter(|symbol| behind(model, form, *symbol).is_some()).collect()
+}
+
+/// The proof that a quantity is the same whatever is open, in one way that the scene may go.
+struct Proof<'a> {
+    form: &'a Form,
+    leaf: &'a Leaf,
+    zeros: &'a BTreeSet<Symbol>,
+    sources: Sources,
+}
+
+impl Proof<'_> {
+    /// Those of some open quantities on which another one, or its ratio to a unit, is not proven not to depend.
+    fn left_open<'k>(
+        &self,
+        free: &[&'k Known],
+        (symbol, unit): (Symbol, Option<Symbol>),
+        written: &mut BTreeMap<Symbol, Expr>,
+    ) -> Vec<&'k Known> {
+        let Self { form, leaf, zeros, sources } = self;
+        let needed: Vec<Symbol> = [symbol].into_iter().chain(unit).collect();
+        let alike = [(symbol, unit)];
+        let grows = |own: Symbol| {
+            is_positive(leaf, zeros, &form.known, own) && may_grow(&leaf.system, &form.told, zeros, own, &alike)
+        };
+        let mut open: Vec<&Known> = free.to_vec();
+        open.retain(|known| !sources.never_use(leaf, &needed, known.symbol) && !grows(known.symbol));
+        if open.is_empty() {
+            return open;
+        }
+        let mut term = written_in_givens(leaf, symbol, written);
+        if let Some(unit) = unit {
+            let unit = written_in_givens(leaf, unit, written);
+            term = term.zip(unit).map(|(term, unit)| (term / unit).simplify());
+        }
+        open.retain(|known| !term.as_ref().is_some_and(|term| does_not_depend(term, known.symbol)));
+        open
+    }
 }
 
 /// What is zero in every variant.

@@ -165,7 +165,11 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     let mut planner = Planner::default();
     for (form, known) in drafts.into_iter().zip(in_forms) {
         match form.plan(&mut planner, (loaded, &model), known, &require) {
-            Ok(form) => forms.push(Form { free: any::free(loaded, &model, &form), ..form }),
+            Ok(form) => {
+                let by_formula = any::by_formula(loaded, &model, &form);
+                let (free, printed) = (any::free(loaded, &model, &form), &form.printed - &by_formula);
+                forms.push(Form { free, by_formula, printed, ..form });
+            }
             Err(found) => faults.extend(found),
         }
     }
@@ -288,7 +292,13 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             if dimension != unit.dimension() && !matches!(given, Given::Any(None)) {
                 let [expected, found] = [dimension, unit.dimension()].map(dimension_name);
                 let message = format!("`{name}` is {expected}, but its unit is one of {found}");
-                builder.fault(Fault::new(Code::Dimension, message).help("change the unit").at_path(path.clone()));
+                let meaning = &builder.symbols().entry(symbol).meaning;
+                let help = if meaning.is_empty() {
+                    "change the unit".to_owned()
+                } else {
+                    format!("`{name}` stands for {meaning}: change the unit, or choose another name")
+                };
+                builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.clone()));
             }
             let unclear = turning::unclear(&builder.name(symbol).kind, name, &origin, unit);
             if let Some(fault) = unclear.or_else(|| unsound::too_small(builder, name, symbol, &origin)) {

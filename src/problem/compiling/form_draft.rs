@@ -185,6 +185,7 @@ impl FormDraft {
             printed,
             on_sheet: sheet,
             free: BTreeSet::new(),
+            by_formula: BTreeSet::new(),
             formulas: Formulas::default(),
             samples: Samples::default(),
             reveal: self.reveal,

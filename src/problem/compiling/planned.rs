@@ -71,6 +71,8 @@ pub struct Form {
     pub on_sheet: BTreeSet<Symbol>,
     /// Of what is told, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
     pub free: BTreeSet<Symbol>,
+    /// What is given by an expression of what may be anything: the sheet prints the expression, `3m`, in place of a value.
+    pub(in crate::problem) by_formula: BTreeSet<Symbol>,
     /// What is solved first and then given.
     pub reveal: Vec<Reveal>,
     /// Solves what is revealed.

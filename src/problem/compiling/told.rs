@@ -21,11 +21,13 @@ use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::text::Placeholder;
 use super::super::language::text::Text;
+use super::super::questions::decision::ChoicePart;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
 use super::super::reading::load::Loaded;
 use super::super::reading::numerals::goes_without_saying;
 use super::super::reading::numerals::tells;
+use super::any;
 use super::graph_told;
 use super::planned::Form;
 use super::planned::Problem;
@@ -55,11 +57,8 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
                     Fault::new(Code::Text, format!("the text prints `{}`, which is asked for", placeholder.name));
                 let help = "remove it from the text of this form, or ask for something else";
                 faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
-            } else if placeholder.filter.needs_value() && form.is_any(symbol) {
-                let fault =
-                    Fault::new(Code::Text, format!("the text prints `{}`, which may be anything", placeholder.name));
-                let help = format!("print its symbol: `{{{{ {} | symbol }}}}`, or give it a value", placeholder.name);
-                faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
+            } else if let Some(fault) = without_a_value("the text", model, form, placeholder) {
+                faults.push(fault.at_path(path.clone()).within(placeholder.span));
             } else if !form.told.contains(&symbol) && !solved_from_given(form, symbol) {
                 let message = format!("the text prints `{}`, which this form does not give", placeholder.name);
                 let help = format!("write `reveal: [{}]` to have it solved first and then given", placeholder.name);
@@ -71,7 +70,23 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
         printed.extend(graph.symbols());
         faults.extend(graph_told::check(model, form, graph));
     }
+    faults.extend(form.parts.iter().enumerate().filter_map(|(index, part)| {
+        let PartKind::Choice(ChoicePart::Offered(offer)) = &part.kind else { return None };
+        let open = |own| without_a_value("an option", model, form, own);
+        let fault = offer.texts().flat_map(Text::placeholders).find_map(open)?;
+        Some(fault.at_path(form.question.path.key("ask").index(index).key("options")))
+    }));
     faults.extend(form.question.hints.iter().filter_map(|(path, hint)| lost(model, form, path, hint)));
+    for (index, reveal) in form.reveal.iter().enumerate() {
+        if let Some(open) = any::behind(model, form, reveal.symbol) {
+            let message = format!(
+                "the form reveals `{}`, which depends on `{}`, and that may be anything",
+                reveal.name, open.name
+            );
+            let fault = Fault::new(Code::Text, message).help(format!("give `{}` a value", open.name));
+            faults.push(fault.at_path(form.question.path.key("reveal").index(index)));
+        }
+    }
     let needed = form.needed();
     let revealed = form.reveal.iter().map(|reveal| (reveal.name.as_str(), reveal.symbol));
     let prose = prose(loaded, form);
@@ -91,8 +106,35 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
     faults
 }
 
+/// The fault of a placeholder that needs a value, or a formula in its place, where the quantity depends on what may be anything.
+fn without_a_value(
+    speaker: &str,
+    model: &Model,
+    form: &Form,
+    Placeholder { name, filter, .. }: &Placeholder,
+) -> Option<Fault> {
+    let symbol = model.symbol_of(name).filter(|_| filter.needs_value())?;
+    let by_formula = form.by_formula.contains(&symbol);
+    if by_formula && filter.takes_formula() {
+        return None;
+    }
+    if form.is_any(symbol) {
+        let fault = Fault::new(Code::Text, format!("{speaker} prints `{name}`, which may be anything"));
+        return Some(fault.help(format!("print its symbol: `{{{{ {name} | symbol }}}}`, or give it a value")));
+    }
+    let open = any::behind(model, form, symbol)?;
+    let message = format!("{speaker} prints `{name}`, which depends on `{}`, and that may be anything", open.name);
+    let formula = if by_formula { format!("its formula with `{{{{ {name} }}}}`, ") } else { String::new() };
+    let help = format!("print {formula}its symbol with `{{{{ {name} | symbol }}}}`, or give `{}` a value", open.name);
+    Some(Fault::new(Code::Text, message).help(help))
+}
+
 /// The fault of a hint that prints what the form neither tells nor finds.
 fn lost(model: &Model, form: &Form, path: &Path, hint: &Text) -> Option<Fault> {
+    let open = |own: &Placeholder| Some((own.span, without_a_value("a hint", model, form, own)?));
+    if let Some((span, fault)) = hint.placeholders().find_map(open) {
+        return Some(fault.at_path(path.clone()).within(span));
+    }
     let is_lost =
         |own: &&Placeholder| own.filter.needs_value() && !model.symbol_of(&own.name).is_some_and(|own| form.finds(own));
     let placeholder = hint.placeholders().find(is_lost)?;

@@ -15,7 +15,7 @@ pub enum Meant {
     EqualsGiven,
     /// Every seed gives the same sheet.
     OneSheet,
-    /// Every seed has the same answers.
+    /// Every seed has the same answers, or the same answer to a part.
     OneAnswer,
 }
 

@@ -22,7 +22,15 @@ pub(in crate::problem) fn condition(
 ) -> Option<Condition> {
     let Some((left, relation, right)) = split_relation(text) else {
         let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
-        builder.fault(fault.help("compare two terms: `v_A1 > v_B1`").at_path(path.clone()));
+        let help = match text.split_once('=') {
+            Some((left, right)) => format!(
+                "compare with `<`, `>`, `<=` or `>=`; that two terms are equal is asked as whether they differ: `{} != {}`",
+                left.trim(),
+                right.trim_matches(['=', ' '])
+            ),
+            None => "compare two terms: `v_A1 > v_B1`".to_owned(),
+        };
+        builder.fault(fault.help(help).at_path(path.clone()));
         return None;
     };
     let [left, right] = [left, right].map(|side| builder.term(side, path));

@@ -153,6 +153,16 @@ impl Fraction {
         Decimal::parse(&digits).ok().filter(|decimal| decimal.to_rational() == value)
     }
 
+    /// The fault of a fraction where only a decimal serves.
+    fn endless(&self) -> Fault {
+        let Self { above, below, .. } = self;
+        let fault =
+            Fault::new(Code::Value, format!("no decimal is exactly {above}/{below}, and only decimals can be drawn"));
+        fault.help(format!(
+            "draw the number above the line: `n: {{ one_of: [1, 2] }}`, and give `n/{below}` as the value"
+        ))
+    }
+
     /// The same as an expression, in which a unit belongs to the number before it alone.
     pub(in crate::problem) fn expression(&self) -> String {
         let Self { above, below, unit } = self;
@@ -187,7 +197,10 @@ impl Reader {
                 Err(fault.help(format!("write the number alone, and beside it `unit: {unit}`")))
             }
             Err(fault) => Err(fault),
-            Ok(_) => number(text),
+            Ok(_) => match Fraction::read(text.trim()).filter(|fraction| fraction.unit.is_none()) {
+                Some(fraction) => fraction.decimal().ok_or_else(|| fraction.endless()),
+                None => number(text),
+            },
         };
         self.take(read, path)
     }

@@ -81,6 +81,11 @@ impl Filter {
         !matches!(self, Self::Symbol | Self::Unit)
     }
 
+    /// Whether a formula may stand in place of the value that it says.
+    pub(in crate::problem) fn takes_formula(self) -> bool {
+        matches!(self, Self::Quantity | Self::Named)
+    }
+
     /// Whether the reader learns a number.
     #[must_use]
     pub fn tells(self) -> bool {

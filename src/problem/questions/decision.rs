@@ -6,12 +6,14 @@ use std::collections::BTreeSet;
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::Misconception;
+use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
 use crate::solve::Real;
 use crate::solve::Relation;
 use crate::solve::evaluate;
 
 use super::super::sampling::variant::Worked;
+use super::equality::in_unit;
 use super::judgement::Judgement;
 use super::offered::Offer;
 use super::pictured::Pictured;
@@ -230,9 +232,21 @@ impl Claim {
             Ordering::Equal => "equal to",
             Ordering::Greater => "greater than",
         };
+        let said = |words: &String, side: &Expr| {
+            // A single quantity has its value where it is found, and what hangs on open letters has none.
+            let is_single = matches!(side, Expr::Symbol(_) | Expr::Number(_)) || !worked.form.free.is_empty();
+            let value = (!is_single).then(|| printed(worked, side)).flatten();
+            value.map_or_else(|| words.clone(), |value| format!("{words} ({value})"))
+        };
         let [left, right] = &self.words;
-        Decision::yes_or_no(holds, format!("{left} is {is} {right}"))
+        Decision::yes_or_no(holds, format!("{} is {is} {}", said(left, &self.left), said(right, &self.right)))
     }
+}
+
+/// The value of a term in its usual unit.
+fn printed(worked: &Worked<'_>, term: &Expr) -> Option<String> {
+    let dimension = term.dimension(&worked.problem.model().symbols).ok()?;
+    in_unit(worked, term, &coherent_unit(dimension, worked.problem.units()))
 }
 
 fn no_value(of: &str) -> String {

@@ -227,7 +227,7 @@ impl Worked<'_> {
     }
 
     /// A pure number that the sheet tells without naming it: it stands in formulas as it is.
-    fn told_as_number(&self, known: &Known) -> Option<Expr> {
+    pub(in crate::problem) fn told_as_number(&self, known: &Known) -> Option<Expr> {
         let pure = self.problem.model().symbols.entry(known.symbol).dimension == Dimension::NONE;
         let names = [&self.problem.loaded().draft.text, &self.form.question.text].into_iter().any(|text| {
             let own = |name: &str| self.problem.model().symbol_of(name) == Some(known.symbol);

@@ -72,6 +72,11 @@ impl Offer {
         all.into_iter().collect()
     }
 
+    /// Everything that it prints.
+    pub(in crate::problem) fn texts(&self) -> impl Iterator<Item = &Text> {
+        self.options.iter().flat_map(|own| [Some(&own.text), own.because.as_ref(), own.feedback.as_ref()]).flatten()
+    }
+
     fn claims(&self) -> impl Iterator<Item = &Claim> {
         self.options.iter().filter_map(|option| match &option.truth {
             Truth::When(claim) => Some(claim),

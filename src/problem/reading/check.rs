@@ -18,6 +18,9 @@ pub(in crate::problem) fn check(root: &Node, shapes: &Shapes) -> (Value, Vec<Fau
     (value.unwrap_or_default(), checker.faults)
 }
 
+/// Keys that name one thing, each with the key under which several are named where that can be.
+const ONE_AND_SEVERAL: &[(&str, &str)] = &[("body", "bodies")];
+
 struct Checker<'s> {
     shapes: &'s Shapes<'s>,
     faults: Vec<Fault>,
@@ -174,13 +177,24 @@ impl<'s> Checker<'s> {
                     (false, None) if free.is_empty() => {
                         "all possible keys are already here: remove this one".to_owned()
                     }
-                    (false, None) => format!("the keys here are {}", quoted(&free, "and")),
+                    (false, None) => format!("the keys here are {}", quoted(&known, "and")),
                 };
                 let fault = Fault::new(Code::UnknownKey, format!("`{key}` is not a key of {what}"));
                 self.fault(fault.help(help), &path.name(key.as_str()));
                 continue;
             };
-            let child = self.value(value, place, &path.key(key.as_str()), What::Key(key));
+            let child = match ONE_AND_SEVERAL.iter().find(|(one, _)| *one == usual) {
+                Some((_, several)) if matches!(value.kind, Kind::List(_)) && !self.takes_a_list(place) => {
+                    let help = match keys.named(several) {
+                        Some(_) => format!("name several under `{several}`"),
+                        None => format!("{what} is about one: give it a stage for each"),
+                    };
+                    let fault = Fault::new(Code::Value, format!("`{key}` must be text, not a list"));
+                    self.fault(fault.help(help), &path.key(key.as_str()));
+                    None
+                }
+                _ => self.value(value, place, &path.key(key.as_str()), What::Key(key)),
+            };
             if mapping.insert(usual.into(), child.unwrap_or_default()).is_some() {
                 let fault =
                     Fault::new(Code::UnknownKey, format!("`{key}` is a second name for a key that is already here"));
@@ -232,6 +246,10 @@ impl<'s> Checker<'s> {
         };
         self.fault(Fault::new(Code::UnknownKey, message).help(help), &place);
         None
+    }
+
+    fn takes_a_list(&self, place: &Place<'s>) -> bool {
+        self.shapes.forms(place).any(|form| matches!(form, Form::List(..)))
     }
 
     fn fault(&mut self, fault: Fault, path: &Path) {

@@ -1,5 +1,7 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
+use crate::expr::Leaf;
+use crate::expr::LeafKind;
 use crate::expr::Symbol;
 use crate::model::PrintedGraph;
 use crate::model::QuantityKind;
@@ -17,6 +19,7 @@ use super::super::language::text::Filter;
 use super::super::language::text::Piece;
 use super::super::language::text::Text;
 use super::variant::Variant;
+use super::variant::Worked;
 
 /// Verbs after which only "at 2 m/s to the right" may follow: stem, and its endings.
 const VERBS_OF_MOTION: &[(&str, &[&str])] = &[
@@ -148,12 +151,27 @@ impl Speaker<'_> {
         format!("${}$", self.problem.math_of(self.symbol).latex())
     }
 
-    /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded.
+    /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded. So is an
+    /// expression of what may be anything, which has no value.
     fn constant(&self) -> Option<String> {
         let form = self.problem.forms().get(self.variant.form());
         let is_changed = form.is_some_and(|form| form.question.given.get(self.name).is_some());
+        if form.is_some_and(|form| form.by_formula.contains(&self.symbol)) {
+            return self.formula();
+        }
         let given = self.problem.loaded().given.get(self.name).filter(|_| !is_changed)?;
         Some(with_minus_signs(given.constant()?))
+    }
+
+    /// The expression by which it is given, typeset; a pure number that the sheet tells without a name stands in it as a number.
+    fn formula(&self) -> Option<String> {
+        let worked = Worked::new(self.problem, self.variant)?;
+        let told = |symbol| {
+            worked.form.known.iter().find(|known| known.symbol == symbol).and_then(|known| worked.told_as_number(known))
+        };
+        let expression = self.problem.model().stated(self.symbol)?.substitute(&told);
+        let named = |symbol| Leaf { math: self.problem.math_of(symbol), kind: LeafKind::Name };
+        Some(format!("${}$", expression.layout(&named).latex()))
     }
 
     fn senses(&self) -> Option<Senses> {

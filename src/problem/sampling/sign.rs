@@ -62,6 +62,10 @@ impl Problem {
             | QuantityKind::HoldingForce
             | QuantityKind::MomentumRate
             | QuantityKind::TimeIntegral => along.map_or(Sign::Nothing, Sign::Sense),
+            // What is positive by its meaning is the distance travelled.
+            QuantityKind::Displacement if !self.model().system.positive.contains(&symbol) => {
+                along.map_or(Sign::Nothing, Sign::Sense)
+            }
             // On a circle a position is the distance from its centre.
             QuantityKind::Position if along.as_ref().is_some_and(|senses| !senses.is_of_a_turn()) => Sign::Other,
             QuantityKind::Coordinate(_) | QuantityKind::Work => Sign::Other,

@@ -101,7 +101,8 @@ impl Values<'_> {
         let mut staged = Staged::default();
         for axis in self.axes() {
             let mut world = self.alone(&stage.body, self.any_mass(&stage.body), axis)?;
-            let down = world.gravity[0];
+            let down = self.sinking(&stage.body, axis)?;
+            world.gravity = Vector::from([down]);
             if down == 0.0 {
                 continue;
             }

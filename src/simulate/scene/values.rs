@@ -224,6 +224,17 @@ impl Values<'_> {
         }
     }
 
+    /// The acceleration of a body that falls, along an axis: with its sign; along the string over a pulley on which it hangs later.
+    pub(super) fn sinking(&self, body: &str, axis: Axis) -> Result<f64, NothingToSimulate> {
+        let own = self.gravity(axis)?;
+        let sinks = self.scene.sinks(self.index, body).filter(|_| self.axes().len() == 1);
+        match sinks {
+            Some(1) if own == 0.0 => self.named("g"),
+            Some(_) if own == 0.0 => Ok(-self.named("g")?),
+            _ => Ok(own),
+        }
+    }
+
     /// What the names of this stage's own quantities end with: `[hit]`, `[2]`; nothing where it is the only stage.
     pub(super) fn suffix(&self) -> String {
         let stages = &self.scene.stages;

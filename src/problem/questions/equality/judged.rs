@@ -6,6 +6,7 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::model::Model;
 use crate::quantity::Printed;
+use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 use crate::quantity::half_unit;
 use crate::solve::Bounded;
@@ -64,12 +65,15 @@ impl Equality {
         let model = worked.problem.model();
         let dimension = own.terms.iter().find(|side| !side.is_zero())?.dimension(&model.symbols).ok()?;
         let unit = coherent_unit(dimension, worked.problem.units());
-        let said = |side: &Expr| {
-            let value = evaluate(side, &|symbol| value_of(worked, symbol)).value / unit.factor().to_f64();
-            Some(say::quantity(&Printed::new(value, FIGURES)?.to_decimal(), &unit))
-        };
+        let said = |side: &Expr| in_unit(worked, side, &unit);
         Some(format!("{} before and {} after", said(&own.terms[0])?, said(&own.terms[1])?))
     }
+}
+
+/// The value of a term in a unit, as a reason prints it.
+pub(in super::super) fn in_unit(worked: &Worked<'_>, term: &Expr, unit: &Unit) -> Option<String> {
+    let value = evaluate(term, &|symbol| value_of(worked, symbol)).value / unit.factor().to_f64();
+    Some(say::quantity(&Printed::new(value, FIGURES)?.to_decimal(), unit))
 }
 
 impl Worked<'_> {

@@ -19,6 +19,7 @@ use super::super::reading::load::Loaded;
 use super::comparing::to_solve;
 
 pub use judged::Closeness;
+pub(super) use judged::in_unit;
 
 use difference::difference;
 use nonzero::Ranges;

@@ -14,7 +14,7 @@ impl StageRun<'_> {
     pub(super) fn fall(&mut self, stage: &Fall) -> Result<(), NothingToSimulate> {
         let height = self.values.term(&stage.height)?;
         for axis in self.values.axes() {
-            let falls = times(self.values.gravity(axis)?, unit(axis));
+            let falls = times(self.values.sinking(&stage.body, axis)?, unit(axis));
             let name = self.values.velocity_after(&stage.body, axis);
             let before = self.values.velocity_before(&stage.body, axis);
             if part(falls, axis) == 0.0 {

@@ -27,7 +27,8 @@ impl StageRun<'_> {
         let sense = self.values.sense(stage.direction.as_ref(), axis)?;
         let before = self.values.velocity_before(body, axis);
         let [from, to] = stage.places();
-        let length = match (self.values.known(stage.arm()), height, &before) {
+        let told = self.values.known(stage.arm());
+        let length = match (told, height, &before) {
             (Some(length), ..) => length,
             // Only heights are used, so that the length may be anything that reaches them.
             (None, Some(height), _) if stage.way == UpOrDown::Down => height / (1.0 - libm::cos(ANY_ANGLE)),
@@ -91,7 +92,7 @@ impl StageRun<'_> {
             Place::Lowest => self.note_velocity(body, times(sense * reached, unit(axis)), 0.0),
             Place::Angle(term) => {
                 self.note(&format!("speed_{body}{}", instant + 1), reached, speed);
-                if stage.arm().is_some() {
+                if told.is_some() {
                     self.note(&format!("angle_{body}{}", instant + 1), angle(&after), 1.0);
                     self.note_term(term, angle(&after), 1.0);
                 }
@@ -99,7 +100,7 @@ impl StageRun<'_> {
         }
         self.note_here(&format!("h_{body}"), rise, length);
         self.note_term(stage.height.as_ref(), rise, length);
-        if let (Ok(mass), true) = (self.values.mass(body), stage.arm().is_some()) {
+        if let (Ok(mass), true) = (self.values.mass(body), told.is_some()) {
             for (instant, state) in [(instant, before), (instant + 1, after)] {
                 let tension = length * system.tension(0.0, &state).abs();
                 let force = if stage.radius.is_some() { "N" } else { "tension" };
