@@ -1,5 +1,7 @@
 //! The equations of a solution as text, with what each came from: for programs that check a solution or build on it.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::expr::Expr;
@@ -99,7 +101,8 @@ pub fn lines(worked: Worked<'_>) -> Vec<Line> {
     let way = cache.way(worked);
     let display = Display { worked, manners: &way.manners, shown: &shown };
     shown.figures.get_or_init(|| computed::figures(display, way));
-    let mut list = List { display, steps: Steps::new(display, Detail::Full), lines: Vec::new(), results: Vec::new() };
+    let steps = Steps::new(display, Detail::Full);
+    let mut list = List { display, steps, lines: Vec::new(), laws: BTreeMap::new(), results: Vec::new() };
     let scripts = way.scripts(display);
     for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
         list.step(position, step, script);
@@ -111,6 +114,8 @@ struct List<'a> {
     display: Display<'a>,
     steps: Steps<'a>,
     lines: Vec<Line>,
+    /// The places of the lines that state laws, by the places of their equations in the system.
+    laws: BTreeMap<usize, usize>,
     /// The places of the lines that give quantities.
     results: Vec<usize>,
 }
@@ -167,7 +172,7 @@ impl List<'_> {
             Origin::Add { factor, .. } => (Operation::Add, Some(factor)),
             Origin::Vanish { zero, .. } => (Operation::Vanish, Some(zero)),
             Origin::Put { .. } => (Operation::Substitute, None),
-            Origin::Integrate(_) => (Operation::Integrate, None),
+            Origin::Integrate { .. } => (Operation::Integrate, None),
             Origin::Square(_) => (Operation::Square, None),
             Origin::Tangent(_) => (Operation::Tangent, None),
             Origin::Collect { factor, .. } => (Operation::Collect, Some(factor)),
@@ -181,8 +186,13 @@ impl List<'_> {
             Origin::Component(_) | Origin::Tangent(_) => divisors::of_term(&line.right),
             _ => factor.map(divisors::of_term).unwrap_or_default(),
         };
-        let from = line.origin.from().into_iter().map(|place| before + place + 1).collect();
-        let integral = self.instance(line).and_then(|instance| instance.integral.as_ref()).map(|integral| {
+        let own = line.origin.from().into_iter().map(|place| before + place + 1);
+        let ends = match &line.origin {
+            Origin::Integrate { ends, .. } => Some(ends.keys().filter_map(|place| self.laws.get(place).copied())),
+            _ => None,
+        };
+        let from = own.chain(ends.into_iter().flatten()).collect();
+        let integral = line.integral.as_ref().map(|integral| {
             let [integrand, low, high] =
                 [&integral.integrand, &integral.low, &integral.high].map(|term| self.text(term));
             format!("integral({integrand}, {}, {low}, {high})", self.text(&integral.variable.into()))
@@ -190,6 +200,9 @@ impl List<'_> {
         let law = self.instance(line).map(|instance| instance.law.id);
         let (factor, not_zero) = (factor.map(|factor| self.text(factor)), self.texts(&not_zero));
         let place = self.push(&line.left, Some(&line.right), operation, from);
+        if let Origin::Law(equation) = line.origin {
+            self.laws.insert(equation, place);
+        }
         let own = &mut self.lines[place - 1];
         own.right = integral.or(own.right.take());
         own.relation = sign(line.relation);
@@ -221,9 +234,7 @@ impl List<'_> {
             let operation = if unknown == *magnitude { Operation::Magnitude } else { Operation::Angle };
             return (operation, Some(formula), Vec::new());
         }
-        let has_integral =
-            |line: &&derivation::Line| self.instance(line).is_some_and(|instance| instance.integral.is_some());
-        if sources.iter().any(has_integral) {
+        if sources.iter().any(|line| line.integral.is_some()) {
             return (Operation::Integrate, Some(formula), Vec::new());
         }
         let not_zero = divisors::of_solution(&sources, unknown, &formula);

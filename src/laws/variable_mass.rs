@@ -249,8 +249,13 @@ pub fn losing(force: &Expr, flow: &Expr, masses: [&Expr; 2], [start, end]: [&Exp
     (end.clone() - start.clone(), gained(&(force.clone() / flow.clone()), masses))
 }
 
-/// `F/q dt + m_1/q (v_1 - F/q) ln(m_2 / m_1)`: the integral over a time of the velocity
-/// `(m_1 v_1 + F t) / (m_1 + q t)` of a body that gains mass.
+/// `(m_1 v_1 + F t) / m`: the velocity of a body that gains mass, at a time at which it has the mass m.
+#[must_use]
+pub fn velocity_gaining(drive: &Expr, [before, then]: [&Expr; 2], velocity: &Expr, time: &Expr) -> Expr {
+    (before.clone() * velocity.clone() + drive.clone() * time.clone()) / then.clone()
+}
+
+/// `F/q dt + m_1/q (v_1 - F/q) ln(m_2 / m_1)`: the integral of that velocity over a time.
 #[must_use]
 pub fn way_gaining(drive: &Expr, flow: &Expr, [before, after]: [&Expr; 2], velocity: &Expr, time: &Expr) -> Expr {
     let even = drive.clone() / flow.clone();

@@ -261,6 +261,21 @@ impl<'s> Builder<'s> {
         self.system.equations.push(equation);
     }
 
+    /// The same, where the laws of these tags name what stands in the value for the ends of the range.
+    pub(super) fn integral_between(
+        &mut self,
+        law: &'static Law,
+        (stage, ends): (usize, &[usize]),
+        because: impl Into<Because>,
+        sides: Sides,
+        integral: Integral,
+    ) {
+        self.integral(law, stage, because, sides, integral);
+        if let Some(own) = self.instances.last_mut() {
+            own.ends = ends.to_vec();
+        }
+    }
+
     /// One use of a law as an equation that is not yet part of the system.
     pub(super) fn stated(
         &mut self,
@@ -272,7 +287,7 @@ impl<'s> Builder<'s> {
         integral: Option<Integral>,
     ) -> Equation {
         let tag = self.instances.len();
-        self.instances.push(Instance { law, because: because.into(), stage, integral });
+        self.instances.push(Instance { law, because: because.into(), stage, integral, ends: Vec::new() });
         Equation { statement: Statement::Equal { left, right }, tag, cost }
     }
 

@@ -17,6 +17,9 @@ pub struct Instance {
     pub stage: Option<usize>,
     /// The integral that the equation's right side is the value of, where the law defines one.
     pub integral: Option<Integral>,
+    /// The uses of laws, as positions in [`Model::instances`](super::Model::instances), that name what stands in the value of the integral
+    /// for the ends of the range.
+    pub ends: Vec<usize>,
 }
 
 /// Why an equation may be used.

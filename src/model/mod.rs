@@ -202,7 +202,13 @@ impl<'s> Builder<'s> {
         let tag = self.instances.len();
         let sought = "find the smallest whole number for which";
         let because = because.map_or_else(|| sought.to_owned(), |because| format!("{because}; {sought}"));
-        self.instances.push(Instance { law: &kinematics::COUNT, because: because.into(), stage: None, integral: None });
+        self.instances.push(Instance {
+            law: &kinematics::COUNT,
+            because: because.into(),
+            stage: None,
+            integral: None,
+            ends: Vec::new(),
+        });
         Equation {
             statement: Statement::FirstInteger { unknown, from, left, relation, right },
             tag,
@@ -214,7 +220,13 @@ impl<'s> Builder<'s> {
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
         let tag = self.instances.len();
         let because = "the boundary is where both sides are equal".into();
-        self.instances.push(Instance { law: &geometry::BOUNDARY, because, stage: None, integral: None });
+        self.instances.push(Instance {
+            law: &geometry::BOUNDARY,
+            because,
+            stage: None,
+            integral: None,
+            ends: Vec::new(),
+        });
         Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
     }
 

@@ -7,6 +7,8 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::model::Instance;
+use crate::model::Integral;
 use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Root;
@@ -27,7 +29,12 @@ pub(in crate::explain) struct Line {
     pub relation: Operator,
     pub right: Expr,
     pub origin: Origin,
+    /// The integral that its right side is the value of, where it is shown.
+    pub integral: Option<Integral>,
 }
+
+/// The equations of earlier steps by their places in the system, with the numbers of their lines.
+pub(in crate::explain) type Stated = BTreeMap<usize, Option<u32>>;
 
 /// What a line came from. Other lines are named by their places in the step.
 #[derive(Debug)]
@@ -40,8 +47,8 @@ pub(in crate::explain) enum Origin {
     Vanish { of: usize, zero: Expr, drops: Symbol },
     /// What `what` says of a quantity was put into `into`.
     Put { what: usize, into: usize },
-    /// The integral of a law was worked out.
-    Integrate(usize),
+    /// The integral of a law was worked out, with what equations of earlier steps say of the ends of its range.
+    Integrate { of: usize, ends: Stated },
     /// Both sides were squared.
     Square(usize),
     /// It was divided by a cosine.
@@ -65,7 +72,7 @@ pub(in crate::explain) struct Derivation {
 
 impl Derivation {
     /// The lines of a step, in their order and without numbers.
-    pub(in crate::explain) fn of(display: Display<'_>, step: &Step) -> Self {
+    pub(in crate::explain) fn of(display: Display<'_>, step: &Step, before: &Stated) -> Self {
         let system = &display.worked.leaf().system;
         let instances = &display.worked.problem.model().instances;
         let mut derivation = Self::default();
@@ -88,12 +95,23 @@ impl Derivation {
             let place = derivation.lines.len();
             derivation.latest.insert(*equation, place);
             let gives = is_alone && step.unknowns.iter().any(|unknown| left == Expr::from(*unknown));
-            let has_integral = instances.get(stated.tag).is_some_and(|instance| instance.integral.is_some());
-            let worked_out = (has_integral && !gives).then(|| [left.clone(), right.clone()]);
-            derivation.lines.push(Line { number: None, left, relation, right, origin: Origin::Law(*equation) });
-            if let Some([left, right]) = worked_out {
+            let instance = instances.get(stated.tag);
+            let shown =
+                instance.and_then(|instance| shown_integral(system, instance, &stated.statement, &right, before));
+            let (integral, ends) = shown.unzip();
+            let worked_out =
+                ends.filter(|ends| !gives || !ends.is_empty()).map(|ends| (ends, [left.clone(), right.clone()]));
+            derivation.lines.push(Line {
+                number: None,
+                left,
+                relation,
+                right,
+                origin: Origin::Law(*equation),
+                integral,
+            });
+            if let Some((ends, [left, right])) = worked_out {
                 let [left, right] = [left, right].map(|side| decided(system, &side));
-                derivation.replace(*equation, &left, &right, Origin::Integrate(place));
+                derivation.replace(*equation, &left, &right, Origin::Integrate { of: place, ends });
             }
         }
         for step_move in &step.moves {
@@ -129,13 +147,21 @@ impl Derivation {
         places.iter().filter_map(|place| self.lines.get(*place)).collect()
     }
 
+    /// The laws that it states, as equations of the system, with their numbers.
+    pub(in crate::explain) fn stated(&self) -> impl Iterator<Item = (usize, Option<u32>)> {
+        self.lines.iter().filter_map(|line| match line.origin {
+            Origin::Law(equation) => Some((equation, line.number)),
+            _ => None,
+        })
+    }
+
     fn latest(&self, equation: usize) -> usize {
         self.latest.get(&equation).copied().unwrap_or(0)
     }
 
     fn push(&mut self, left: &Expr, right: &Expr, origin: Origin) -> usize {
         let [left, right] = [left, right].map(positive_first);
-        self.lines.push(Line { number: None, left, relation: Operator::Equals, right, origin });
+        self.lines.push(Line { number: None, left, relation: Operator::Equals, right, origin, integral: None });
         self.lines.len() - 1
     }
 
@@ -226,7 +252,7 @@ impl Origin {
             Self::Add { to, times, .. } => vec![*to, *times],
             Self::Put { what, into } => vec![*what, *into],
             Self::Component(both) => both.to_vec(),
-            Self::Integrate(of)
+            Self::Integrate { of, .. }
             | Self::Vanish { of, .. }
             | Self::Square(of)
             | Self::Tangent(of)
@@ -234,6 +260,26 @@ impl Origin {
             | Self::Solve { of, .. } => vec![*of],
         }
     }
+}
+
+/// The integral of a law beside its value, and what was stated before of the ends of its range; none where there is no integral, or its
+/// ends are named by what the solution does not state before.
+fn shown_integral(
+    system: &System,
+    instance: &Instance,
+    statement: &Statement,
+    value: &Expr,
+    before: &Stated,
+) -> Option<(Integral, Stated)> {
+    let mut integral = instance.integral.clone()?;
+    // The sides may have changed their signs.
+    if matches!(statement, Statement::Equal { right, .. } if right != value) {
+        integral.integrand = (-integral.integrand).simplify();
+    }
+    let place =
+        |tag: &usize| before.iter().find(|(place, _)| system.equations.get(**place).is_some_and(|own| own.tag == *tag));
+    let ends = instance.ends.iter().map(|tag| place(tag).map(|(place, number)| (*place, *number)));
+    Some((integral, ends.collect::<Option<Stated>>()?))
 }
 
 /// A term in which each quantity given piece by piece, between bounds whose values are known beforehand, is replaced by the piece

@@ -24,6 +24,7 @@ use super::super::wording::capitalised;
 use super::derivation::Derivation;
 use super::derivation::Line;
 use super::derivation::Origin;
+use super::derivation::Stated;
 use super::derivation::is_definition;
 use super::sentence;
 
@@ -73,9 +74,17 @@ pub(in crate::explain) enum Opening {
 
 /// The scripts of the steps of the answer plan.
 pub(in crate::explain) fn scripts(display: Display<'_>) -> Vec<Script> {
-    let mut next = 1;
+    let (mut next, mut stated) = (1, Stated::new());
     let writer = Writer { display };
-    display.worked.leaf().answer_steps().iter().map(|step| writer.script(step, &mut next)).collect()
+    let steps = display.worked.leaf().answer_steps().iter();
+    let write = |step| {
+        let script = writer.script(step, &mut next, &stated);
+        if !script.is_given {
+            stated.extend(script.derivation.stated());
+        }
+        script
+    };
+    steps.map(write).collect()
 }
 
 struct Writer<'a> {
@@ -83,9 +92,9 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// The script of a step whose first equation that is referred to has the number `next`.
-    fn script(&self, step: &Step, next: &mut u32) -> Script {
-        let mut derivation = Derivation::of(self.display, step);
+    /// The script of a step after others that have stated equations; its first equation that is referred to has the number `next`.
+    fn script(&self, step: &Step, next: &mut u32, before: &Stated) -> Script {
+        let mut derivation = Derivation::of(self.display, step, before);
         derivation.number(next);
         let is_given = renamed(self.display, step).is_some() || printed(self.display, step).is_some();
         let closes = (step.equations.len() == 1).then_some(step);
@@ -137,15 +146,15 @@ impl Writer<'_> {
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
         let (name, reason) = (instance.law.name, Block::text(&reason(instance, &stated.statement)));
-        if instance.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
+        if line.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
             return vec![Opening::Law { name, reason, equation: None }];
         }
-        let right = instance.integral.as_ref().map(|integral| self.integral(integral));
+        let right = line.integral.as_ref().map(|integral| self.integral(integral));
         let right = right.unwrap_or_else(|| self.display.symbolic(&line.right));
         let lines = vec![Math::relation(self.display.symbolic(&line.left), line.relation, right)];
         let equation = Some(Block::Equation { lines, number: line.number });
         let mut opening = vec![Opening::Law { name, reason, equation }];
-        if let (Statement::Equal { left, right }, None) = (&stated.statement, &instance.integral) {
+        if let (Statement::Equal { left, right }, None) = (&stated.statement, &line.integral) {
             let sides = [left, right].map(Clone::clone);
             opening.extend(sides.iter().any(has_pieces).then_some(Opening::Piece(sides)));
         }

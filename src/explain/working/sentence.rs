@@ -5,6 +5,7 @@ use crate::expr::Function;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::solve::Statement;
 
 use super::super::Block;
 use super::super::Inline;
@@ -62,7 +63,19 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             ]
         }
         Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
-        Origin::Integrate(_) => said("Evaluating the integral".into()),
+        Origin::Integrate { of, ends } => {
+            let number = derivation.lines.get(*of).and_then(|line| line.number);
+            let mut words = said(format!(
+                "Evaluating the integral{}",
+                number.map_or_else(String::new, |own| format!(" in ({own})"))
+            ));
+            let ends: Vec<_> = ends.iter().filter_map(|(place, number)| end(display, *place, *number)).collect();
+            if !ends.is_empty() {
+                words.push(Inline::Text(", with ".into()));
+                words.extend(join(ends));
+            }
+            words
+        }
         Origin::Square(of) => said(format!("Square both sides of {}", named(*of))),
         Origin::Tangent(of) => {
             let mut words = said(format!("Divide {} by the cosine", named(*of)));
@@ -100,6 +113,20 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
 fn name(derivation: &Derivation, place: usize) -> String {
     let number = derivation.lines.get(place).and_then(|line| line.number);
     number.map_or_else(|| "this".to_owned(), |number| format!("({number})"))
+}
+
+/// An equation of an earlier step: by its number, or as it was stated.
+fn end(display: Display<'_>, place: usize, number: Option<u32>) -> Option<Vec<Inline>> {
+    if let Some(number) = number {
+        return Some(vec![Inline::Text(format!("({number})"))]);
+    }
+    match &display.worked.leaf().system.equations.get(place)?.statement {
+        Statement::Equal { left, right } => {
+            let [left, right] = [left, right].map(|side| display.symbolic(side));
+            Some(vec![Inline::Math(Math::relation(left, Operator::Equals, right))])
+        }
+        Statement::FirstInteger { .. } => None,
+    }
 }
 
 /// From which equations a quantity is found, and what must not be zero for that.

@@ -10,6 +10,7 @@ use crate::laws::variable_mass;
 use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
+use crate::model::Integral;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::forces::Acts;
@@ -41,6 +42,26 @@ struct Changing<'a> {
     /// The impulse of each of them along the axis.
     impulses: Vec<Expr>,
     lasts: Expr,
+}
+
+impl Changing<'_> {
+    /// The mass at a time of the stage.
+    fn mass_at(&self, time: &Expr) -> Expr {
+        let changed = self.flow.clone() * (time.clone() - self.pushed.start.clone());
+        self.masses[0].clone() + if self.gains { changed } else { -changed }
+    }
+
+    /// An integral over the time of the stage.
+    fn over_time(&self, integrand: Expr) -> Integral {
+        let Pushed { clock, start, end, .. } = self.pushed;
+        Integral { integrand, variable: *clock, low: start.clone(), high: end.clone() }
+    }
+}
+
+/// What has joined or left in all, and the laws that name it and the mass at the end.
+struct Changed {
+    whole: Expr,
+    laws: Vec<usize>,
 }
 
 impl Builder<'_> {
@@ -75,19 +96,19 @@ impl Builder<'_> {
         let lasts = (pushed.end.clone() - pushed.start.clone()).simplify();
         let own =
             Changing { pushed, gains, what, axis, name, masses, velocities, flow, arrives, force, impulses, lasts };
-        let arrived = self.change_of_mass(&own, change, &at);
+        let changed = self.change_of_mass(&own, change, &at);
         if gains {
-            self.velocity_of_gaining(&own, &arrived);
+            self.velocity_of_gaining(&own, &changed.whole);
         } else {
-            self.velocity_of_losing(&own);
+            self.velocity_of_losing(&own, &changed.laws);
         }
-        self.way_of_changing(&own);
+        self.way_of_changing(&own, &changed.laws);
         self.rates_of_changing(&own);
         self.note_changing(&own);
     }
 
-    /// The mass at the end, by the flow and by what joins or leaves in all, which is returned.
-    fn change_of_mass(&mut self, own: &Changing<'_>, change: &MassChange<'_>, at: &Path) -> Expr {
+    /// The mass at the end, by the flow and by what joins or leaves in all.
+    fn change_of_mass(&mut self, own: &Changing<'_>, change: &MassChange<'_>, at: &Path) -> Changed {
         let (index, [before, after]) = (Some(own.pushed.index), own.masses.each_ref());
         let (joins, flows) = if own.gains { ("joins", "arrives") } else { ("leaves", "leaves") };
         let steady = own.flow.clone() * own.lasts.clone();
@@ -99,17 +120,19 @@ impl Builder<'_> {
             }
             None => steady.clone(),
         };
+        let first = self.instances.len();
         let changed = if own.gains { whole.clone() } else { -whole.clone() };
         let so_much = if change.mass.is_some() { format!("this mass {joins} {}", own.name) } else { because.clone() };
         self.law(&variable_mass::USED, index, so_much, variable_mass::changed([before, after], &changed));
         if change.mass.is_some() {
             self.law(&variable_mass::USED, index, because, (whole.clone(), steady));
         }
+        let laws = (first..self.instances.len()).collect();
         if !own.gains {
             let reason = Reason::RunsOutOfMass(own.name.clone(), own.what.to_owned());
             self.require(before.clone(), Relation::Greater, whole.clone(), reason);
         }
-        whole
+        Changed { whole, laws }
     }
 
     fn velocity_of_gaining(&mut self, own: &Changing<'_>, arrived: &Expr) {
@@ -129,7 +152,7 @@ impl Builder<'_> {
         self.law(&variable_mass::GAINING, Some(pushed.index), format!("{brings}{nothing}"), sides);
     }
 
-    fn velocity_of_losing(&mut self, own: &Changing<'_>) {
+    fn velocity_of_losing(&mut self, own: &Changing<'_>, ends: &[usize]) {
         let (what, name) = (own.what, &own.name);
         let keeps = format!("{what} leaves with the velocity of {name} and pushes on nothing");
         let [start, end] = own.velocities.each_ref();
@@ -140,11 +163,12 @@ impl Builder<'_> {
         }
         let because = format!("{keeps}, and at each time the force accelerates what is left");
         let sides = variable_mass::losing(&own.force, &own.flow, own.masses.each_ref(), [start, end]);
-        self.law(&variable_mass::LOSING, Some(own.pushed.index), because, sides);
+        let integral = own.over_time(own.force.clone() / own.mass_at(&own.pushed.clock.into()));
+        self.integral_between(&variable_mass::LOSING, (own.pushed.index, ends), because, sides, integral);
     }
 
     /// Where the body is at the end, as far as there is a formula.
-    fn way_of_changing(&mut self, own: &Changing<'_>) {
+    fn way_of_changing(&mut self, own: &Changing<'_>, ends: &[usize]) {
         let Changing { pushed, force, flow, arrives, lasts, .. } = own;
         let (index, clock) = (pushed.index, pushed.clock);
         if force.contains(clock) {
@@ -153,18 +177,23 @@ impl Builder<'_> {
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(pushed.body, instant, own.axis));
         let [[before, after], [start, end]] = [&own.masses, &own.velocities].map(<[Expr; 2]>::each_ref);
         let because = format!("the same holds up to each earlier time, which gives the velocity of {} then", own.name);
-        let value = if own.gains {
+        let then = own.mass_at(&clock.into());
+        let (velocity, value) = if own.gains {
             let drive = (force.clone() + flow.clone() * arrives.clone()).simplify();
-            variable_mass::way_gaining(&drive, flow, [before, after], start, lasts)
+            let time = Expr::from(clock) - pushed.start.clone();
+            let velocity = variable_mass::velocity_gaining(&drive, [before, &then], start, &time);
+            (velocity, variable_mass::way_gaining(&drive, flow, [before, after], start, lasts))
         } else if force.is_zero() {
             let because = format!("the velocity of {} stays the same", own.name);
             let sides = kinematics::mean_velocity([&from, &to], [start, end], lasts);
             return self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
         } else {
             let even = force.clone() / flow.clone();
-            start.clone() * lasts.clone() + variable_mass::way(&even, [before, after], lasts)
+            let velocity = start.clone() + variable_mass::gained(&even, [before, &then]);
+            (velocity, start.clone() * lasts.clone() + variable_mass::way(&even, [before, after], lasts))
         };
-        self.law(&motion::DISPLACEMENT, Some(index), because, (to - from, value));
+        let integral = own.over_time(velocity);
+        self.integral_between(&motion::DISPLACEMENT, (index, ends), because, (to - from, value), integral);
     }
 
     /// Acceleration and net force at both ends.
@@ -207,8 +236,7 @@ impl Builder<'_> {
             let dragged = format!("{what} is brought to the velocity of {name}, which changes kinetic energy");
             self.acts(brings.works(Effect::Of(relative), &dragged));
         }
-        let across = "it has no component along the motion";
-        self.not_needed("weight and everything else that acts across the motion", across);
+        self.leave_out_what_acts_across();
         self.neglect("friction", "the problem gives none");
     }
 

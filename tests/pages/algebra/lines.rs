@@ -191,7 +191,15 @@ fn check(line: &Line, sources: &[&Line], actual: &Values) -> Result<(), String> 
             }
             everywhere(&|values| finite(factor(values).times(of.difference(values)), line.left.value(values)))
         }
-        ("integrate", [of]) => everywhere(&|values| finite(of.right(values), line.right(values))),
+        ("integrate", [of, ends @ ..]) => everywhere(&|values| {
+            let mut values = values.clone();
+            // What names an end of the range is said by the lines before it.
+            for end in ends.iter().rev() {
+                let Term::Name(name) = &end.left else { return Some(false) };
+                values.insert(name.clone(), end.right(&values).value);
+            }
+            finite(of.right(&values), line.right(&values))
+        }),
         ("solve" | "quadratic", [of]) => {
             let Term::Name(name) = &line.left else { return Err("what is found is no quantity".into()) };
             if line.right.as_ref().is_none_or(|right| right.mentions(name)) {
