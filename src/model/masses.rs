@@ -3,7 +3,9 @@
 use crate::expr::Expr;
 use crate::fault::Path;
 use crate::quantity::Dimension;
+use crate::scene::Stage;
 use crate::scene::Term;
+use crate::scene::stage::StageMass;
 
 use super::Builder;
 use super::Name;
@@ -18,16 +20,20 @@ impl Builder<'_> {
 
     /// The mass of a body at an instant; of a union, the sum of its parts.
     pub(super) fn mass_at(&mut self, body: &str, instant: usize) -> Expr {
+        let told = self.scene.stage_mass(body, instant);
+        if let Some(StageMass::Burn { stage, side, term }) = told {
+            return self.burning_mass(stage, body, side, term);
+        }
         let parts = self.parts_of(body);
         if !parts.is_empty() {
             let masses: Vec<Expr> = parts.iter().map(|part| self.mass_at(part, instant)).collect();
             return Expr::sum(masses);
         }
-        if let Some(since) = self.scene.mass_since(body, instant) {
+        if let Some(StageMass::Since(since)) = told {
             let meaning = format!("the mass of {} {}", self.called(body), self.when(since));
             return self.positive(Name::of(QuantityKind::Mass, body).at(since), meaning).into();
         }
-        let whole_time = self.scene.mass_since(body, self.timeline.last()).is_none();
+        let whole_time = self.scene.stage_mass(body, self.timeline.last()).is_none();
         let at_first = if whole_time { String::new() } else { format!(" {}", self.when(1)) };
         let meaning = format!("the mass of {}{at_first}", self.called(body));
         let term = self.scene.bodies.get(body).and_then(|entry| entry.mass.clone());
@@ -44,6 +50,14 @@ impl Builder<'_> {
             }
             None => self.positive(Name::of(QuantityKind::Mass, body), meaning).into(),
         }
+    }
+
+    /// The mass of a body at the start of a burn (0) or at its end (1), as the burn says it.
+    pub(super) fn burning_mass(&mut self, stage: usize, body: &str, side: usize, term: &Term) -> Expr {
+        let meaning = format!("the mass of {} {}", self.called(body), self.when(stage + 1 + side));
+        let at = Path::root().key("scene").key("stages").index(stage).key("thrust").key("mass");
+        let both = matches!(self.scene.stages.get(stage), Some(Stage::Thrust(own)) if own.mass.at_end().is_some());
+        self.read_positive(term, Dimension::MASS, &meaning, &if both { at.index(side) } else { at })
     }
 
     /// Makes the masses that are names of their own, where another mass is given in terms of them: `m` before `2*m`.

@@ -20,6 +20,9 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use stage::ChangeOfMass;
+use stage::StageMass;
+
 /// The bodies, the axes and the timeline of a problem.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -87,12 +90,43 @@ impl Scene {
     }
 
     /// The instant since which a body has the mass that a stage has made of its own, as it has it at `instant`; none where it has kept
-    /// the mass that it began with.
+    /// the mass that it began with, or a term says it.
     #[must_use]
     pub fn mass_since(&self, body: &str, instant: usize) -> Option<usize> {
-        let before = self.stages.iter().enumerate().take(instant.checked_sub(1)?);
-        let changes = |stage: &Stage| matches!(stage, Stage::Push(push) if push.mass_change().is_some() && push.pushed().any(|own| own == body));
-        before.filter(|(_, stage)| changes(stage)).map(|(index, _)| index + 2).next_back()
+        match self.stage_mass(body, instant)? {
+            StageMass::Since(since) => Some(since),
+            StageMass::Burn { .. } => None,
+        }
+    }
+
+    /// The term that says the mass of a body at an instant; none where a name does.
+    #[must_use]
+    pub fn mass_term(&self, body: &str, instant: usize) -> Option<&Term> {
+        match self.stage_mass(body, instant) {
+            Some(StageMass::Since(_)) => None,
+            Some(StageMass::Burn { term, .. }) => Some(term),
+            None => self.bodies.get(body)?.mass.as_ref(),
+        }
+    }
+
+    /// What a stage says of the mass of a body at an instant: the last that changed it; or, of a body without a mass of its own, the
+    /// first that will, if it is a burn.
+    #[must_use]
+    pub fn stage_mass(&self, body: &str, instant: usize) -> Option<StageMass<'_>> {
+        let past = instant.checked_sub(1)?.min(self.stages.len());
+        let change = |index: usize| Some((index, self.stages.get(index)?.change_of_mass(body)?));
+        if let Some((stage, change)) = (0..past).rev().find_map(change) {
+            let end = match change {
+                ChangeOfMass::Steady => None,
+                ChangeOfMass::Burn(mass) => mass.at_end(),
+            };
+            return Some(end.map_or(StageMass::Since(stage + 2), |term| StageMass::Burn { stage, side: 1, term }));
+        }
+        self.bodies.get(body).filter(|own| own.mass.is_none())?;
+        match (past..self.stages.len()).find_map(change)? {
+            (stage, ChangeOfMass::Burn(mass)) => Some(StageMass::Burn { stage, side: 0, term: mass.at_start() }),
+            (_, ChangeOfMass::Steady) => None,
+        }
     }
 
     fn stage_before(&self, index: usize) -> Option<&Stage> {

@@ -113,9 +113,11 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
     let Statement::Equal { right: Expr::Product(factors), .. } = &stated.statement else { return None };
     let [e @ Expr::Symbol(coefficient), approach] = &factors[..] else { return None };
     let mass = |body: &String| -> Option<Symbol> {
-        let written = scene.bodies.get(body)?.mass.as_ref().map(|term| term.0.trim().to_owned());
-        let changed = scene.mass_since(body, stage + 1).map(|since| format!("m_{body}{since}"));
-        worked.problem.model().symbol_of(&changed.or(written).unwrap_or_else(|| format!("m_{body}")))
+        let written = scene.mass_term(body, stage + 1).map(|term| term.0.trim().to_owned());
+        let named = || {
+            scene.mass_since(body, stage + 1).map_or_else(|| format!("m_{body}"), |since| format!("m_{body}{since}"))
+        };
+        worked.problem.model().symbol_of(&written.unwrap_or_else(named))
     };
     let [a, b] = [Expr::from(mass(first)?), Expr::from(mass(second)?)];
     let known = display.known_to_the_reader();

@@ -17,7 +17,7 @@ impl<'a> Quantities<'a> {
     /// The mass of a body at an instant, from its weight if need be.
     pub(super) fn mass(&self, body: &str, instant: usize) -> Option<f64> {
         let parts = self.scene().parts_of(body);
-        if !parts.is_empty() {
+        if !parts.is_empty() && self.mass_term(body, instant).is_none() {
             return parts.iter().map(|part| self.mass(part, instant)).sum();
         }
         let own = match self.mass_term(body, instant) {
@@ -52,7 +52,7 @@ impl<'a> Quantities<'a> {
         if !named && self.mass_term(body, instant).is_none() && !parts.is_empty() {
             members = parts;
         }
-        if members.len() > 1 {
+        if members.len() > 1 && self.mass_term(body, instant).is_none() {
             let mut sum = Vec::new();
             for member in members {
                 if !sum.is_empty() {
@@ -66,10 +66,9 @@ impl<'a> Quantities<'a> {
         term.map_or_else(|| name_math(&self.mass_name(body, instant)), |term| factor(&term, self.symbolic(&term)))
     }
 
-    /// The mass as the author wrote it, where no stage has changed it.
+    /// The mass as the author wrote it.
     fn mass_term(&self, body: &str, instant: usize) -> Option<&'a Term> {
-        let first = self.scene().bodies.get(body)?.mass.as_ref();
-        first.filter(|_| self.scene().mass_since(body, instant).is_none())
+        self.scene().mass_term(body, instant)
     }
 
     fn mass_name(&self, body: &str, instant: usize) -> String {

@@ -129,13 +129,18 @@ impl Builder<'_> {
         [stage + 1, stage + 2].map(|instant| self.quantity(Name::of(QuantityKind::KineticEnergy, "").at(instant)))
     }
 
-    /// What joins a body, or leaves it, carries kinetic energy that is no work and no loss.
+    /// What joins a body, or leaves it, or is thrown away, carries kinetic energy that is no work and no loss.
     fn check_energy(&mut self, stage: usize, carries: impl Fn(&MassChange<'_>) -> bool) {
-        let Some(Stage::Push(push)) = self.scene.stages.get(stage) else { return };
-        let Some(change) = push.mass_change().filter(carries) else { return };
-        let message = format!("the kinetic energy that {} carries with it is neither work nor loss", change.name);
+        let of = self.scene.stages.get(stage);
+        let found = if let Some(Stage::Push(push)) = of {
+            push.mass_change().filter(carries).map(|change| (change.name, "push", change.key()))
+        } else {
+            matches!(of, Some(Stage::Thrust(_))).then_some(("the exhaust", "thrust", "exhaust"))
+        };
+        let Some((name, at, key)) = found else { return };
+        let message = format!("the kinetic energy that {name} carries with it is neither work nor loss");
         let help = "ask for the kinetic energies at both ends: `T_1`, `T_2`";
-        let path = Path::root().key("scene").key("stages").index(stage).key("push").key(change.key());
+        let path = Path::root().key("scene").key("stages").index(stage).key(at).key(key);
         self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path));
     }
 

@@ -68,7 +68,8 @@ impl Builder<'_> {
             .filter_map(|impulse| impulse.components.get(position).cloned())
             .collect();
         let pushed = self.scene.stages.get(instant - 2).is_some_and(|stage| {
-            matches!(stage, Stage::Fall(_)) || matches!(stage, Stage::Push(push) if push.mass_change().is_some())
+            matches!(stage, Stage::Fall(_) | Stage::Thrust(_))
+                || matches!(stage, Stage::Push(push) if push.mass_change().is_some())
         });
         if alive < 2 || pushed || self.downwards(position).is_some() && !self.is_impulsive(instant) {
             return;

@@ -10,7 +10,6 @@ use crate::model::Alternative;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::builder::LAW_COST;
@@ -19,6 +18,7 @@ use crate::model::frame::Direction;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
+use crate::scene::Stage;
 use crate::scene::stage::BurningMass;
 use crate::scene::stage::Exhaust;
 use crate::scene::stage::Thrust;
@@ -78,18 +78,9 @@ impl Builder<'_> {
     fn read_burn(&mut self, index: usize, stage: &Thrust, path: &Path) -> Burn {
         let body = stage.body.clone();
         let (name, phrase) = (self.called(&body), self.stage_phrase(index));
-        let meanings = [index + 1, index + 2].map(|instant| format!("the mass of {name} {}", self.when(instant)));
-        let at = path.key("mass");
-        let masses = match &stage.mass {
-            BurningMass::Both([start, end]) => [
-                self.read_positive(start, Dimension::MASS, &meanings[0], &at.index(0)),
-                self.read_positive(end, Dimension::MASS, &meanings[1], &at.index(1)),
-            ],
-            BurningMass::Start(start) => [
-                self.read_positive(start, Dimension::MASS, &meanings[0], &at),
-                self.positive(Name::of(QuantityKind::Mass, &body).at(index + 2), meanings[1].clone()).into(),
-            ],
-        };
+        let start = self.burning_mass(index, &body, 0, stage.mass.at_start());
+        self.check_mass_at_start(index, &body, &start, path);
+        let masses = [start, self.mass_at(&body, index + 2)];
         let meaning = format!("the duration of {phrase}");
         let time = match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
@@ -106,6 +97,18 @@ impl Builder<'_> {
             None => self.first_axis(),
         };
         Burn { index, body, masses, exhaust, flow, thrust, time, direction }
+    }
+
+    /// A burn begins with the mass that the body has. Between two burns something may be dropped.
+    fn check_mass_at_start(&mut self, index: usize, body: &str, start: &Expr, path: &Path) {
+        let earlier = self.scene.stages.iter().take(index);
+        let is_own = |stage: &Stage| matches!(stage, Stage::Thrust(own) if own.body == body);
+        if earlier.into_iter().any(is_own) || (self.mass(body) - start.clone()).simplify().is_zero() {
+            return;
+        }
+        let message = format!("the mass of {} at the start of the burn is told in two ways", self.called(body));
+        let help = "write the mass that the body has before as the first of `mass`; or remove the `mass` of the body, if it has one";
+        self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("mass")));
     }
 
     /// The exhaust speed and the whole flow, and the thrust that they give.

@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
+use super::BurningMass;
+
 /// What falls onto a body all the time and stays there: sand, rain, coal.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -57,4 +59,29 @@ impl MassChange<'_> {
     pub fn key(&self) -> &'static str {
         if self.gains { "gains" } else { "loses" }
     }
+}
+
+/// How a stage changes the mass of a body.
+#[derive(Clone, Copy, Debug)]
+pub enum ChangeOfMass<'a> {
+    /// Mass joins it or leaves it, which makes a name for the mass at the end.
+    Steady,
+    /// It burns fuel, and the burn tells its masses.
+    Burn(&'a BurningMass),
+}
+
+/// The mass of a body at an instant, where a stage makes it.
+#[derive(Clone, Copy, Debug)]
+pub enum StageMass<'a> {
+    /// It has the name of the body and this instant, from which on the body has it.
+    Since(usize),
+    /// A burn says it.
+    Burn {
+        /// The position of the burn among the stages.
+        stage: usize,
+        /// Whether it is the mass at its start (0) or at its end (1).
+        side: usize,
+        /// What it says.
+        term: &'a Term,
+    },
 }

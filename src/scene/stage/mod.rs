@@ -45,7 +45,7 @@ pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use included::Included;
 pub use interact::{Interact, UntilTogether};
-pub use mass_change::{Gain, Loss, MassChange};
+pub use mass_change::{ChangeOfMass, Gain, Loss, MassChange, StageMass};
 pub use moment::Moment;
 pub use motion::{Course, Motion};
 pub use push::{During, Push, ToldBy};
@@ -134,6 +134,20 @@ impl Stage {
             return Some((whole, parts));
         }
         if let Self::Separate(Separate { from: Some(whole), into, .. }) = self { Some((whole, into)) } else { None }
+    }
+
+    /// How it changes the mass of a body, if it does.
+    pub(super) fn change_of_mass(&self, body: &str) -> Option<ChangeOfMass<'_>> {
+        if let Self::Push(push) = self {
+            let changes = push.mass_change().is_some() && push.pushed().any(|own| own == body);
+            return changes.then_some(ChangeOfMass::Steady);
+        }
+        if let Self::Thrust(Thrust { body: own, mass, .. }) = self
+            && own == body
+        {
+            return Some(ChangeOfMass::Burn(mass));
+        }
+        None
     }
 
     /// The body that rises or sinks on another one which gives way, and that one.

@@ -57,6 +57,25 @@ pub enum BurningMass {
     Start(Term),
 }
 
+impl BurningMass {
+    /// The mass at the start.
+    #[must_use]
+    pub fn at_start(&self) -> &Term {
+        match self {
+            Self::Both([start, _]) | Self::Start(start) => start,
+        }
+    }
+
+    /// The mass at the end, where it is told.
+    #[must_use]
+    pub fn at_end(&self) -> Option<&Term> {
+        match self {
+            Self::Both([_, end]) => Some(end),
+            Self::Start(_) => None,
+        }
+    }
+}
+
 /// What a body expels.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]

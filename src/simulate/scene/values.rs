@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use crate::expr::{Expr, Names, Symbol, SymbolEntry, SymbolTable, parse};
 use crate::quantity::{Dimension, Quantity};
-use crate::scene::{Axis, Body, Plane, Scene, Term};
+use crate::scene::stage::StageMass;
+use crate::scene::{Axis, Plane, Scene, Term};
 
 use super::nothing::NothingToSimulate;
 
@@ -153,9 +154,13 @@ impl Values<'_> {
 
     /// The mass of a body, or of what a body consists of.
     pub(super) fn mass(&self, body: &str) -> Result<f64, NothingToSimulate> {
-        let own = |member: &str| match (self.scene.mass_since(member, self.index + 1), self.scene.bodies.get(member)) {
+        let instant = self.index + 1;
+        if let Some(StageMass::Burn { term, .. }) = self.scene.stage_mass(body, instant) {
+            return self.term(term);
+        }
+        let own = |member: &str| match (self.scene.mass_since(member, instant), self.scene.mass_term(member, instant)) {
             (Some(since), _) => self.named(&format!("m_{member}{since}")),
-            (None, Some(Body { mass: Some(term), .. })) => self.term(term),
+            (None, Some(term)) => self.term(term),
             _ => self.named(&format!("m_{member}")).or_else(|missing| {
                 let weight = self.named(&format!("W_{member}")).map_err(|_| missing)?;
                 Ok(weight / self.named("g")?)
