@@ -1,5 +1,7 @@
 //! A problem asked differently than its file does: values of the user's own, other quantities sought.
 
+use std::collections::BTreeSet;
+
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
@@ -39,12 +41,13 @@ pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[St
 pub fn typed(problem: &Problem, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
     let mut changed = changed(problem.loaded(), form, set, find)?;
     let model = problem.model();
-    let drawn = || model.graph.iter().flat_map(PrintedGraph::symbols);
-    let on_graph = |name: &str| drawn().any(|symbol| model.symbols.entry(symbol).name == name);
+    let drawn =
+        model.graph.iter().flat_map(PrintedGraph::symbols).map(|symbol| model.symbols.entry(symbol).name.clone());
+    let mut told: BTreeSet<String> = drawn.collect();
+    told.extend(changed.draft.text.printed_names());
     for question in &mut changed.questions {
-        let places = || [&changed.draft.text, &question.text].into_iter().flat_map(Text::placeholders);
-        let is_told = |name: &str| on_graph(name) || places().any(|own| own.name == name && own.filter.tells());
-        let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !is_told(name));
+        told.extend(question.text.printed_names());
+        let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !told.contains(*name));
         let untold: Vec<String> = untold.map(|name| format!("{{{{ {name} | named }}}}")).collect();
         if !untold.is_empty() {
             question.text = question.text.followed_by(Text::read(&format!("\n\nHere {}.", untold.join(", ")))?);

@@ -12,6 +12,9 @@ use super::sampler::Sampler;
 /// The equal parts of a way, at whose ends its kinetic energy is looked at.
 const PARTS: u32 = 64;
 
+/// The equal parts at whose ends it is looked at first: where none of it would be left, most ways show it there.
+const FIRST: u32 = 8;
+
 /// The share of a way just behind its start and before its end, where the energy may have turned already.
 const EDGE: f64 = 1e-6;
 
@@ -44,7 +47,14 @@ impl Sampler<'_> {
             let place = start + share * (end - start);
             passage.kinetic.evaluate(&|own| if own == passage.place { place } else { value(own) })
         };
-        let inner = (1..PARTS).map(|part| f64::from(part) / f64::from(PARTS));
+        let within = |parts: u32| (1..parts).map(move |part| f64::from(part) / f64::from(parts));
+        let ends = [energy(0.0), energy(1.0)];
+        let first: Vec<f64> = within(FIRST).map(energy).chain(ends).collect();
+        let clear = MOVES * first.iter().map(|energy| energy.abs()).fold(0.0, f64::max);
+        if ends.iter().all(|energy| *energy > -NONE * clear) && first.iter().any(|energy| *energy < -clear) {
+            return true;
+        }
+        let inner = within(PARTS);
         let shares: Vec<f64> = [0.0, EDGE].into_iter().chain(inner).chain([1.0 - EDGE, 1.0]).collect();
         let seen: Vec<(f64, f64)> = shares.into_iter().map(|share| (share, energy(share))).collect();
         let largest = seen.iter().map(|(_, energy)| energy.abs()).fold(0.0, f64::max);
