@@ -60,7 +60,8 @@ fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
     let is_bank = |folder: &&Path| folder.file_name().is_some_and(|name| name == FOLDER);
     let searched = folders.iter().position(is_bank).map_or(1, |top| top + 1);
     let candidates = folders.into_iter().take(searched).map(|folder| folder.join(COURSE_FILE));
-    match candidates.into_iter().find(|path| std::fs::exists(path).unwrap_or(false)) {
+    // What cannot be looked for is read, which says why.
+    match candidates.into_iter().find(|path| std::fs::exists(path).unwrap_or(true)) {
         Some(path) => Course::read(&read_file(&path)?).map(Some),
         None => Ok(None),
     }

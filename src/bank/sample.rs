@@ -143,7 +143,7 @@ impl Sample {
         let worked = Worked::new(problem, variant)?;
         let given: Vec<String> = variant.all_given().iter().map(|(_, value, unit)| format!("{value} {unit}")).collect();
         let unclear = worked.form.parts.iter().find_map(|part| match &part.kind {
-            PartKind::Choice(choice) => Some((variant.seed().unwrap_or_default(), choice.unclear(&worked)?)),
+            PartKind::Choice(choice) => Some((variant.seed()?, choice.unclear(&worked)?)),
             _ => None,
         });
         let chosen = worked.form.parts.iter().filter_map(|part| match &part.kind {

@@ -37,18 +37,16 @@ impl Moment {
         Self(self.0.saturating_add(millis))
     }
 
-    /// In the local time of a zone, by its IANA name, as pages show it: to the minute. UTC where there is no such zone.
+    /// In the local time of a zone, by its IANA name, as pages show it: to the minute. UTC where there is no such zone, and it says so.
     #[must_use]
     pub fn shown(self, zone: &str) -> String {
-        let zone = TimeZone::get(zone).unwrap_or(TimeZone::UTC);
-        self.timestamp().to_zoned(zone).strftime("%a, %-d %b %Y, %H:%M").to_string()
+        self.local_to(zone, "%a, %-d %b %Y, %H:%M")
     }
 
     /// The same to the second, as receipts show it.
     #[must_use]
     pub fn shown_exactly(self, zone: &str) -> String {
-        let zone = TimeZone::get(zone).unwrap_or(TimeZone::UTC);
-        self.timestamp().to_zoned(zone).strftime("%a, %-d %b %Y, %H:%M:%S").to_string()
+        self.local_to(zone, "%a, %-d %b %Y, %H:%M:%S")
     }
 
     /// In the local time of a zone as fields take it: `2026-11-30T18:00`.
@@ -56,6 +54,13 @@ impl Moment {
     pub fn typed(self, zone: &str) -> String {
         let zone = TimeZone::get(zone).unwrap_or(TimeZone::UTC);
         self.timestamp().to_zoned(zone).strftime("%Y-%m-%dT%H:%M").to_string()
+    }
+
+    fn local_to(self, zone: &str, written: &str) -> String {
+        match TimeZone::get(zone) {
+            Ok(zone) => self.timestamp().to_zoned(zone).strftime(written).to_string(),
+            Err(_) => format!("{} UTC", self.timestamp().to_zoned(TimeZone::UTC).strftime(written)),
+        }
     }
 
     /// The nearest moment that a calendar knows.
@@ -74,5 +79,17 @@ impl fmt::Display for Moment {
 impl From<Timestamp> for Moment {
     fn from(timestamp: Timestamp) -> Self {
         Self(timestamp.as_millisecond())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_in_a_zone_that_is_not_known_says_that_it_is_utc() {
+        let noon = Moment::from_millis(1_795_780_800_000);
+        assert_eq!(noon.shown("UTC"), "Fri, 27 Nov 2026, 12:00");
+        assert_eq!(noon.shown("Europe/Atlantis"), "Fri, 27 Nov 2026, 12:00 UTC");
     }
 }

@@ -12,8 +12,8 @@ use crate::quantity::nearest_double;
 
 /// The most binary digits above or below the fraction bar: enough for every number of 40 digits times 10^400, and a few products of them.
 const MAX_BITS: usize = 8192;
-/// How far double precision may have moved a number that passed through a few irrational functions, relative to it.
-const DOUBLE_SLACK: f64 = 1e-12;
+/// One in so many is how far double precision may have moved a number that passed through a few irrational functions.
+const DOUBLE_SLACK: u64 = 1_000_000_000_000;
 
 /// A number, and whether it is exact or went through double precision (a root, a sine, pi).
 ///
@@ -110,7 +110,7 @@ impl Number {
         if self.exact {
             return Rational::ZERO;
         }
-        self.value().into_owned().abs() * Rational::try_from(DOUBLE_SLACK).unwrap_or_default()
+        self.value().into_owned().abs() / Rational::from(DOUBLE_SLACK)
     }
 
     /// The opposite number.

@@ -12,8 +12,8 @@ use crate::problem::split_relation;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Partners;
-use crate::simulate::scene::angle_from;
 use crate::simulate::scene::is_impulsive;
+use crate::simulate::scene::part_along;
 use crate::solve::Bounded;
 
 use super::case::Case;
@@ -101,35 +101,41 @@ fn said(case: &Case<'_>, side: &Expr) -> f64 {
 /// Of which kind an impact was: whether energy is lost, and whether what touched still moves apart.
 fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
     let Some(Stage::Impact(impact)) = scene.stages.get(stage).filter(|_| witness.has_run(stage)) else { return None };
-    let (bodies, surface): (Vec<&str>, Option<f64>) = match impact.partners()? {
-        Partners::Bodies(first, second) => (vec![first, second], None),
-        Partners::Surface(body, surface) => {
-            let moves = scene.surfaces.get(surface)?.velocity.as_ref();
-            (vec![body], Some(moves.map_or(Some(0.0), |term| witness.value(&term.0))?))
-        }
+    let partners = impact.partners()?;
+    let (first, other) = match partners {
+        Partners::Bodies(first, second) => (first, Some(second)),
+        Partners::Surface(body, _) => (body, None),
     };
     let axes = scene.axes.rectangular();
-    let letters: Vec<&str> = axes.iter().map(|(axis, _)| if axes.len() > 1 { axis.letter() } else { "" }).collect();
-    let line = impact.line_of_impact.as_ref().map(|term| term.0.as_str());
+    let number = |name: &str| witness.value(name);
     let (mut energies, mut seen) = ([0.0; 2], [0.0; 2]);
-    for (side, widest) in seen.iter_mut().enumerate() {
+    for (side, (energy, widest)) in energies.iter_mut().zip(&mut seen).enumerate() {
+        let instant = stage + 1 + side;
         let mut apart = [0.0; 3];
-        for (own, letter) in apart.iter_mut().zip(&letters) {
-            let first = witness.carried("v", bodies.first()?, stage + 1 + side, letter)?;
-            let other = bodies.get(1).map(|body| witness.carried("v", body, stage + 1 + side, letter));
-            *own = first - other.unwrap_or(Some(surface.unwrap_or(0.0)))?;
+        for (axis, _) in &axes {
+            let letter = if axes.len() > 1 { axis.letter() } else { "" };
+            let part = |body: &str| witness.carried("v", body, instant, letter);
+            apart[*axis as usize] = part(first)? - other.map_or(Some(0.0), part)?;
         }
-        let whole = libm::sqrt(apart.iter().map(|own| own * own).sum());
-        // Smooth bodies touch along the line of impact only.
-        let turned = line.and_then(|line| angle_from(scene, line, apart, &|name| witness.value(name)));
-        *widest = turned.map_or(whole, |angle| (whole * libm::cos(angle)).abs());
+        let square: f64 = apart.iter().map(|own| own * own).sum();
+        (*energy, *widest) = match partners {
+            Partners::Bodies(first, second) => {
+                // Smooth bodies touch along the line of impact only.
+                let line = impact.line_of_impact.as_ref();
+                let along = line.and_then(|line| part_along(scene, &line.0, apart, &number));
+                let energy = |body: &str| witness.carried("T", body, instant, "");
+                (energy(first)? + energy(second)?, along.unwrap_or_else(|| libm::sqrt(square)).abs())
+            }
+            Partners::Surface(_, surface) => {
+                // A surface moves along its normal, and energy is lost or not as it sees the body.
+                let own = scene.surfaces.get(surface)?;
+                let moves = own.velocity.as_ref().map_or(Some(0.0), |term| witness.value(&term.0))?;
+                let along = part_along(scene, &own.normal.0, apart, &number)?;
+                (square - 2.0 * along * moves + moves * moves, (along - moves).abs())
+            }
+        };
     }
     let [meeting, parting] = seen;
-    for (energy, instant) in energies.iter_mut().zip([stage + 1, stage + 2]) {
-        for body in &bodies {
-            *energy += witness.carried("T", body, instant, "")?;
-        }
-    }
     Some(if parting <= UNCHANGED * meeting {
         PLASTIC
     } else if (energies[0] - energies[1]).abs() <= UNCHANGED * energies[0] {

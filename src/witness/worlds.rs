@@ -83,7 +83,7 @@ impl Sheet<'_> {
     /// Values for what is open, others in each turn.
     fn trial(&self, turn: usize, open: &[Symbol]) -> Vec<f64> {
         let symbols = &self.case.problem.model().symbols;
-        let multiple = MULTIPLES.iter().cycle().nth(turn / TRIALS.len()).copied().unwrap_or(1.0);
+        let multiple = MULTIPLES[turn / TRIALS.len() % MULTIPLES.len()];
         let values = TRIALS.iter().cycle().skip(turn).step_by(2).zip(open);
         let is_pure = |symbol: &Symbol| symbols.entry(*symbol).dimension == Dimension::NONE;
         values.map(|(value, symbol)| if is_pure(symbol) { *value } else { multiple * value }).collect()

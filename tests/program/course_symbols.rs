@@ -136,6 +136,17 @@ fn settings_alone_hold_for_the_bank_that_is_built_in() {
     assert!(printed.contains("I_{") && !printed.contains("J_{"), "{printed}{errors}");
 }
 
+#[cfg(unix)]
+#[test]
+fn settings_that_cannot_be_looked_at_are_not_left_aside() {
+    let room = course("symbols: {}\n", CARTS);
+    let settings = room.path().join("problem_bank/test/course.yaml");
+    std::fs::remove_file(&settings).unwrap();
+    std::os::unix::fs::symlink(&settings, &settings).unwrap();
+    let (printed, errors, right) = run_in(&room, &["generate", "test/course", "--seed", "1"]);
+    assert!(!right && errors.contains("course.yaml"), "{printed}{errors}");
+}
+
 #[test]
 fn a_fault_of_the_settings_is_told_at_its_place() {
     for (settings, message) in [

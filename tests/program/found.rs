@@ -26,6 +26,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("aiming", Holds(&["angle_A1 = 12.1"])),
     ("angle_with_a_relative_velocity", Holds(&["angle(v_A2, v_rel_A2) = 26.6"])),
     ("backwards", Refused(&["`backwards` is not a direction of this scene", "its directions are `ahead`"])),
+    ("classify_at_a_moving_wall", Holds(&["a = perfectly plastic"])),
     // By hand: 2.25*10*sin 127 and 1.8*10*cos 53.
     ("direction_along_an_axis", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
     // By hand: 2.25*10*sin 53 and 1.8*10*cos 53.
@@ -43,6 +44,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("height_in_terms_of_r", Holds(&["v_A2 = sqrt(10*R*g)"])),
     ("interact_after_impact", Holds(&["v_C3 = 0.444 m/s", "p_3 = 1.00 kg m/s"])),
     ("kind_by_numbers", Holds(&["a = perfectly plastic", "b = no"])),
+    ("mass_after_a_burn", Holds(&["v_C3 = 31.6 m/s", "T_lost[coupling] = 99900 J", "T_A2 = 250000 J"])),
     ("mass_of_a_union", Holds(&["v_C2 = 1.00 m/s", "m_B = 4.00 kg"])),
     ("mass_in_terms_of_m", Holds(&["J_B = 6.30 m"])),
     ("moon", Refused(&["the text never prints `g`, which the solution needs"])),
@@ -52,6 +54,7 @@ const FOUND: &[(&str, Outcome)] = &[
     // 8/9 of the energy, whatever the mass and the speed.
     ("one_constant_part", Holds(&["share = 88.9%"])),
     ("orbit_circle", Holds(&["r_K1 = 2.50 × 10^8 km"])),
+    ("order_of_what_is_equal", Broken(&["`speed_A2` and `speed_B2` are equal with these numbers"])),
     ("printed_component", Holds(&["speed_A3 = 20.0 m/s"])),
     ("range_after_flight", Holds(&["e = 0 <= e < 0.917"])),
     ("range_of_multiples", Holds(&["e = 0.250 < e <= 1"])),

@@ -73,7 +73,7 @@ pub(super) struct Answer<'i> {
 /// A share of the points in per cent: the nearest that Moodle knows.
 pub(super) fn nearest(share: f64) -> f64 {
     let away = |own: &f64| (own - share * FRACTIONS[0]).abs();
-    FRACTIONS.into_iter().min_by(|left, right| away(left).total_cmp(&away(right))).unwrap_or(0.0)
+    FRACTIONS.into_iter().fold(FRACTIONS[0], |best, own| if away(&own) < away(&best) { own } else { best })
 }
 
 /// What Moodle keeps of a number.

@@ -41,9 +41,9 @@ impl Builder<'_> {
                 [index + 1, index + 2].map(|instant| self.quantity(about.clone().at(instant)).map(Expr::from));
             let (Some(before), Some(after)) = (before, after) else { return };
             self.told_throughout(&meaning, &moment, &end);
-            let along = letter.unwrap_or_default();
             let (law, because) = if moment.is_zero() {
-                (&angular::CONSERVATION, format!("the moment about {centre} has no {along}-component"))
+                let nothing = letter.map_or("is zero".to_owned(), |along| format!("has no {along}-component"));
+                (&angular::CONSERVATION, format!("{meaning} {nothing}"))
             } else {
                 (&angular::ANGULAR_IMPULSE, format!("only the moment changes the angular momentum about {centre}"))
             };

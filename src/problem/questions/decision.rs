@@ -82,6 +82,9 @@ pub struct Claim {
 /// The most quantities that can be put in order: they have 24 orders.
 pub(super) const MOST_ORDERED: usize = 4;
 
+/// What has no value where two sides cannot be compared.
+const SIDE: &str = "a side of a comparison";
+
 /// The share of its terms below which a difference is zero.
 const EQUAL: f64 = 1e-12;
 
@@ -219,12 +222,12 @@ impl Claim {
 
     /// Why it cannot be judged with the numbers of a variant.
     pub(super) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
-        self.holds(worked).is_none().then(|| no_value("a side of a comparison"))
+        self.holds(worked).is_none().then(|| no_value(SIDE))
     }
 
     pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let Some(order) = exactly_compared(worked, &self.left, &self.right) else {
-            return Decision::yes_or_no(false, self.refused(worked).unwrap_or_default());
+            return Decision::yes_or_no(false, no_value(SIDE));
         };
         let holds = self.allows(order);
         let is = match order {
@@ -253,10 +256,19 @@ fn no_value(of: &str) -> String {
     format!("{of} has no value with these numbers, as where something is divided by zero")
 }
 
-/// Why some quantities cannot be put in order with the numbers of a variant.
+/// Why some quantities cannot be put in order with the numbers of a variant: one has no value, or two are equal.
 fn incomparable(symbols: &[Symbol], worked: &Worked<'_>) -> Option<String> {
-    let is_lost = |own: &&Symbol| exactly_compared(worked, &(**own).into(), &Expr::zero()).is_none();
-    symbols.iter().find(is_lost).map(|own| no_value(&format!("`{}`", worked.problem.name_of(*own))))
+    let name = |own: &Symbol| format!("`{}`", worked.problem.name_of(*own));
+    let compared = |one: &Symbol, other: Expr| exactly_compared(worked, &(*one).into(), &other);
+    if let Some(lost) = symbols.iter().find(|own| compared(own, Expr::zero()).is_none()) {
+        return Some(no_value(&name(lost)));
+    }
+    let pairs =
+        symbols.iter().enumerate().flat_map(|(place, one)| symbols[place + 1..].iter().map(move |own| (one, own)));
+    let same = pairs.into_iter().find(|(one, other)| compared(one, (**other).into()) == Some(Ordering::Equal));
+    same.map(|(one, other)| {
+        format!("{} and {} are equal with these numbers, so that they have no order", name(one), name(other))
+    })
 }
 
 /// Every order of some quantities.

@@ -142,6 +142,13 @@ pub fn angle_from(scene: &Scene, from: &str, vector: Vector, value: &dyn Fn(&str
     Some(libm::atan2(cross(base, vector)[2], dot(base, vector)))
 }
 
+/// The part of a vector along a direction, as authors write them.
+#[must_use]
+pub fn part_along(scene: &Scene, direction: &str, vector: Vector, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let along = Values { scene, value, index: 0 }.direction(direction).ok()?;
+    Some(dot(along, vector))
+}
+
 /// What simulates a stage of a scene, counted from 0, where `value` gives the quantities of the scene in SI units by their
 /// names: masses `m_A`, velocities `v_A1.x` just before the stage, coefficients, times.
 ///

@@ -76,7 +76,7 @@ impl Sensitivity {
         let mut writer = Writer::default();
         let symbols: Vec<Symbol> = symbols.into_iter().collect();
         let registers = symbols.iter().map(|symbol| writer.input(*symbol)).collect();
-        let place = |symbol: &Symbol| symbols.binary_search(symbol).unwrap_or_default();
+        let place = |symbol: &Symbol| symbols.partition_point(|own| own < symbol);
         let mut made = |(unknown, closed): &(Symbol, Closed)| {
             // What formulas share is computed for each: a slope that one of them has not would spoil the others'.
             let before = writer.mark();

@@ -58,7 +58,8 @@ impl StageRun<'_> {
         let loss = self.values.term(term)?;
         let energy = |velocities: [Vector; 2]| -> f64 {
             let each = touch.parties.iter().zip(velocities);
-            each.map(|(party, velocity)| kinetic(party.mass.unwrap_or(0.0), velocity)).sum()
+            // What does not move has no mass.
+            each.filter_map(|(party, velocity)| Some(kinetic(party.mass?, velocity))).sum()
         };
         let start = energy(touch.parties.map(|party| party.velocity));
         let (mut low, mut high) = (0.0, 1.0);

@@ -119,9 +119,9 @@ impl StageRun<'_> {
         let end = self.try_out(&system, integrator, &Until::Time(time))?.state;
         let whole: f64 = particles.iter().filter_map(|own| own.mass).sum();
         let mean = |of: &dyn Fn(usize, &Particle<'_>) -> Vector| {
-            particles.iter().enumerate().fold(ZERO, |all, (own, particle)| {
-                add(all, times(particle.mass.unwrap_or(0.0) / whole, of(own, particle)))
-            })
+            let moved =
+                particles.iter().enumerate().filter_map(|(own, particle)| Some((own, particle, particle.mass?)));
+            moved.fold(ZERO, |all, (own, particle, mass)| add(all, times(mass / whole, of(own, particle))))
         };
         let [from, to] = [mean(&|_, own| own.place), mean(&|own, _| place(&end, own))];
         let wide = particles.iter().map(|own| size(own.place)).fold(size(less(to, from)), f64::max);

@@ -106,7 +106,7 @@ impl StageRun<'_> {
         let rest = seen(&self.forced(pair, ZERO)?);
         let missing = less(wanted, rest);
         // The force in units that change velocities by about as much as is wanted.
-        let size = size(missing) * pair[0].body.mass.unwrap_or(1.0);
+        let size = size(missing) * pair[0].body.mass.ok_or(NothingToSimulate::ValueMissing)?;
         if size == 0.0 {
             return self.forced(pair, ZERO);
         }
@@ -178,7 +178,7 @@ impl StageRun<'_> {
             }
         }
         let energy = |of: fn(&Pushed<'_>) -> Vector| -> f64 {
-            pieces.iter().map(|own| kinetic(own.body.mass.unwrap_or(0.0), of(own))).sum()
+            pieces.iter().filter_map(|own| Some(kinetic(own.body.mass?, of(own)))).sum()
         };
         let (start, end) = (energy(|own| own.body.velocity), energy(|own| own.after));
         self.note_term(stage.energy.as_ref(), end - start, start + end);
