@@ -239,3 +239,30 @@ fn the_sheet_of_a_form_does_not_depend_on_what_it_solves() {
     }
     assert!(compared > 0, "no two forms of the bank give the same");
 }
+
+/// A moment acts for a time that the solution names after its stage; the diagram has that name.
+#[test]
+fn a_diagram_names_a_duration_as_the_solution_does() {
+    let text = "
+id: x/second
+title: A second moment
+level: core
+scene:
+  axes: { x: [counter-clockwise, clockwise] }
+  bodies: { A: { name: the ball, mass: m } }
+  points: { O: { name: the pivot } }
+  stages:
+    - rotate: { name: first, body: A, about: O, arm: L, moment: M_0, during: T }
+    - rotate: { name: second, body: A, about: O, arm: L, moment: K }
+given: { m: 2 kg, L: 0.5 m, M_0: 3 N m, T: 2 s, v_A1: 0 m/s, K: 1 N m, v_A3: 20 m/s }
+text: A ball ({{ m }}, {{ L }}, {{ M_0 }}, {{ T }}, {{ v_A1 }}), then {{ K }} and {{ v_A3 }}.
+ask: [ { find: \"dt[second]\", unit: s } ]
+";
+    let problem = problem::load(Source::new("second.yaml", text)).and_then(|loaded| problem::compile(loaded, None));
+    let problem = problem.unwrap_or_else(|faults| panic!("{faults}"));
+    let variant = Sampler::new(&problem, 0).expect("a form").variant(1).expect("a variant");
+    let drawings = drawings_of_solution(Worked::new(&problem, &variant).expect("its own problem"));
+    let written: Vec<String> = drawings.iter().flat_map(labels).map(Math::plain).collect();
+    let expected = format!("K {}", name_math("dt[second]").plain());
+    assert!(written.contains(&expected), "{expected}: {written:?}");
+}

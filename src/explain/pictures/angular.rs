@@ -143,14 +143,17 @@ pub(super) fn moment_impulse(quantities: &Quantities<'_>, stage: usize, rotate: 
         Some(During::For(term)) => quantities.term(term).map(|end| quantities.duration(&zero, &end)),
         _ => None,
     };
-    let duration = duration.unwrap_or_else(|| name_math("dt"));
+    let duration = duration.unwrap_or_else(|| name_math(&quantities.staged("dt", stage)));
     if !rotate.forces.is_empty() {
         let only = rotate.driving().next().filter(|_| rotate.forces.len() == 1 && rotate.moment.is_none());
         let moment = only.and_then(|(force, on)| {
             let (Strength::Term(force), (_, Arm::Constant(arm))) = (&force.value, on?) else { return None };
             Some([quantities.symbolic(&quantities.term(arm)?), quantities.unsigned(&quantities.term(force)?)])
         });
-        return moment.map_or_else(|| name_math("I_M"), |[arm, force]| product([arm, force, duration]));
+        return moment.map_or_else(
+            || name_math(&quantities.staged("I_M", stage)),
+            |[arm, force]| product([arm, force, duration]),
+        );
     }
     let Some(Strength::Term(moment)) = &rotate.moment else { return nothing(&rotate.about) };
     let moment = quantities.term(moment).map(|moment| quantities.unsigned(&moment));

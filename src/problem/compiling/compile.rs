@@ -14,8 +14,10 @@ use crate::model::Builder;
 use crate::model::Model;
 use crate::model::Reason;
 use crate::quantity::Decimal;
+use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
+use crate::quantity::coherent_unit;
 use crate::quantity::dimension_name;
 use crate::scene::Stage;
 use crate::solve::Condition;
@@ -49,9 +51,6 @@ use super::form_draft::FormDraft;
 use super::planned::Form;
 use super::planned::Problem;
 use super::told;
-
-/// Acceleration of free fall where a file does not give it: value and unit.
-const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"), (UnitSystem::Us, "32.2", "ft/s^2")];
 
 /// A loaded problem with its names resolved, its equations written and every form planned.
 ///
@@ -151,7 +150,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     if let Some(gravity) = builder.symbols().find("g")
         && !known.iter().any(|known| known.symbol == gravity)
     {
-        known.extend(default_gravity(gravity, units));
+        known.push(default_gravity(gravity, units));
     }
     words_for_directions(loaded, &drafts, &mut builder);
     let mut in_forms: Vec<Vec<Known>> =
@@ -350,10 +349,14 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
     known
 }
 
-fn default_gravity(symbol: Symbol, system: UnitSystem) -> Option<Known> {
-    let (_, value, unit) = GRAVITY.iter().find(|(own, ..)| *own == system)?;
-    let (value, unit) = (Decimal::parse(value).ok()?, Unit::parse(unit).ok()?);
-    Some(Known { name: "g".into(), symbol, unit, origin: Origin::Fixed(value), stream: None })
+/// The acceleration of free fall where a file does not give it: 9.81 m/s^2, or 32.2 ft/s^2.
+fn default_gravity(symbol: Symbol, system: UnitSystem) -> Known {
+    let (digits, decimals) = match system {
+        UnitSystem::Si => (981, 2),
+        UnitSystem::Us => (322, 1),
+    };
+    let origin = Origin::Fixed(Decimal::from_scaled(digits, decimals));
+    Known { name: "g".into(), symbol, unit: coherent_unit(Dimension::ACCELERATION, system), origin, stream: None }
 }
 
 /// The energies around every impact, so that the audit can judge it.
