@@ -110,7 +110,9 @@ impl AngularDiagram {
                 self.state_panel(&particle.name, &particle.after, radii, momenta),
             ],
         });
-        self.wording.drawing(assemble(&headings(), rows.collect(), &self.axes))
+        let mut canvas = assemble(&headings(), rows.collect(), &self.axes);
+        canvas.tell_scale(momenta);
+        self.wording.drawing(canvas)
     }
 
     fn state_panel(&self, name: &Math, state: &AngularState, radii: Scale, momenta: Scale) -> Canvas {

@@ -1,6 +1,6 @@
 //! An arm about a fixed point with the particles on it, seen along its axis; and the balance of their moments of momentum.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::expr::Math;
 
@@ -35,6 +35,8 @@ pub struct Arm {
     pub centre: Math,
     /// The particles.
     pub particles: Vec<OnArm>,
+    /// The radius of a disc that carries the particles, in the unit of their distances.
+    pub disc: Option<f64>,
     /// What turns the arm, and how it turns, drawn as arcs about the centre.
     pub turns: Vec<(Moment, Role)>,
 }
@@ -125,6 +127,7 @@ impl Arm {
                 canvas.line([unit * from, *foot], Role::Length, false);
             }
         }
+        self.draw_disc(canvas, &placed, *distances);
         let away = self.particles.first().map_or(0.0, |own| own.angle + FRAC_PI_2 / 2.0);
         draw_centre(canvas, Point::ORIGIN, &self.centre, away);
         for (number, (turn, role)) in (0_u8..).zip(&self.turns) {
@@ -145,14 +148,43 @@ impl Arm {
                 draw_vector(canvas, &mut body, moving, scales, attach);
             }
         }
-        for (own, (foot, _)) in self.particles.iter().zip(&placed) {
-            if let Some(label) = &own.label {
-                canvas.label(label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: *foot });
-            }
+        // What lies beside the arm has the label of its distance on its own side.
+        let (beside, on_arm): (Vec<_>, Vec<_>) =
+            self.particles.iter().zip(&placed).partition(|(own, _)| own.beside != 0.0);
+        for (own, (foot, _)) in beside.into_iter().chain(on_arm) {
+            let Some(label) = &own.label else { continue };
+            let side = own.angle + FRAC_PI_2.copysign(own.beside);
+            let anchor = if own.beside == 0.0 {
+                Anchor::Along { from: Point::ORIGIN, to: *foot }
+            } else {
+                Anchor::Around { at: *foot * 0.5, radius: 0.0, prefer: side }
+            };
+            canvas.label(label, Role::Length, anchor);
         }
         for (number, (turn, role)) in (0_u8..).zip(&self.turns) {
             let radius = ARC_RADIUS + ARC_STEP * f64::from(number);
             canvas.label(&turn.label, *role, Anchor::Around { at: Point::ORIGIN, radius, prefer: away + PI });
+        }
+    }
+
+    /// The rim of the disc, with gaps where particles lie on it.
+    fn draw_disc(&self, canvas: &mut Canvas, placed: &[(Point, Body)], distances: Scale) {
+        let Some(radius) = self.disc.filter(|radius| radius.is_finite()) else { return };
+        let far = placed.iter().map(|(foot, _)| foot.length()).fold(0.0, f64::max);
+        let radius = distances.arrow(Point::new(radius, 0.0)).map_or(0.0, |own| own.x).max(far);
+        let on_rim = placed.iter().filter_map(|(foot, body)| {
+            let half = body.reach(Point::polar(1.0, foot.turned().angle()));
+            ((foot.length() - radius).abs() < half).then(|| (foot.angle().rem_euclid(TAU), half / radius))
+        });
+        let mut gaps: Vec<(f64, f64)> = on_rim.collect();
+        gaps.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        let (centre, role, arrow) = (Point::ORIGIN, Role::Surface, false);
+        let Some((first, last)) = gaps.first().copied().zip(gaps.last().copied()) else {
+            return canvas.draw(Shape::Circle { centre, radius, role });
+        };
+        let ends = gaps.windows(2).filter_map(|pair| if let [one, other] = pair { Some((*one, *other)) } else { None });
+        for ((from, behind), (to, before)) in ends.chain([(last, (first.0 + TAU, first.1))]) {
+            canvas.draw(Shape::Arc { centre, radius, from: from + behind, to: to - before, arrow, role });
         }
     }
 

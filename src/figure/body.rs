@@ -10,13 +10,15 @@ use super::{Point, Role, Shape};
 
 const SMALLEST_RADIUS: f64 = 10.0;
 /// A name that needs a larger disc is given a block.
-const LARGEST_RADIUS: f64 = 15.0;
+const LARGEST_RADIUS: f64 = 20.0;
 const BLOCK_HEIGHT: f64 = 20.0;
 const BLOCK_WIDTH: f64 = 26.0;
 const PADDING: f64 = 4.0;
 /// Arrows closer in direction than this (cosine) get lanes beside each other.
 const SAME_DIRECTION: f64 = 0.93;
 const LANE: f64 = 7.0;
+/// A body so many times as wide as it is high is long.
+const LONG: f64 = 4.0;
 /// Below this sine of the angle between them arrows are parallel.
 const PARALLEL: f64 = 1e-3;
 
@@ -172,11 +174,12 @@ impl Body {
         (from, to)
     }
 
-    /// A label above the body, for what has no arrow.
+    /// A label above the body, for what has no arrow; beside a long one, on which others may stand.
     pub(super) fn draw_note(&self, canvas: &mut Canvas, note: &Math, role: Role) {
-        let up = Point::new(0.0, 1.0);
-        let anchor = Anchor::Around { at: self.centre, radius: self.support(up), prefer: up.angle() };
-        canvas.label(note, role, anchor);
+        let (up, along) = (Point::new(0.0, 1.0), Point::new(1.0, 0.0));
+        let is_long = self.support(along) > LONG * self.support(up);
+        let side = if is_long { along } else { up };
+        canvas.label(note, role, Anchor::Around { at: self.centre, radius: self.support(side), prefer: side.angle() });
     }
 }
 

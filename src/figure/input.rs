@@ -26,6 +26,10 @@ impl Wording {
         let canvas = canvas.settled();
         let frame = canvas.frame().grown(MARGIN);
         let Self { title, description, caption } = self.clone();
+        let caption = match canvas.notes() {
+            [] => caption,
+            notes => format!("{}. {}", caption.trim_end_matches('.'), notes.join(" ")),
+        };
         Drawing { title, description, caption, low: frame.low, high: frame.high, shapes: canvas.into_shapes() }
     }
 }

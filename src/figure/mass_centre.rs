@@ -1,6 +1,6 @@
 //! Particles with their centre of mass G and their velocities.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use crate::expr::Math;
 
@@ -9,6 +9,7 @@ use super::input::{AxisMark, LabelledVector, Wording};
 use super::panels::draw_axes;
 use super::place::{Anchor, Canvas};
 use super::scale::Scale;
+use super::situation::draw_centre;
 use super::{Drawing, Point, Role, Shape};
 
 /// The room in which the particles' places are spread out.
@@ -18,6 +19,11 @@ const LONGEST: f64 = 52.0;
 const SHORTEST_LONGEST: f64 = 24.0;
 const PARTICLE: f64 = 5.5;
 const MARK: f64 = 4.5;
+/// Particles that would be drawn nearer to each other than this and by so much smaller with the origin are drawn without it.
+const NEAREST: f64 = 36.0;
+const SMALLER: f64 = 0.7;
+/// What is said of an origin that is not drawn.
+const FAR_ORIGIN: &str = "The origin of the axes lies outside the figure.";
 /// How far from the velocity a force is drawn that points the same way.
 const BESIDE: f64 = 5.0;
 
@@ -32,6 +38,8 @@ pub struct MassCentre {
     pub centre: Option<PlacedParticle>,
     /// What the arrows are.
     pub arrows: Travel,
+    /// The name of the point from which the places are told, where it is to be shown.
+    pub origin: Option<Math>,
     /// The axes to name.
     pub axes: Vec<AxisMark>,
 }
@@ -79,9 +87,12 @@ impl MassCentre {
             moved.filter(|_| self.arrows == Travel::Displacement)
         };
         let spread = Extent::around(all().map(PlacedParticle::place).chain(ends()));
-        let factor = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
-        let factor = factor(ROOM.x, spread.size().x).min(factor(ROOM.y, spread.size().y));
-        let factor = if factor.is_finite() { factor } else { 1.0 };
+        let own = enlargement(spread);
+        let with_origin = spread.joined(Extent::default());
+        let least = nearest(&self.particles);
+        let is_far = least * enlargement(with_origin) < NEAREST.min(SMALLER * least * own);
+        let has_origin = self.origin.is_some() && !is_far;
+        let (spread, factor) = if has_origin { (with_origin, enlargement(with_origin)) } else { (spread, own) };
         let placed = |particle: &PlacedParticle| (particle.place() - spread.low) * factor;
         let longest = match self.arrows {
             Travel::Velocity => longest_arrow(&all().map(placed).collect::<Vec<_>>()),
@@ -93,9 +104,24 @@ impl MassCentre {
             Travel::Velocity => Role::Velocity,
             Travel::Displacement => Role::Length,
         };
-        let scale = Scale::fitting(all().filter_map(PlacedParticle::vector), longest);
-        let forces = Scale::fitting(all().flat_map(|own| &own.forces).filter_map(LabelledVector::vector), longest);
+        let vectors = all().filter_map(PlacedParticle::vector);
+        let scale = match self.arrows {
+            Travel::Velocity => Scale::sketching(vectors, longest),
+            Travel::Displacement => Scale::fitting(vectors, longest),
+        };
+        let forces = Scale::sketching(all().flat_map(|own| &own.forces).filter_map(LabelledVector::vector), longest);
         let mut canvas = Canvas::default();
+        if let Some(origin) = &self.origin {
+            let at = (Point::ORIGIN - spread.low) * factor;
+            if !has_origin {
+                canvas.tell(FAR_ORIGIN);
+            } else if all().all(|own| (placed(own) - at).length() > PARTICLE) {
+                draw_centre(&mut canvas, at, origin, FRAC_PI_4);
+            }
+        }
+        if self.arrows == Travel::Displacement {
+            canvas.tell_scale(scale);
+        }
         if let Some(centre) = &self.centre {
             draw_mark(&mut canvas, placed(centre));
         }
@@ -157,12 +183,28 @@ fn draw_arrow(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, radius:
     }
 }
 
-/// An arrow length that keeps arrows from reaching the neighbours.
-fn longest_arrow(places: &[Point]) -> f64 {
+/// How large the places are drawn that lie within this box.
+fn enlargement(spread: Extent) -> f64 {
+    let part = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
+    let factor = part(ROOM.x, spread.size().x).min(part(ROOM.y, spread.size().y));
+    if factor.is_finite() { factor } else { 1.0 }
+}
+
+/// The least distance between two particles.
+fn nearest(particles: &[PlacedParticle]) -> f64 {
+    let places: Vec<Point> = particles.iter().map(PlacedParticle::place).collect();
+    least_distance(&places)
+}
+
+fn least_distance(places: &[Point]) -> f64 {
     let pairs = places
         .iter()
         .enumerate()
         .flat_map(|(index, one)| places.iter().take(index).map(move |other| (*one - *other).length()));
-    let nearest = pairs.fold(f64::INFINITY, f64::min);
-    (0.8 * nearest - 2.0 * PARTICLE).clamp(SHORTEST_LONGEST, LONGEST)
+    pairs.fold(f64::INFINITY, f64::min)
+}
+
+/// An arrow length that keeps arrows from reaching the neighbours.
+fn longest_arrow(places: &[Point]) -> f64 {
+    (0.8 * least_distance(places) - 2.0 * PARTICLE).clamp(SHORTEST_LONGEST, LONGEST)
 }

@@ -35,7 +35,7 @@ pub use place::{Overlap, overlaps};
 pub use situation::{
     Across, AngleMark, Bowl, Carried, CarriedBy, CarriedEnd, Central, Conical, Contact, Depth, Face, Fall, Grains,
     Ground, Height, Launch, Layout, Line, LineSpring, Moment, Moving, MovingBody, Partner, Pulley, PulleySide, Ramp,
-    Resisted, Rest, Ride, Situation, Space, Swing, SwingEnd, Target, Tie, Wall,
+    Resisted, Rest, Ride, Situation, Space, Swing, SwingBy, SwingEnd, Target, Tie, Wall,
 };
 pub use svg::{style_sheet, svg, svg_file, svg_paper, svg_unstyled};
 pub use ticks::Ticks;

@@ -81,7 +81,7 @@ pub struct BodyMomentum {
 }
 
 impl MomentumDiagram {
-    /// The diagram: one scale for all arrows, the longest as long as fits, the tiniest still visible.
+    /// The diagram: one scale for all arrows, the longest as long as fits; the caption tells of any that had to be longer to be seen.
     ///
     /// ```
     /// use momentous::expr::Math;
@@ -122,7 +122,9 @@ impl MomentumDiagram {
         let scale = Scale::fitting(self.bodies.iter().flat_map(BodyMomentum::vectors), longest);
         let rows = self.bodies.iter().map(|body| body.row(scale)).collect();
         let several = self.bodies.iter().any(|body| body.impulses.len() > 1);
-        assemble(of.headings(several), rows, &self.axes)
+        let mut canvas = assemble(of.headings(several), rows, &self.axes);
+        canvas.tell_scale(scale);
+        canvas
     }
 }
 

@@ -5,8 +5,11 @@ use std::f64::consts::TAU;
 use crate::expr::Math;
 
 use super::extent::{Contact, Extent, Measure, extent, label_extent};
+use super::scale::Scale;
 use super::{Drawing, Point, Role, Shape};
 
+/// What is said of arrows that are not to scale.
+const LENGTHENED: &str = "The shortest arrows are drawn longer than to scale.";
 /// Clear space between a label and what it belongs to.
 const GAP: f64 = 3.0;
 /// Labels beside arrows keep clear of the head, which is wider than the shaft.
@@ -51,6 +54,8 @@ pub(super) struct Canvas {
     /// The box of each shape, which is compared with many places: measuring is dear.
     frames: Vec<Extent>,
     wishes: Vec<(Math, Role, Anchor)>,
+    /// What the caption has to say of how things are drawn.
+    notes: Vec<&'static str>,
 }
 
 impl Canvas {
@@ -59,8 +64,27 @@ impl Canvas {
         self.shapes.push(shape);
     }
 
+    /// The arrows have these lengths, which the caption has to tell where they are not true.
+    pub(super) fn tell_scale(&mut self, scale: Scale) {
+        if scale.lengthens {
+            self.tell(LENGTHENED);
+        }
+    }
+
+    /// The caption has to say this.
+    pub(super) fn tell(&mut self, note: &'static str) {
+        if !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
+    }
+
+    pub(super) fn notes(&self) -> &[&'static str] {
+        &self.notes
+    }
+
     /// The shapes of another canvas, moved.
     pub(super) fn draw_moved(&mut self, other: Self, by: Point) {
+        other.notes.iter().for_each(|note| self.tell(note));
         for shape in other.shapes {
             self.draw(shape.moved(by));
         }

@@ -3,7 +3,7 @@
 mod random;
 mod scenes;
 
-use momentous::figure::{Drawing, Overlap, bounds, overlaps, svg, svg_file, tikz};
+use momentous::figure::{Drawing, Overlap, Shape, bounds, overlaps, svg, svg_file, tikz};
 use random::Dice;
 
 const SEEDS: u64 = 200;
@@ -119,4 +119,27 @@ fn both_writers_are_stable() {
             insta::assert_snapshot!(format!("figure {kept} tikz"), tikz(&drawing));
         }
     });
+}
+
+#[test]
+fn arrows_that_are_not_to_scale_are_told() {
+    let caption = |after: f64| {
+        let (_, mut diagram) = scenes::momentum_diagrams().remove(0);
+        diagram.bodies.iter_mut().for_each(|body| body.after.value = Some([after, 0.0]));
+        diagram.drawing().caption
+    };
+    assert!(!caption(2.0).contains("longer than to scale"));
+    assert!(caption(0.001).ends_with("The shortest arrows are drawn longer than to scale."));
+}
+
+#[test]
+fn an_origin_is_drawn_where_it_leaves_room_and_told_where_not() {
+    let shown = |shift: f64| {
+        let (_, mut figure) = scenes::mass_centres().remove(0);
+        figure.particles.iter_mut().chain(&mut figure.centre).for_each(|own| own.position[0] += shift);
+        let drawing = figure.drawing();
+        let is_origin = |shape: &Shape| matches!(shape, Shape::Label { text, .. } if *text == scenes::name("O"));
+        (drawing.shapes.iter().any(is_origin), drawing.caption.contains("outside the figure"))
+    };
+    assert_eq!([shown(1.0), shown(40.0)], [(true, false), (false, true)]);
 }

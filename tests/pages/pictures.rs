@@ -196,7 +196,7 @@ fn the_sheet_names_nothing_that_is_not_given() {
     each_variant(20, |at, worked| {
         let Some(drawing) = explain::situation(worked) else { return };
         let symbols = &worked.problem.model().symbols;
-        let told = &worked.form.told;
+        let told: BTreeSet<_> = worked.form.told.union(&worked.form.printed).copied().collect();
         let given: BTreeSet<String> = told.iter().flat_map(|symbol| spellings(&symbols.entry(*symbol).name)).collect();
         let hidden: BTreeSet<String> = symbols
             .iter()
@@ -221,7 +221,10 @@ fn the_sheet_of_a_form_does_not_depend_on_what_it_solves() {
     for problem in bank() {
         let forms = problem.forms();
         let pairs = (0..forms.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
-        for (one, other) in pairs.filter(|(one, other)| forms[*one].told == forms[*other].told) {
+        let tells_alike = |one: usize, other: usize| {
+            forms[one].told == forms[other].told && forms[one].printed == forms[other].printed
+        };
+        for (one, other) in pairs.filter(|(one, other)| tells_alike(*one, *other)) {
             for seed in 1..=20 {
                 let [a, b] = [one, other].map(|form| Sampler::new(problem, form).expect("a form").variant(seed));
                 let (a, b) = (a.expect("a variant"), b.expect("a variant"));

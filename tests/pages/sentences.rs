@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use momentous::exercise::Exercise;
-use momentous::explain::Audience;
+use momentous::explain::{Audience, situation};
 use momentous::render::{Format, Renderer, Solution};
 
 use crate::variants;
@@ -64,4 +64,22 @@ fn a_range_says_multiples_of_what_may_be_anything() {
     let said = fixture("found/range_in_symbols");
     // By hand, with e = 1: (3 - 5)/8 of 2 u.
     assert!(said.contains(r"v_{P2} = -0.500\,u") && said.contains(r"1.2\,u \ge 0"), "{said}");
+}
+
+/// The figure on the sheet of a scene with two bodies on an arm, driven by a moment.
+fn driven_arm(moment: &str) -> String {
+    let scene = "axes: { x: [counter-clockwise, clockwise] }\nbodies:\n  A: { name: ball A }\n  B: { name: ball B }\npoints:\n  O: { name: the pivot }\nstages:\n  - rotate: { about: O, bodies: { A: a, B: a }, moment: MOMENT, during: 3 s }";
+    let given = [("m_A", "2 kg"), ("m_B", "1 kg"), ("a", "0.5 m"), ("c", "4 N m/s"), ("omega_1", "1 rad/s")];
+    let text = variants::sheet(&scene.replace("MOMENT", moment), &given, &["omega_2"]);
+    let exercise = Exercise::draw(&Arc::new(variants::problem("test.yaml", &text)), 0, 1).unwrap();
+    situation(exercise.worked()).unwrap().description
+}
+
+#[test]
+fn a_moment_is_drawn_in_a_sense_that_it_keeps() {
+    // A sense told at the start is kept, or found after it.
+    assert!(driven_arm("c*t + 1 N m").contains("The moment M is counter-clockwise"));
+    assert!(driven_arm("-c*t").contains("The moment M is clockwise"));
+    // One that is lost on the way is not drawn.
+    assert!(!driven_arm("c*t - 2 N m").contains("moment"));
 }

@@ -9,7 +9,6 @@ use crate::figure::AngularMomentum;
 use crate::figure::AngularState;
 use crate::figure::Drawing;
 use crate::figure::LabelledVector;
-use crate::figure::Moment;
 use crate::figure::Wording;
 use crate::model::QuantityKind;
 use crate::scene::Strength;
@@ -228,17 +227,4 @@ impl Quantities<'_> {
     pub(super) fn point(&self, point: &str) -> String {
         self.scene().points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
     }
-}
-
-/// The moment on an arm, where all of it is given; which way it turns is taken from its start.
-pub(super) fn given_moment(quantities: &Quantities<'_>, strength: &Strength) -> Option<Moment> {
-    let Strength::Term(term) = strength else { return None };
-    let term = quantities.term(term)?;
-    let clock = quantities.model().symbols.find("t").filter(|clock| term.contains(*clock));
-    let value = term.evaluate(&|symbol| {
-        let known = if Some(symbol) == clock { Some(0.0) } else { quantities.value(symbol) };
-        known.unwrap_or(f64::NAN)
-    });
-    let label = if clock.is_some() { Math::Identifier("M".to_owned()) } else { quantities.unsigned(&term) };
-    value.is_finite().then_some(Moment { label, value })
 }

@@ -27,13 +27,16 @@ use crate::scene::stage::Strike;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
-use super::angular::given_moment;
 use super::angular::moment_impulse;
 use super::angular::nothing;
 use super::labels::body_math;
 use super::labels::product;
 use super::quantities::Quantities;
+use super::sense::given_moment;
 use super::words::sentences;
+
+/// Words in the name of a rotor that is drawn as a disc.
+const DISCS: &[&str] = &["carousel", "disc", "disk", "flywheel", "platform", "roundabout", "turntable", "wheel"];
 
 /// A body on an arm, or one that strikes it, as a scene has it.
 struct Carried<'a> {
@@ -62,7 +65,7 @@ fn struck(stage: &Strike) -> Vec<Carried<'_>> {
 /// Several bodies on an arm at the start.
 pub(super) fn sheet(quantities: &Quantities<'_>, stage: &Rotate) -> Drawing {
     let mut turns: Vec<(Moment, Role)> = turning(quantities, 1).into_iter().collect();
-    let acts = stage.moment.as_ref().and_then(|strength| given_moment(quantities, strength));
+    let acts = stage.moment.as_ref().and_then(|strength| given_moment(quantities, strength, stage.during.as_ref()));
     turns.extend(acts.map(|own| (own, Role::Force)));
     let pushes = |body: &str, angle: f64| along_path(quantities, stage, body, angle);
     situation(quantities, &held(stage), (&stage.about, stage.rotor.as_deref()), turns, &pushes)
@@ -118,7 +121,7 @@ fn situation(
         description: sentences([seen.clone()].into_iter().chain(pushed).chain(arcs)),
         caption: sentences([seen]),
     };
-    let arm = Arm { centre: body_math(about), particles, turns };
+    let arm = Arm { centre: body_math(about), particles, disc: disc(quantities, all, rotor), turns };
     Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
 }
 
@@ -136,7 +139,13 @@ pub(super) fn along_path(quantities: &Quantities<'_>, stage: &Rotate, body: &str
         let clock = quantities.model().symbols.find("t").filter(|clock| term.contains(*clock));
         // A force that changes has no one length; its arrow shows where it points.
         let (label, size) = match clock {
-            Some(_) => (Math::Identifier("F".to_owned()), 1.0),
+            Some(_) => {
+                let told = term.all_symbols(&|symbol| Some(symbol) == clock || quantities.value(symbol).is_some());
+                let sense = || quantities.sense(&term, quantities.ends(stage.during.as_ref()));
+                // One that is asked for is drawn in the sense in which it counts.
+                let sense = if told { sense()? } else { 1.0 };
+                (Math::Identifier("F".to_owned()), sense.signum())
+            }
             None => (quantities.unsigned(&term), quantities.evaluate(&term)?),
         };
         Some(Moving::force(LabelledVector::known(label, across(angle, size))))
@@ -158,6 +167,15 @@ fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: 
         angle: own.angle,
         beside: if own.strikes { if comes < 0.0 { 1.0 } else { -1.0 } } else { 0.0 },
     }
+}
+
+/// The radius of a rotor that is a disc: that of the outermost place on it.
+fn disc(quantities: &Quantities<'_>, all: &[Carried<'_>], rotor: Option<&str>) -> Option<f64> {
+    let words = quantities.words(rotor?);
+    let is_disc = words.iter().any(|word| DISCS.contains(&word.as_str()));
+    let places = all.iter().filter(|own| !own.strikes).flat_map(|own| own.distances);
+    let known = places.map(|place| quantities.evaluate(&quantities.term(place)?));
+    known.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max).filter(|_| is_disc)
 }
 
 fn names(quantities: &Quantities<'_>, all: &[Carried<'_>], rotor: Option<&str>) -> String {
@@ -227,7 +245,7 @@ fn arm(
             turns.push((Moment { label: product([label, name_math(&name)]), value: own }, Role::Momentum));
         }
     }
-    Some((Arm { centre: body_math(about), particles, turns }, moment))
+    Some((Arm { centre: body_math(about), particles, disc: disc(quantities, all, rotor), turns }, moment))
 }
 
 /// The moment of inertia of what carries the particles, as it is written and in numbers.

@@ -6,6 +6,9 @@ use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
 
+/// What the point is called from which places are told, where it has no name.
+pub(super) const ORIGIN: &str = "O";
+
 /// Factors side by side: `m v`.
 pub(super) fn product(factors: impl IntoIterator<Item = Math>) -> Math {
     let mut parts = Vec::new();

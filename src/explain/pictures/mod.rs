@@ -10,6 +10,7 @@ mod diagram_plan;
 mod flow;
 mod graph;
 mod labels;
+mod legend;
 mod masses;
 mod moment;
 mod momentum;
@@ -18,6 +19,7 @@ mod offered_graph;
 mod participants;
 mod plot;
 mod quantities;
+mod sense;
 mod sheet;
 mod snapshot;
 mod stages;
@@ -37,18 +39,24 @@ pub(super) use quantities::Scope;
 pub(super) fn solution(quantities: &Quantities<'_>) -> Vec<Drawing> {
     let compass = quantities.compass();
     let stages = &quantities.scene().stages;
+    let mut drawings = Vec::new();
     if stages.is_empty() {
-        return snapshot::drawing(quantities, compass).into_iter().collect();
+        drawings.extend(snapshot::drawing(quantities, compass));
     }
-    let drawings =
-        stages.iter().enumerate().flat_map(|(index, stage)| stages::solution(quantities, compass, index, stage));
-    // What nobody asks for may be solved without its forces.
-    drawings.flatten().filter(Drawing::is_known).collect()
+    for (index, stage) in stages.iter().enumerate() {
+        // What nobody asks for may be solved without its forces.
+        let own = stages::solution(quantities, compass, index, stage).into_iter().flatten();
+        drawings.extend(own.filter(Drawing::is_known));
+    }
+    legend::tell(quantities, &mut drawings);
+    drawings
 }
 
 /// The figure of the problem sheet, which shows only what is given; none where that is no more than outlines of bodies.
 pub(super) fn situation(quantities: &Quantities<'_>) -> Option<Drawing> {
-    stages::sheet(quantities, quantities.compass()).filter(|drawing| !drawing.is_bare())
+    let mut drawing = stages::sheet(quantities, quantities.compass()).filter(|drawing| !drawing.is_bare())?;
+    legend::tell(quantities, std::slice::from_mut(&mut drawing));
+    Some(drawing)
 }
 
 /// The pictures that are offered in a choice, in their order.

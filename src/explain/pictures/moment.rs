@@ -26,11 +26,11 @@ use crate::scene::stage::Moment;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
-use super::angular::given_moment;
 use super::arm::turning as turning_of_arm;
 use super::compass::Compass;
 use super::labels::body_math;
 use super::quantities::Quantities;
+use super::sense::given_moment;
 use super::words::OBLIQUE;
 use super::words::arrows;
 use super::words::sentences;
@@ -136,7 +136,7 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
     let first = quantities.named(&name).filter(|value| *value != 0.0);
     let first = first.map(|value| (figure::Moment { label: name_math(&name), value }, Role::Momentum));
     let first = first.or_else(|| turning_of_arm(quantities, 1));
-    let moment = given_moment(quantities, &stage.value).map(|own| (own, Role::Force));
+    let moment = given_moment(quantities, &stage.value, Some(&stage.during)).map(|own| (own, Role::Force));
     let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
     let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));
     let each = turns.iter().map(|(turn, role)| {
@@ -149,7 +149,7 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
         description: sentences([seen.clone()].into_iter().chain(each)),
         caption: sentences([seen]),
     };
-    let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), turns };
+    let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), disc: None, turns };
     Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
 }
 

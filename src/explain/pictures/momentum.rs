@@ -90,8 +90,10 @@ pub(super) fn diagram_with(
     let on_floor =
         quantities.model().forces.iter().any(|force| force.stage == stage && force.kind == ForceKind::Normal);
     let stands = on_floor || quantities.slope(stage).is_some() && !matches!(own, Stage::Flight(_));
-    let surface = if matches!(own, Stage::Impact(Impact { against: Some(_), .. })) {
-        normal
+    let surface = if let Stage::Impact(Impact { against: Some(surface), .. }) = own {
+        // What moves is no wall.
+        let moves = quantities.scene().surfaces.get(surface).is_some_and(|own| own.velocity.is_some());
+        normal.filter(|_| !moves)
     } else {
         stands.then(|| compass.angle([0.0, 1.0]))
     };

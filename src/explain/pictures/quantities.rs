@@ -98,7 +98,9 @@ impl<'a> Quantities<'a> {
 
     /// The value of a quantity in SI units, where it may be shown.
     pub(super) fn value(&self, symbol: Symbol) -> Option<f64> {
-        let told = || self.worked.variant.given(symbol).is_some() || self.is_any(symbol) || self.is_assumed(symbol);
+        let form = self.worked.form;
+        let given = || self.worked.variant.given(symbol).is_some() || form.printed.contains(&symbol);
+        let told = || given() || self.is_any(symbol) || self.is_assumed(symbol);
         if self.scope == Scope::Given && !told() {
             return None;
         }

@@ -1,6 +1,7 @@
 //! A scene at one instant: a particle seen from a fixed point, or several with their centre of mass.
 
 use crate::expr::Math;
+use crate::expr::Operator;
 use crate::expr::name_math;
 use crate::figure::Central;
 use crate::figure::Drawing;
@@ -20,6 +21,7 @@ use crate::scene::Axis;
 use super::super::wording::capitalised;
 use super::super::wording::list;
 use super::compass::Compass;
+use super::labels::ORIGIN;
 use super::labels::body_math;
 use super::quantities::Quantities;
 use super::quantities::Scope;
@@ -154,7 +156,8 @@ fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], 
         description: sentences([format!("{names} at their positions with their {velocities}{with}")]),
         caption: sentences([format!("{names} with their {velocities}{with}")]),
     };
-    MassCentre { wording, particles, centre, arrows: Travel::Velocity, axes: compass.marks() }.drawing()
+    let (origin, axes) = (Some(origin(quantities)), compass.marks());
+    MassCentre { wording, particles, centre, arrows: Travel::Velocity, origin, axes }.drawing()
 }
 
 /// Bodies where they were before a stage, with their ways to where they are after it; the centre of mass where it is known.
@@ -168,7 +171,8 @@ pub(super) fn displacements(
     let particle = |body: &str| {
         let from = quantities.position(body, before)?;
         let moved = quantities.position(body, after).map(|to| [to[0] - from[0], to[1] - from[1]]);
-        let label = name_math(&format!("r_{body}{after}"));
+        let [from_name, to_name] = [before, after].map(|instant| name_math(&format!("r_{body}{instant}")));
+        let label = Math::Row(vec![to_name, Math::Operator(Operator::Minus), from_name]);
         Some(PlacedParticle {
             name: body_math(body),
             position: compass.place(from),
@@ -191,5 +195,13 @@ pub(super) fn displacements(
         description: sentences(told.clone()),
         caption: sentences(told),
     };
-    Some(MassCentre { wording, particles, centre, arrows: Travel::Displacement, axes: compass.marks() }.drawing())
+    let (origin, axes) = (Some(origin(quantities)), compass.marks());
+    Some(MassCentre { wording, particles, centre, arrows: Travel::Displacement, origin, axes }.drawing())
+}
+
+/// The point from which places are told.
+fn origin(quantities: &Quantities<'_>) -> Math {
+    let points = &quantities.scene().points;
+    let named = points.iter().find(|(_, point)| point.at.axes().next().is_none()).map(|(name, _)| body_math(name));
+    named.unwrap_or_else(|| Math::Identifier(ORIGIN.to_owned()))
 }

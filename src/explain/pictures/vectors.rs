@@ -54,13 +54,16 @@ impl Labelled {
 impl Quantities<'_> {
     /// How a body is drawn.
     pub(super) fn form(&self, body: &str) -> Form {
-        let round = |body: &str| {
-            let name = self.called(body).to_lowercase();
-            name.split(|letter: char| !letter.is_alphabetic()).any(|word| ROUND.contains(&word))
-        };
+        let round = |body: &str| self.words(body).iter().any(|word| ROUND.contains(&word.as_str()));
         // What consists of several bodies is round where all of them are.
         let members = self.scene().members(body);
         if members.into_iter().all(round) { Form::Disc } else { Form::Block }
+    }
+
+    /// The words of a body's name, in small letters.
+    pub(super) fn words(&self, body: &str) -> Vec<String> {
+        let name = self.called(body).to_lowercase();
+        name.split(|letter: char| !letter.is_alphabetic()).map(str::to_owned).collect()
     }
 
     /// The momentum of `mass_of` with the velocity that `body` has at an instant; the two differ where bodies have become one.

@@ -5,8 +5,8 @@
 
 use std::f64::consts::PI;
 
-use crate::figure::body::{Attach, Body};
-use crate::figure::place::Canvas;
+use crate::figure::body::{Attach, Body, label_arrow};
+use crate::figure::place::{Anchor, Canvas};
 use crate::figure::surface::draw_surface;
 use crate::figure::{Point, Role, Shape};
 
@@ -15,6 +15,10 @@ use super::moving::{MovingBody, Scales, draw_vector};
 
 const LONGEST: f64 = 60.0;
 const SURFACE_HALF: f64 = 62.0;
+/// Half the length of a plate, its thickness, and the part of the half at which its arrow starts.
+const PLATE_HALF: f64 = 36.0;
+const PLATE: f64 = 5.0;
+const PLATE_ARROW: f64 = 0.7;
 /// How far the line of impact goes on beyond the bodies.
 const OVERHANG: f64 = 40.0;
 /// The length of the face of a wedge, and the part of it above the contact.
@@ -45,6 +49,8 @@ pub enum Partner {
     Wedge(MovingBody),
     /// A fixed plane surface.
     Surface,
+    /// A plane surface that moves.
+    Plate(MovingBody),
 }
 
 impl Contact {
@@ -52,7 +58,7 @@ impl Contact {
         let angle = if self.line_of_impact.is_finite() { self.line_of_impact } else { 0.0 };
         let normal = Point::polar(1.0, angle);
         let partner = match &self.second {
-            Partner::Body(body) | Partner::Wedge(body) => Some(body),
+            Partner::Body(body) | Partner::Wedge(body) | Partner::Plate(body) => Some(body),
             Partner::Surface => None,
         };
         let scales = Scales::of([&self.first].into_iter().chain(partner), LONGEST);
@@ -63,6 +69,8 @@ impl Contact {
         let mut bodies = vec![(&self.first, first, normal)];
         if let Partner::Wedge(body) = &self.second {
             bodies.push((body, draw_wedge(canvas, body, normal * touch, normal), -normal));
+        } else if let Partner::Plate(body) = &self.second {
+            draw_plate(canvas, body, normal, touch, &scales);
         } else if let Some(body) = partner {
             let outline = body.outline().turned(angle);
             let reach = outline.support(normal);
@@ -88,7 +96,7 @@ impl Contact {
             // Beyond the partner; a surface has no far side, so on its normal, and a wedge stands on a floor.
             let (way, start) = match &self.second {
                 Partner::Body(_) => (normal, near),
-                Partner::Wedge(_) | Partner::Surface => (-normal, touch),
+                Partner::Wedge(_) | Partner::Surface | Partner::Plate(_) => (-normal, touch),
             };
             let vertices = [8.0, 48.0, 80.0].map(|beyond| Vertex::open(way * (start + beyond), 0.0));
             let turned = AngleMark { from: mark.from + PI, label: mark.label.clone() };
@@ -110,6 +118,22 @@ fn draw_wedge(canvas: &mut Canvas, body: &MovingBody, touch: Point, normal: Poin
     let inside = Point::new((foot.x + 2.0 * top.x) / 3.0, (top.y + 2.0 * foot.y) / 3.0);
     canvas.fixed_label(inside, &body.name, Role::Body);
     body.outline().moved(inside)
+}
+
+/// A plate that moves along its normal, at a distance, with its name at one end and its velocities near the other.
+fn draw_plate(canvas: &mut Canvas, body: &MovingBody, normal: Point, touch: f64, scales: &Scales) {
+    let (centre, aside) = (normal * (touch + PLATE / 2.0), normal.turned());
+    let size = Point::new(PLATE, 2.0 * PLATE_HALF);
+    canvas.draw(Shape::Rectangle { centre, size, angle: normal.angle(), role: Role::Body });
+    let end = centre - aside * PLATE_HALF;
+    canvas.label(&body.name, Role::Body, Anchor::Around { at: end, radius: 0.0, prefer: (-aside).angle() });
+    for moving in &body.vectors {
+        let Some(arrow) = scales.arrow(moving) else { continue };
+        let face = normal * (PLATE / 2.0).copysign(arrow.dot(normal));
+        let from = centre + aside * (PLATE_ARROW * PLATE_HALF) + face;
+        canvas.arrow(from, from + arrow, moving.role);
+        label_arrow(canvas, [from, from + arrow], Attach::Leaving, &moving.vector.label, moving.role);
+    }
 }
 
 fn draw_vectors(canvas: &mut Canvas, body: &MovingBody, mut outline: Body, into: Point, scales: &Scales) {

@@ -21,6 +21,8 @@ const OVERHANG: f64 = 24.0;
 const ARC_PARTS: u32 = 24;
 /// Length of the spring under a body.
 const SPRING: f64 = 44.0;
+/// Half the length of the ground under a body.
+const GROUND_HALF: f64 = 40.0;
 /// Half the length of a slope.
 const SLOPE_HALF: f64 = 70.0;
 
@@ -117,11 +119,14 @@ impl Ground {
                 for moving in &body.vectors {
                     draw_vector(canvas, &mut outline, moving, &Scales::of([body], HIGHEST / 3.0), Attach::Leaving);
                 }
+                let up = Point::new(0.0, 1.0);
+                let foot = outline.centre() - up * outline.support(up);
                 if matches!(self, Self::Sprung(_)) {
-                    let up = Point::new(0.0, 1.0);
-                    let top = outline.centre() - up * outline.support(up);
-                    draw_coil(canvas, top, top - up * SPRING);
-                    draw_support(canvas, top - up * SPRING, up, OVERHANG);
+                    draw_coil(canvas, foot, foot - up * SPRING);
+                    draw_support(canvas, foot - up * SPRING, up, OVERHANG);
+                } else if body.vectors.iter().all(|moving| moving.vector.vector() == Some(Point::ORIGIN)) {
+                    // What nothing holds stands on the ground.
+                    draw_support(canvas, foot, up, GROUND_HALF);
                 }
                 let edge = outline.reach(Point::new(1.0, 0.0));
                 canvas.line([Point::new(left - 4.0, 0.0), Point::new(-edge, 0.0)], Role::Guide, false);

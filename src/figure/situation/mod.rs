@@ -33,7 +33,7 @@ pub use pulley::{Pulley, PulleySide, Rest};
 pub use ramp::Ramp;
 pub use ride::{Face, Ride};
 pub use space::Space;
-pub use swing::{Swing, SwingEnd};
+pub use swing::{Swing, SwingBy, SwingEnd};
 
 use super::Drawing;
 use super::arm::Arm;

@@ -102,23 +102,40 @@ impl Moving {
 /// The scales of a figure, one a role.
 pub(in crate::figure) struct Scales {
     velocity: Scale,
+    force: Scale,
     other: Scale,
 }
 
 impl Scales {
     pub(in crate::figure) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
         let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
-        let fitting = |velocities: bool| {
-            let own = vectors.iter().filter(|moving| (moving.role == Role::Velocity) == velocities);
-            Scale::fitting(own.filter_map(|moving| moving.vector.vector()), longest)
+        let of = |is_own: &dyn Fn(Role) -> bool| -> Vec<Point> {
+            let own = vectors.iter().filter(|moving| is_own(moving.role));
+            own.filter_map(|moving| moving.vector.vector()).collect()
         };
-        Self { velocity: fitting(true), other: fitting(false) }
+        Self {
+            velocity: Scale::sketching(of(&|role| role == Role::Velocity), longest),
+            force: Scale::sketching(of(&|role| role == Role::Force), longest),
+            other: Scale::fitting(of(&claims_scale), longest),
+        }
+    }
+
+    fn of_role(&self, role: Role) -> Scale {
+        match role {
+            Role::Velocity => self.velocity,
+            Role::Force => self.force,
+            _ => self.other,
+        }
     }
 
     pub(in crate::figure) fn arrow(&self, moving: &Moving) -> Option<Point> {
-        let scale = if moving.role == Role::Velocity { self.velocity } else { self.other };
-        scale.arrow(moving.vector.vector()?)
+        self.of_role(moving.role).arrow(moving.vector.vector()?)
     }
+}
+
+/// Whether arrows of a role are there to be compared: momenta and impulses, which a reader may add, and displacements.
+fn claims_scale(role: Role) -> bool {
+    !matches!(role, Role::Velocity | Role::Force)
 }
 
 /// Draws a vector at the body; a zero vector is noted as such, an unknown one left out.
@@ -135,6 +152,9 @@ pub(in crate::figure) fn draw_vector(
         }
         return;
     };
+    if claims_scale(moving.role) {
+        canvas.tell_scale(scales.other);
+    }
     let (from, to) = body.attach(arrow, attach);
     canvas.arrow(from, to, moving.role);
     // The angle is small and has one good place; the arrow's label finds another.

@@ -29,6 +29,8 @@ const PATH_PARTS: u32 = 24;
 const TRACK_PARTS: u32 = 96;
 /// How far a track goes on beyond the places that are shown.
 const BEYOND: f64 = 0.2;
+/// From a place on the level end of a track to what stands there, and to the end.
+const LEVEL: f64 = 14.0;
 
 /// A swing.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,8 +43,19 @@ pub struct Swing {
     pub length: Option<Math>,
     /// What is written at the height between the two places.
     pub height: Option<Math>,
-    /// Whether a circular track holds the body, and no cord.
-    pub on_track: bool,
+    /// What holds the body.
+    pub by: SwingBy,
+}
+
+/// What holds a body that swings.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SwingBy {
+    /// A cord.
+    Cord,
+    /// A circular track.
+    Track,
+    /// A circular track that ends level at its lowest point, and a body that stands there.
+    LevelTrack(Option<MovingBody>),
 }
 
 /// A place of a body on a cord.
@@ -62,16 +75,22 @@ impl Swing {
         let shown: Vec<MovingBody> =
             self.ends.iter().map(|end| MovingBody { vectors: end.vectors.clone(), ..self.body.clone() }).collect();
         let scales = Scales::of(&shown, LONGEST);
-        let outlines: Vec<Body> =
+        let mut outlines: Vec<Body> =
             angles.iter().map(|angle| self.outline(*angle).moved(Point::polar(CORD, *angle - FRAC_PI_2))).collect();
-        if self.on_track {
-            self.draw_track(canvas, &angles, &outlines);
+        if self.on_track() {
+            // All stand on one track, however high they are.
+            let outward = |own: &Body| Point::polar(1.0, own.centre().angle());
+            let depth = outlines.iter().map(|own| own.support(outward(own))).fold(0.0, f64::max);
+            let lowered = outlines.iter().map(|own| outward(own) * (CORD + depth - own.support(outward(own))));
+            let lowered: Vec<Point> = lowered.collect();
+            outlines = outlines.into_iter().zip(lowered).map(|(own, at)| own.moved(at)).collect();
+            self.draw_track(canvas, &angles, &outlines, depth);
         } else {
             draw_pivot(canvas, &angles);
         }
         for outline in &outlines {
             outline.draw(canvas);
-            if self.on_track {
+            if self.on_track() {
                 continue;
             }
             let inward = outline.centre() * (-1.0 / CORD);
@@ -98,7 +117,7 @@ impl Swing {
         if let (Some(height), [first, second]) = (&self.height, &outlines[..]) {
             let gap = if self.ends.iter().any(|end| !end.vectors.is_empty()) { LONGEST } else { 0.0 };
             // Beside the whole of a track.
-            let least = if self.on_track { CORD + DIMENSION_GAP } else { 0.0 };
+            let least = if self.on_track() { CORD + DIMENSION_GAP } else { 0.0 };
             draw_height(canvas, [first, second], [gap, least], height);
         }
     }
@@ -106,31 +125,57 @@ impl Swing {
     /// The body, turned to stand on a track.
     fn outline(&self, angle: f64) -> Body {
         let outline = self.body.outline();
-        if self.on_track { outline.turned(angle) } else { outline }
+        if self.on_track() { outline.turned(angle) } else { outline }
     }
 
     /// The part of the circle on which the body slides, its centre, and the radius to each place that is told.
-    fn draw_track(&self, canvas: &mut Canvas, angles: &[f64], outlines: &[Body]) {
-        let depth = outlines.first().map_or(0.0, |own| own.support(own.centre() * (1.0 / CORD)));
+    fn draw_track(&self, canvas: &mut Canvas, angles: &[f64], outlines: &[Body], depth: f64) {
         let far = |pick: fn(f64, f64) -> f64| angles.iter().copied().fold(0.0, pick);
         let (low, high) = (far(f64::min) - BEYOND, far(f64::max) + BEYOND);
-        let (low, high) = if high.max(-low) > FRAC_PI_2 + 2.0 * BEYOND { (-PI, PI) } else { (low, high) };
+        let is_level = matches!(self.by, SwingBy::LevelTrack(_));
+        let (low, high) = match (high.max(-low) > FRAC_PI_2 + 2.0 * BEYOND, is_level, -low > high) {
+            (true, false, _) => (-PI, PI),
+            (_, true, true) => (low, 0.0),
+            (_, true, false) => (0.0, high),
+            (false, false, _) => (low, high),
+        };
         let part = |number: u32| low + (high - low) * f64::from(number) / f64::from(TRACK_PARTS);
         let track = (0..=TRACK_PARTS).map(|number| Point::polar(CORD + depth, part(number) - FRAC_PI_2));
         canvas.line(track, Role::Surface, false);
+        if let SwingBy::LevelTrack(beyond) = &self.by {
+            self.draw_level(canvas, if high > 0.0 { -1.0 } else { 1.0 }, CORD + depth, beyond.as_ref());
+        }
         canvas.draw(Shape::Circle { centre: Point::ORIGIN, radius: PIVOT, role: Role::Axis });
         for (outline, end) in outlines.iter().zip(&self.ends) {
             if self.length.is_some() || end.label.is_some() {
-                let inward = outline.centre() * (-1.0 / CORD);
+                let inward = -Point::polar(1.0, outline.centre().angle());
                 canvas.line([Point::ORIGIN, outline.centre() + inward * outline.reach(inward)], Role::Guide, true);
             }
         }
     }
 
+    /// The level end of a track to one side of its lowest point, and what stands there beyond the place of the body.
+    fn draw_level(&self, canvas: &mut Canvas, side: f64, depth: f64, beyond: Option<&MovingBody>) {
+        let (across, foot) = (Point::new(side, 0.0), Point::new(0.0, -depth));
+        let mut reach = self.outline(0.0).support(across) + LEVEL;
+        if let Some(body) = beyond {
+            let outline = body.outline();
+            let half = outline.support(across);
+            let up = Point::new(0.0, outline.support(Point::new(0.0, 1.0)));
+            outline.moved(foot + across * (reach + half) + up).draw(canvas);
+            reach += 2.0 * half + LEVEL;
+        }
+        canvas.line([foot, foot + across * reach], Role::Surface, false);
+    }
+
+    fn on_track(&self) -> bool {
+        self.by != SwingBy::Cord
+    }
+
     /// The angles, far enough apart to be distinguished.
     fn drawn_angles(&self) -> Vec<f64> {
         let mut drawn: Vec<f64> = Vec::new();
-        let largest = if self.on_track { PI } else { LARGEST };
+        let largest = if self.on_track() { PI } else { LARGEST };
         for end in &self.ends {
             let angle = if end.angle.is_finite() { end.angle.clamp(-largest, largest) } else { 0.0 };
             let angle = if angle == 0.0 { 0.0 } else { angle.abs().max(SMALLEST).copysign(angle) };
@@ -205,7 +250,7 @@ mod tests {
     fn swing(angles: [f64; 2]) -> Swing {
         let end = |angle| SwingEnd { angle, label: None, vectors: Vec::new() };
         let body = MovingBody::new(Math::Identifier("A".into()));
-        Swing { body, ends: angles.map(end).to_vec(), length: None, height: None, on_track: false }
+        Swing { body, ends: angles.map(end).to_vec(), length: None, height: None, by: SwingBy::Cord }
     }
 
     #[test]

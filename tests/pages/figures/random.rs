@@ -118,6 +118,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             let second = match dice.below(6) {
                 0 | 1 => Partner::Surface,
                 2 => Partner::Wedge(moving_body(dice, 1)),
+                3 => Partner::Plate(moving_body(dice, 1)),
                 _ => Partner::Body(moving_body(dice, 1)),
             };
             let is_wedge = matches!(second, Partner::Wedge(_));
@@ -178,7 +179,11 @@ pub fn held(dice: &mut Dice) -> Drawing {
                 .collect(),
             length: label(dice, "L"),
             height: label(dice, "h"),
-            on_track: false,
+            by: match dice.below(3) {
+                0 => SwingBy::Cord,
+                1 => SwingBy::Track,
+                _ => SwingBy::LevelTrack(dice.chance(60).then(|| MovingBody::new(body_name(dice, 1)))),
+            },
         }),
         1 => {
             let side = |dice: &mut Dice, number| PulleySide {
@@ -283,8 +288,8 @@ pub fn mass_centre(dice: &mut Dice) -> Drawing {
     };
     let particles = ["A", "B", "C", "D"].map(&mut particle).to_vec();
     let centre = Some(particle("G"));
-    MassCentre { wording: wording("Random particles"), particles, centre, arrows: Travel::Velocity, axes: xy() }
-        .drawing()
+    let (arrows, origin) = (Travel::Velocity, Some(name("O")));
+    MassCentre { wording: wording("Random particles"), particles, centre, arrows, origin, axes: xy() }.drawing()
 }
 
 /// What no scene has, but a fault upstream might send: nothing at all, and numbers that are none.
@@ -308,7 +313,8 @@ pub fn nonsense() -> Vec<Drawing> {
         second: Partner::Surface,
     };
     let end = SwingEnd { angle: f64::NAN, label: Some(name("a")), vectors: moving.vectors.clone() };
-    let swing = Swing { body: moving.clone(), ends: vec![end], length: None, height: Some(name("h")), on_track: false };
+    let swing =
+        Swing { body: moving.clone(), ends: vec![end], length: None, height: Some(name("h")), by: SwingBy::Cord };
     let side = || PulleySide { body: moving.clone(), rest: Rest::Slope(f64::NAN, Some(name("a"))), strands: 0 };
     let pulley = Pulley { sides: [side(), side()] };
     let face = Face::Slope { angle: f64::NAN, label: Some(name("a")), rightwards: true, height: None };

@@ -319,6 +319,7 @@ pub fn mass_centres() -> Vec<(&'static str, MassCentre)> {
         particles,
         centre,
         arrows: Travel::Velocity,
+        origin: Some(name("O")),
         axes: xy(),
     };
     let three = vec![

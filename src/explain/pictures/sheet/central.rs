@@ -16,10 +16,10 @@ use crate::scene::stage;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
-use super::super::angular::given_moment;
 use super::super::arm;
 use super::super::labels::body_math;
 use super::super::quantities::Quantities;
+use super::super::sense::given_moment;
 use super::super::words::about_wording;
 
 /// Where the body is drawn, seen from the centre, in radians.
@@ -36,7 +36,7 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
     let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
     let radius = arm.map(|arm| quantities.symbolic(&arm));
     let name = quantities.velocity_name(body, 1);
-    let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength));
+    let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength, rotate.during.as_ref()));
     let forces = arm::along_path(quantities, rotate, body, PLACE);
     draw(quantities, [body, &rotate.about], radius, &name, forces, true, moment)
 }

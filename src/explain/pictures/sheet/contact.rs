@@ -3,7 +3,9 @@
 use crate::figure::Contact;
 use crate::figure::Drawing;
 use crate::figure::Form;
+use crate::figure::LabelledVector;
 use crate::figure::Layout;
+use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Partner;
 use crate::figure::Situation;
@@ -12,6 +14,7 @@ use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 
 use super::super::compass::Compass;
+use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::words::situation_wording;
 
@@ -40,7 +43,8 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
             let [x, y] = normal?;
             // The line from the body into the surface.
             let line_of_impact = compass.angle([-x, -y]);
-            let (show_line, second) = (angle.is_some(), Partner::Surface);
+            let show_line = angle.is_some();
+            let second = plate(quantities, compass, impact, [x, y]).map_or(Partner::Surface, Partner::Plate);
             Contact { line_of_impact, show_line, angle, first, second }
         }
         Some(second) => {
@@ -55,6 +59,15 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         }
     };
     Some(Situation { wording, layout: Layout::Contact(contact), axes: compass.marks() }.drawing())
+}
+
+/// The surface that is struck, where it moves; with its velocity along its normal, where that is given.
+fn plate(quantities: &Quantities<'_>, compass: &Compass, impact: &Impact, normal: [f64; 2]) -> Option<MovingBody> {
+    let Partners::Surface(_, surface) = impact.partners()? else { return None };
+    let moves = quantities.term(quantities.scene().surfaces.get(surface)?.velocity.as_ref()?)?;
+    let value = quantities.evaluate(&moves).map(|value| compass.place(normal.map(|part| part * value)));
+    let velocity = value.map(|value| Moving::velocity(LabelledVector::known(quantities.unsigned(&moves), value)));
+    Some(MovingBody { vectors: velocity.into_iter().collect(), ..MovingBody::new(body_math(surface)) })
 }
 
 /// Whether the second body can slide along a level floor and is struck on a face that slants.

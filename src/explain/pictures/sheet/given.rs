@@ -124,7 +124,10 @@ impl Quantities<'_> {
         let [x, y] = self.direction(&force.direction).filter(|_| told)?;
         // A force that changes has no one length; its arrow shows where it points.
         let (label, size) = match clock {
-            Some(_) => (Math::Identifier("F".to_owned()), 1.0),
+            Some(_) => {
+                let ends = force.during.each_ref().map(|end| self.evaluate(end));
+                (Math::Identifier("F".to_owned()), self.sense(&force.strength, ends)?.signum())
+            }
             None => (self.unsigned(&force.strength), self.evaluate(&force.strength)?),
         };
         let vector = Labelled { label, value: Some([size * x, size * y]) };

@@ -10,6 +10,7 @@ use crate::figure::Line;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Situation;
+use crate::figure::Wording;
 use crate::model::Direction;
 use crate::scene::stage::Stream;
 use crate::scene::stage::Thrust;
@@ -19,6 +20,7 @@ use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
 use super::super::vectors::Labelled;
+use super::super::words::sentences;
 use super::super::words::situation_wording;
 
 /// The stream before the body, after it, and its force where that may be shown.
@@ -44,13 +46,19 @@ pub(in super::super) fn drawing(
         return None;
     }
     let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
-    Some(lone(quantities, compass, index, &stage.body, body))
+    // What leaves a body that moves is told as seen from it.
+    let relative = flowing.leaving.is_some() && flowing.relative != flowing.speed;
+    let seen = relative.then(|| {
+        let speed = quantities.symbolic(&flowing.relative).plain();
+        format!("the velocity {speed} is relative to {}", quantities.called(&stage.body))
+    });
+    Some(lone(quantities, compass, index, &stage.body, body, seen))
 }
 
 fn arrow(quantities: &Quantities<'_>, compass: &Compass, speed: &Expr, direction: &Direction) -> Option<Moving> {
     let [x, y] = quantities.direction(direction)?;
     let size = quantities.evaluate(speed)?;
-    let vector = Labelled { label: quantities.symbolic(speed), value: Some([size * x, size * y]) };
+    let vector = Labelled { label: quantities.unsigned(speed), value: Some([size * x, size * y]) };
     Some(Moving::velocity(vector.placed(compass)))
 }
 
@@ -80,12 +88,22 @@ pub(in super::super) fn rocket(
         return None;
     }
     let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
-    Some(lone(quantities, compass, index, &stage.body, body))
+    Some(lone(quantities, compass, index, &stage.body, body, None))
 }
 
-fn lone(quantities: &Quantities<'_>, compass: &Compass, index: usize, name: &str, body: MovingBody) -> Drawing {
+fn lone(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    name: &str,
+    body: MovingBody,
+    more: Option<String>,
+) -> Drawing {
     let bodies = [(name.to_owned(), body)];
     let wording = situation_wording(quantities, &bodies, &quantities.when(index + 1));
+    let told = more.map_or_else(String::new, |more| format!(" {}", sentences([more])));
+    let caption = wording.caption + &told;
+    let wording = Wording { caption, ..wording };
     let bodies = bodies.into_iter().map(|(_, body)| body).collect();
     let line = Line { angle: compass.axis_angle(0), bodies, ..Line::default() };
     Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()

@@ -7,8 +7,10 @@ use crate::figure::Drawing;
 use crate::figure::Layout;
 use crate::figure::Moving;
 use crate::figure::Situation;
+use crate::figure::SwingBy;
 use crate::figure::SwingEnd;
 use crate::figure::Wording;
+use crate::scene::Stage;
 use crate::scene::Term;
 use crate::scene::stage::Place;
 use crate::scene::stage::Swing;
@@ -55,8 +57,24 @@ pub(in super::super) fn drawing(
         Wording { title: capitalised(&place), description: sentences([holds, rises]), caption: sentences([what]) };
     let body = quantities.body(&stage.body, Vec::new());
     let height = height.filter(|_| shows_both);
-    let swing = crate::figure::Swing { body, ends, length, height, on_track };
+    let by = if on_track { track(quantities, index, stage) } else { SwingBy::Cord };
+    let swing = crate::figure::Swing { body, ends, length, height, by };
     Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
+}
+
+/// A track that the body leaves at the lowest point ends level there; on a sheet with what the body then runs into.
+fn track(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> SwingBy {
+    let next = quantities.scene().stages.get(index + 1);
+    if !matches!(stage.places(), [Place::Angle(_), Place::Lowest]) {
+        return SwingBy::Track;
+    }
+    if let Some(Stage::Impact(impact)) = next {
+        let other = impact.between.iter().flatten().find(|body| **body != stage.body);
+        let other = other.filter(|_| quantities.scope() == Scope::Given);
+        return SwingBy::LevelTrack(other.map(|other| quantities.body(other, Vec::new())));
+    }
+    let goes_on = matches!(next, Some(Stage::Slide(_) | Stage::Flight(_)));
+    if goes_on { SwingBy::LevelTrack(None) } else { SwingBy::Track }
 }
 
 /// How the height between both ends is written, where it may be shown.
