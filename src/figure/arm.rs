@@ -170,8 +170,10 @@ impl Arm {
     /// The rim of the disc, with gaps where particles lie on it.
     fn draw_disc(&self, canvas: &mut Canvas, placed: &[(Point, Body)], distances: Scale) {
         let Some(radius) = self.disc.filter(|radius| radius.is_finite()) else { return };
-        let far = placed.iter().map(|(foot, _)| foot.length()).fold(0.0, f64::max);
-        let radius = distances.arrow(Point::new(radius, 0.0)).map_or(0.0, |own| own.x).max(far);
+        let far = placed.iter().map(|(foot, _)| foot.length()).fold(self.clear(), f64::max);
+        // Alone, it has no scale.
+        let own = distances.arrow(Point::new(radius, 0.0)).filter(|_| !placed.is_empty());
+        let radius = own.map_or(0.0, |own| own.x).max(far);
         let on_rim = placed.iter().filter_map(|(foot, body)| {
             let half = body.reach(Point::polar(1.0, foot.turned().angle()));
             ((foot.length() - radius).abs() < half).then(|| (foot.angle().rem_euclid(TAU), half / radius))
@@ -198,15 +200,19 @@ impl Arm {
         self.particles.iter().zip(placed).find(strikes).map_or(0.0, |(other, _)| other.beside)
     }
 
+    /// How near to the centre something may be drawn.
+    fn clear(&self) -> f64 {
+        let arcs = f64::from(u8::try_from(self.turns.len()).unwrap_or(u8::MAX));
+        if arcs > 0.0 { ARC_RADIUS + ARC_STEP * (arcs - 1.0) + ARC_ROOM } else { SHORTEST_LINE }
+    }
+
     /// The place of a particle on the arm, and its outline there.
     fn place(&self, own: &OnArm, distances: Scale) -> (Point, Body) {
         let (body, angle) = (own.body.outline(), if own.angle.is_finite() { own.angle } else { 0.0 });
         let unit = Point::polar(1.0, angle);
         let reach = body.reach(unit);
         let drawn = |own: &OnArm| distances.arrow(Point::new(own.distance.abs(), 0.0)).map_or(0.0, |own| own.x);
-        let arcs = f64::from(u8::try_from(self.turns.len()).unwrap_or(u8::MAX));
-        let outermost = if arcs > 0.0 { ARC_RADIUS + ARC_STEP * (arcs - 1.0) + ARC_ROOM } else { SHORTEST_LINE };
-        let foot = unit * drawn(own).max(reach + outermost);
+        let foot = unit * drawn(own).max(reach + self.clear());
         if own.beside == 0.0 {
             return (foot, body.moved(foot));
         }

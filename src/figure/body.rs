@@ -17,8 +17,6 @@ const PADDING: f64 = 4.0;
 /// Arrows closer in direction than this (cosine) get lanes beside each other.
 const SAME_DIRECTION: f64 = 0.93;
 const LANE: f64 = 7.0;
-/// A body so many times as wide as it is high is long.
-const LONG: f64 = 4.0;
 /// Below this sine of the angle between them arrows are parallel.
 const PARALLEL: f64 = 1e-3;
 
@@ -30,6 +28,8 @@ pub(super) struct Body {
     centre: Point,
     /// Its turn, for a block on a slope.
     angle: f64,
+    /// Whether others stand on it.
+    is_deck: bool,
     /// In which directions arrows lie already, seen from the centre.
     taken: Vec<Point>,
 }
@@ -62,7 +62,7 @@ impl Body {
                 (height + 2.0 * PADDING).max(BLOCK_HEIGHT),
             ))
         };
-        Self { name: name.clone(), outline, centre, angle: 0.0, taken: Vec::new() }
+        Self { name: name.clone(), outline, centre, angle: 0.0, is_deck: false, taken: Vec::new() }
     }
 
     /// A block of that size at least.
@@ -72,6 +72,11 @@ impl Body {
             own.outline = Outline::Block(Point::new(least.x.max(size.x), least.y.max(size.y)));
         }
         own
+    }
+
+    /// A block of that size at least, on which others stand.
+    pub(super) fn deck(name: &Math, size: Point) -> Self {
+        Self { is_deck: true, ..Self::plank(name, size) }
     }
 
     /// The same body, turned about its centre; its name stays level, so a block grows to hold it.
@@ -174,11 +179,9 @@ impl Body {
         (from, to)
     }
 
-    /// A label above the body, for what has no arrow; beside a long one, on which others may stand.
+    /// A label above the body, for what has no arrow; beside a deck, on which others stand.
     pub(super) fn draw_note(&self, canvas: &mut Canvas, note: &Math, role: Role) {
-        let (up, along) = (Point::new(0.0, 1.0), Point::new(1.0, 0.0));
-        let is_long = self.support(along) > LONG * self.support(up);
-        let side = if is_long { along } else { up };
+        let side = if self.is_deck { Point::new(1.0, 0.0) } else { Point::new(0.0, 1.0) };
         canvas.label(note, role, Anchor::Around { at: self.centre, radius: self.support(side), prefer: side.angle() });
     }
 }

@@ -141,7 +141,7 @@ pub(super) fn along_path(quantities: &Quantities<'_>, stage: &Rotate, body: &str
         let (label, size) = match clock {
             Some(_) => {
                 let told = term.all_symbols(&|symbol| Some(symbol) == clock || quantities.value(symbol).is_some());
-                let sense = || quantities.sense(&term, quantities.ends(stage.during.as_ref()));
+                let sense = || quantities.sense(&term, quantities.ends(stage.during.as_ref())?);
                 // One that is asked for is drawn in the sense in which it counts.
                 let sense = if told { sense()? } else { 1.0 };
                 (Math::Identifier("F".to_owned()), sense.signum())
@@ -169,10 +169,14 @@ fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: 
     }
 }
 
+/// Whether a body that turns is a disc.
+pub(super) fn is_disc(quantities: &Quantities<'_>, rotor: &str) -> bool {
+    quantities.words(rotor).iter().any(|word| DISCS.contains(&word.as_str()))
+}
+
 /// The radius of a rotor that is a disc: that of the outermost place on it.
 fn disc(quantities: &Quantities<'_>, all: &[Carried<'_>], rotor: Option<&str>) -> Option<f64> {
-    let words = quantities.words(rotor?);
-    let is_disc = words.iter().any(|word| DISCS.contains(&word.as_str()));
+    let is_disc = is_disc(quantities, rotor?);
     let places = all.iter().filter(|own| !own.strikes).flat_map(|own| own.distances);
     let known = places.map(|place| quantities.evaluate(&quantities.term(place)?));
     known.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max).filter(|_| is_disc)

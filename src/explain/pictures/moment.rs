@@ -26,6 +26,7 @@ use crate::scene::stage::Moment;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
+use super::arm::is_disc;
 use super::arm::turning as turning_of_arm;
 use super::compass::Compass;
 use super::labels::body_math;
@@ -149,7 +150,8 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
         description: sentences([seen.clone()].into_iter().chain(each)),
         caption: sentences([seen]),
     };
-    let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), disc: None, turns };
+    let disc = quantities.timeline.alive(1).into_iter().any(|body| is_disc(quantities, body)).then_some(1.0);
+    let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), disc, turns };
     Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
 }
 

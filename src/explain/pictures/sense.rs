@@ -16,22 +16,21 @@ const BRIEF: f64 = 1e-3;
 const ZERO: f64 = 1e-9;
 
 impl Quantities<'_> {
-    /// When something begins and ends, as far as that may be told.
-    pub(super) fn ends(&self, during: Option<&During>) -> [Option<f64>; 2] {
+    /// When something begins, and when it ends as far as that may be told.
+    pub(super) fn ends(&self, during: Option<&During>) -> Option<(f64, Option<f64>)> {
         let number = |term: &Term| self.evaluate(&self.term(term)?);
         match during {
-            Some(During::For(end)) => [None, number(end)],
-            Some(During::Between([start, end])) => [number(start), number(end)],
-            None => [None, None],
+            Some(During::For(end)) => Some((0.0, number(end))),
+            Some(During::Between([start, end])) => Some((number(start)?, number(end))),
+            None => Some((0.0, None)),
         }
     }
 
     /// A value with the sign that a term has all the time; none where it turns round, or may not be known.
-    pub(super) fn sense(&self, term: &Expr, [start, end]: [Option<f64>; 2]) -> Option<f64> {
+    pub(super) fn sense(&self, term: &Expr, (start, end): (f64, Option<f64>)) -> Option<f64> {
         let Some(clock) = self.model().symbols.find("t").filter(|clock| term.contains(*clock)) else {
             return self.evaluate(term);
         };
-        let start = start.unwrap_or(0.0);
         let step = end.map_or(BRIEF, |end| end - start) / f64::from(INSTANTS);
         let at = |instant: u8| {
             let time = start + step * f64::from(instant);
@@ -59,7 +58,7 @@ pub(super) fn given_moment(
 ) -> Option<Moment> {
     let Strength::Term(term) = strength else { return None };
     let term = quantities.term(term)?;
-    let value = quantities.sense(&term, quantities.ends(during))?;
+    let value = quantities.sense(&term, quantities.ends(during)?)?;
     let changes = quantities.model().symbols.find("t").is_some_and(|clock| term.contains(clock));
     let label = if changes { Math::Identifier("M".to_owned()) } else { quantities.unsigned(&term) };
     Some(Moment { label, value })

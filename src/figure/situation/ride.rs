@@ -74,7 +74,7 @@ impl Ride {
     }
 
     fn draw_deck(&self, canvas: &mut Canvas, way: Option<&Math>, [rightwards, floor]: [bool; 2], scales: &Scales) {
-        let deck = Body::plank(&self.carrier.name, DECK);
+        let deck = Body::deck(&self.carrier.name, DECK);
         deck.draw(canvas);
         let up = Point::new(0.0, 1.0);
         let rider = self.rider.outline();

@@ -125,8 +125,8 @@ impl Quantities<'_> {
         // A force that changes has no one length; its arrow shows where it points.
         let (label, size) = match clock {
             Some(_) => {
-                let ends = force.during.each_ref().map(|end| self.evaluate(end));
-                (Math::Identifier("F".to_owned()), self.sense(&force.strength, ends)?.signum())
+                let [start, end] = force.during.each_ref().map(|end| self.evaluate(end));
+                (Math::Identifier("F".to_owned()), self.sense(&force.strength, (start?, end))?.signum())
             }
             None => (self.unsigned(&force.strength), self.evaluate(&force.strength)?),
         };
