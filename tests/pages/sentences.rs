@@ -83,3 +83,12 @@ fn a_moment_is_drawn_in_a_sense_that_it_keeps() {
     // One that is lost on the way is not drawn.
     assert!(!driven_arm("c*t - 2 N m").contains("moment"));
 }
+
+#[test]
+fn a_force_is_drawn_although_nobody_may_know_since_when_it_counts() {
+    let path = format!("{}/problem_bank/impulse/crate-ramp-force.yaml", env!("CARGO_MANIFEST_DIR"));
+    let problem = variants::problem("crate.yaml", &std::fs::read_to_string(path).unwrap());
+    let exercise = Exercise::draw(&Arc::new(problem), 0, 1).unwrap();
+    let drawn = situation(exercise.worked()).unwrap().description;
+    assert!(drawn.contains("the force F to the right"), "{drawn}");
+}

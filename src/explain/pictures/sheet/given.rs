@@ -126,7 +126,9 @@ impl Quantities<'_> {
         let (label, size) = match clock {
             Some(_) => {
                 let [start, end] = force.during.each_ref().map(|end| self.evaluate(end));
-                (Math::Identifier("F".to_owned()), self.sense(&force.strength, (start?, end))?.signum())
+                // Where nobody may know since when it counts, all its time is looked at.
+                let during = if let Some(start) = start { (start, end) } else { (0.0, end) };
+                (Math::Identifier("F".to_owned()), self.sense(&force.strength, during)?.signum())
             }
             None => (self.unsigned(&force.strength), self.evaluate(&force.strength)?),
         };
