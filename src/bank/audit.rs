@@ -122,7 +122,12 @@ fn draws(samples: &Samples) -> Outcome {
         [] => Outcome::Kept,
         [first, ..] => {
             let why = samples.reason.as_ref().map_or_else(String::new, |reason| format!(" ({reason})"));
-            Outcome::Broken(format!("{} seeds give no variant, seed {first} among them{why}", samples.failed.len()))
+            let allowed = samples.reason.as_ref().and_then(NoVariant::allowed_by);
+            let out = allowed.map_or_else(String::new, |name| format!("; if that is meant, write `allow: [{name}]`"));
+            Outcome::Broken(format!(
+                "{} seeds give no variant, seed {first} among them{why}{out}",
+                samples.failed.len()
+            ))
         }
     }
 }

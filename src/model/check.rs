@@ -163,7 +163,23 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             Stage::Flight(_) => upright::weightless(scene, &at),
         });
     }
+    faults.extend(rotors_that_nothing_turns(scene));
     faults
+}
+
+/// A body that turns about an axis does so in a stage that names it.
+fn rotors_that_nothing_turns(scene: &Scene) -> Vec<Fault> {
+    let is_named = |rotor: &str| {
+        scene.stages.iter().any(|stage| Description::of(scene, stage).bodies.iter().any(|(name, _)| *name == rotor))
+    };
+    let idle = scene.rotors().filter(|rotor| !scene.stages.is_empty() && !is_named(rotor));
+    let fault = |rotor: &str| {
+        let message = format!("{} has a moment of inertia, and no stage names it", scene.called(rotor));
+        let fault = Fault::new(Code::Value, message);
+        let help = format!("name it in the stage in which it turns: `{ROTOR}: {rotor}`");
+        fault.help(help).at_path(Path::root().key("scene").key("bodies").name(rotor))
+    };
+    idle.map(fault).collect()
 }
 
 /// The keys by which an impact says how the bodies part; one is enough.

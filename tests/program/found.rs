@@ -55,6 +55,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("one_constant_part", Holds(&["share = 88.9%"])),
     ("orbit_circle", Holds(&["r_K1 = 2.50 × 10^8 km"])),
     ("order_of_what_is_equal", Broken(&["`speed_A2` and `speed_B2` are equal with these numbers"])),
+    ("passes_through", Broken(&["would pass through the block); if that is meant, write `allow: [passes-through]`"])),
     ("printed_component", Holds(&["speed_A3 = 20.0 m/s"])),
     ("range_after_flight", Holds(&["e = 0 <= e < 0.917"])),
     ("range_of_multiples", Holds(&["e = 0.250 < e <= 1"])),

@@ -14,11 +14,15 @@ use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::VectorKind;
+use crate::model::builder::LAW_COST;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
 use crate::scene::stage::Place;
 use crate::scene::stage::Swing;
 use crate::solve::Relation;
+
+/// The cost of an equation that puts two laws and the height on the circle together.
+const COST_OF_BOTH: u32 = 3 * LAW_COST + 1;
 
 /// One end of a swing: the angle of the cord there, zero at the lowest place, and the velocity; relative to what the cord is fixed to.
 pub(super) struct End {
@@ -68,6 +72,7 @@ impl Builder<'_> {
             for (side, end) in ends.iter().enumerate() {
                 self.tension(index, side, stage, length, end);
             }
+            self.where_it_pulls_so(index, stage, length, &ends);
         }
         self.acts(Influence::outside(index, body, holds).workless());
         let words =
@@ -207,9 +212,36 @@ impl Builder<'_> {
             self.require(height.clone(), Relation::AtMost, length.clone(), reason);
             return;
         }
+        if let Some(pull) = self.told_pull(index, stage, end) {
+            self.require(pull, Relation::AtLeast, Expr::zero(), reason);
+            return;
+        }
         let pull = Expr::integer(2) * energy::specific_kinetic(&end.velocity) / length.clone();
         let pull = pull + self.gravity() * end.angle.clone().cos();
         self.require(pull, Relation::AtLeast, Expr::zero(), reason);
+    }
+
+    /// The pull of the cord or the push of the track at the end, where it is given and tells at which angle the end is.
+    fn told_pull(&mut self, index: usize, stage: &Swing, end: &End) -> Option<Expr> {
+        let Expr::Symbol(angle) = end.angle else { return None };
+        let (name, _) = self.name_of_pull(index, 1, stage);
+        let is_told = self.is_literal(angle) || self.given.contains(&self.symbols.entry(angle).name);
+        let tells = !is_told && self.given.contains(&name.to_string());
+        tells.then(|| self.quantity(name)).flatten().map(Expr::from)
+    }
+
+    /// Where the pull at the end is given and the angle there is sought, the speed there is that which energy leaves: no block of the
+    /// equations has a formula otherwise.
+    fn where_it_pulls_so(&mut self, index: usize, stage: &Swing, length: &Expr, ends: &[End; 2]) {
+        let Some(pull) = self.told_pull(index, stage, &ends[1]).filter(|_| ends[0].is_lowest) else { return };
+        let (mass, gravity) = (self.mass(&stage.body), self.gravity());
+        let weight = mass.clone() * gravity;
+        let at_start = mass * Expr::integer(2) * energy::specific_kinetic(&ends[0].velocity) / length.clone();
+        let cosine = ends[1].angle.clone().cos();
+        let sides = (pull + Expr::integer(2) * weight.clone() - at_start, Expr::integer(3) * weight * cosine);
+        let law = if stage.radius.is_some() { &force::TRACK } else { &force::CORD };
+        let because = "by conservation of energy, the square of the speed there is less by twice g times the height, and both terms with the cosine stand on one side";
+        self.law_at(COST_OF_BOTH, law, Some(index), because, sides);
     }
 
     /// Whether a body swings on cords of several lengths, as at a peg: then its tension changes between two swings.
@@ -222,23 +254,30 @@ impl Builder<'_> {
             .any(|other| matches!(other, Stage::Swing(other) if other.body == stage.body && length(other) != own))
     }
 
-    /// The tension of the cord, or the normal force of the track, at the start (0) or at the end (1).
-    pub(super) fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
-        let (holds, carrier) = (stage.held_by(), stage.on.as_deref().map(|on| self.called(on)));
-        let (body, instant) = (stage.body.as_str(), index + 1 + side);
-        let since = self.timeline.naming_instant(body, instant);
-        let (name, on_track) = (self.called(body), stage.radius.is_some());
-        let (when, stage) = if self.changes_cord(stage) {
+    /// The name of the tension of the cord, or of the normal force of the track, at the start (0) or at the end (1), and when it is so.
+    fn name_of_pull(&self, index: usize, side: usize, stage: &Swing) -> (Name, String) {
+        let kind = if stage.radius.is_some() { QuantityKind::NormalForce } else { QuantityKind::Tension };
+        let since = self.timeline.naming_instant(&stage.body, index + 1 + side);
+        let (when, label) = if self.changes_cord(stage) {
             (format!("at the {} of {}", ["start", "end"][side], self.stage_phrase(index)), self.stage_label(index))
         } else {
             (self.when(since), None)
         };
-        let (kind, law, meaning) = if on_track {
-            (QuantityKind::NormalForce, &force::TRACK, format!("the normal force of the track on {name} {when}"))
+        (Name::of(kind, &stage.body).at(since).during(label), when)
+    }
+
+    /// The tension of the cord, or the normal force of the track, at the start (0) or at the end (1).
+    pub(super) fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
+        let (holds, carrier) = (stage.held_by(), stage.on.as_deref().map(|on| self.called(on)));
+        let (pull, when) = self.name_of_pull(index, side, stage);
+        let body = stage.body.as_str();
+        let (name, on_track) = (self.called(body), stage.radius.is_some());
+        let (law, meaning) = if on_track {
+            (&force::TRACK, format!("the normal force of the track on {name} {when}"))
         } else {
-            (QuantityKind::Tension, &force::CORD, format!("the tension of the cord of {name} {when}"))
+            (&force::CORD, format!("the tension of the cord of {name} {when}"))
         };
-        let tension = Expr::from(self.symbol(Name::of(kind, body).at(since).during(stage), meaning));
+        let tension = Expr::from(self.symbol(pull, meaning));
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);

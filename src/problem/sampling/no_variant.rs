@@ -1,5 +1,8 @@
 //! Why a seed has no variant, or values have none.
 
+use crate::model::Reason;
+use crate::model::Warning;
+
 /// Tries for one seed before the problem is given up as one that cannot be drawn.
 pub const MOST_ATTEMPTS: u64 = 256;
 
@@ -35,7 +38,7 @@ pub enum Rejection {
     },
     /// They break a condition of the scene or of the problem.
     #[error("{0}")]
-    Condition(String),
+    Condition(Reason),
     /// The boundary of a range that is asked is beyond what can be.
     #[error(
         "where the condition on `{name}` begins to hold, {reason}: within the possible range, the condition always holds or never holds"
@@ -83,6 +86,14 @@ impl NoVariant {
             Self::Exhausted(reason) | Self::Solutions { reason, .. } => reason.as_ref(),
             Self::NoForm => None,
         }
+    }
+
+    /// The name under which an author may allow what numbers were rejected for, where there is one.
+    #[must_use]
+    pub fn allowed_by(&self) -> Option<&'static str> {
+        let Rejection::Condition(reason) = self.rejection()? else { return None };
+        let warning = reason.warning()?;
+        Warning::NAMES.iter().find(|(_, own)| *own == warning).map(|(name, _)| *name)
     }
 }
 

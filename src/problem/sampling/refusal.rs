@@ -42,7 +42,7 @@ impl Sampler<'_> {
         let reason = match furthest?.cause {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position)?;
-                Rejection::Condition(model.reasons.get(condition.tag)?.to_string())
+                Rejection::Condition(model.reasons.get(condition.tag)?.clone())
             }
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position)?;
@@ -78,7 +78,7 @@ impl Sampler<'_> {
         let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
         let unprinted = || self.unprinted().map(|printed| Rejection::Unprinted(name(printed)));
         let misfit = || self.misfit().map(Rejection::Options);
-        let turned = || self.turned_back().map(|reason| Rejection::Condition(reason.to_string()));
+        let turned = || self.turned_back().cloned().map(Rejection::Condition);
         zero_unit().or_else(lost).or_else(undefined).or_else(unprinted).or_else(turned).or_else(misfit)
     }
 

@@ -27,7 +27,12 @@ const MOST_BOUNCES: u32 = 6;
 
 /// The start of a fall, with what the body falls on.
 pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, fall: &stage::Fall) -> Option<Drawing> {
-    let next = quantities.scene().stages.get(1);
+    let scene = quantities.scene();
+    // An axis along the string of a pulley points down where the body falls along it.
+    let hangs = scene.sinks(0, &fall.body).filter(|_| scene.axes.rectangular().len() == 1);
+    let upright = hangs.map(|down| compass.tilted(if down > 0 { -FRAC_PI_2 } else { FRAC_PI_2 }));
+    let compass = upright.as_ref().unwrap_or(compass);
+    let next = scene.stages.get(1);
     if let Some(Stage::Bounces(bounces)) = next {
         return bouncing(quantities, bounces);
     }
