@@ -97,8 +97,7 @@ impl Marking<'_> {
 
     /// What is said of the mistakes that lead to an answer; nothing where there are none.
     fn diagnosis(&self, mut found: Vec<&Mistake>) -> Option<Diagnosis> {
-        // A law says more than a slip of the pen, and an author's own words more than ours.
-        found.sort_by_key(|mistake| (feedback_on(self.worked, mistake.of).is_none(), mistake.instance.is_none()));
+        likeliest_first(self.worked, &mut found);
         let first = found.first()?;
         let mut codes: Vec<&'static str> = Vec::new();
         for mistake in &found {
@@ -108,6 +107,11 @@ impl Marking<'_> {
         }
         Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, first) })
     }
+}
+
+/// A law says more than a slip of the pen, an author's own words more than ours, and one mistake explains more than several.
+pub(super) fn likeliest_first(worked: Worked<'_>, found: &mut [&Mistake]) {
+    found.sort_by_key(|own| (feedback_on(worked, own.of).is_none(), own.instance.is_none(), own.places));
 }
 
 /// What is said of a wrong choice: what the author says of that option, or of the mistake behind any.

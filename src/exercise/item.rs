@@ -22,7 +22,7 @@ use crate::quantity::Unit;
 use crate::render::Identity;
 
 use super::Exercise;
-use super::diagnosis::{feedback_on, hints_on, misjudged};
+use super::diagnosis::{hints_on, likeliest_first, misjudged};
 use super::roots::{each_expected, several};
 use super::rules::Rules;
 use super::student_sheet::{Field, StudentSheet};
@@ -297,10 +297,10 @@ impl Exercise {
         all
     }
 
-    /// The codes of mistakes, and what is said of the first: a law says more than a slip of the pen.
+    /// The codes of mistakes, and what is said of the likeliest.
     fn said(&self, mut behind: Vec<&Mistake>) -> (Vec<&'static str>, Vec<String>) {
         let worked = self.worked();
-        behind.sort_by_key(|mistake| (feedback_on(worked, mistake.of).is_none(), mistake.instance.is_none()));
+        likeliest_first(worked, &mut behind);
         let feedback = behind.first().map(|mistake| hints_on(worked, mistake)).unwrap_or_default();
         let mut codes: Vec<&'static str> = Vec::new();
         for mistake in behind {

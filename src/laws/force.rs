@@ -102,7 +102,7 @@ pub const CORD: Law = Law {
     signs: "Positive towards the centre; the angle is measured from the vertical below the centre.",
     when: "The body moves on a circle.",
     source: "Newton's second law and the acceleration of motion on a circle.",
-    wrong: &[],
+    wrong: wrong::force::CORD,
 };
 
 /// Push of a circular track.

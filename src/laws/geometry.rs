@@ -113,7 +113,7 @@ pub const HEIGHT_ON_CIRCLE: Law = Law {
     signs: "Heights and lengths are positive.",
     when: "The cord is straight.",
     source: "Trigonometry.",
-    wrong: &[],
+    wrong: wrong::geometry::HEIGHT_ON_CIRCLE,
 };
 
 /// Height of a slope.

@@ -24,6 +24,10 @@ pub struct Mistaken {
     pub of: &'static Misconception,
     /// The law that is got wrong, as it is used here: a position in [`Model::instances`].
     pub instance: usize,
+    /// In how many places that law is got wrong.
+    pub places: usize,
+    /// The positions of the wrong equations in [`Self::system`].
+    pub wrong: BTreeSet<usize>,
     /// The equations, and the conditions of every true solution.
     pub system: System,
 }
@@ -54,8 +58,9 @@ impl Model {
         for alike in ways.chunk_by(|one, other| one.of == other.of) {
             let mut add = |chosen: &[&WrongUse]| {
                 let Some(first) = chosen.first() else { return };
-                let system = self.in_place(system, used, chosen);
-                mistaken.push(Mistaken { of: first.of, instance: first.instance, system });
+                let (system, wrong) = self.in_place(system, used, chosen);
+                let places = chosen.len();
+                mistaken.push(Mistaken { of: first.of, instance: first.instance, places, wrong, system });
             };
             for way in alike {
                 add(&[way]);
@@ -123,8 +128,8 @@ impl Model {
         }
     }
 
-    /// The used equations, with these in their wrong forms.
-    fn in_place(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&WrongUse]) -> System {
+    /// The used equations, with these in their wrong forms, and where those are.
+    fn in_place(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&WrongUse]) -> (System, BTreeSet<usize>) {
         let stage_of = |equation: usize| Some(self.instances.get(system.equations.get(equation)?.tag)?.stage);
         let left_aside = |equation: usize| {
             let law = system.equations.get(equation).and_then(|own| self.instances.get(own.tag)).map(|own| own.law.id);
@@ -132,17 +137,20 @@ impl Model {
                 law.is_some_and(|law| way.wrong.without.contains(&law)) && stage_of(way.equation) == stage_of(equation)
             })
         };
-        let mut equations = Vec::new();
+        let (mut equations, mut wrong) = (Vec::new(), BTreeSet::new());
         for place in used.iter().copied().filter(|place| !left_aside(*place)) {
             let Some(right) = system.equations.get(place) else { continue };
             match chosen.iter().find(|way| way.equation == place) {
                 None => equations.push(right.clone()),
-                Some(way) => equations.extend(way.wrong.equations.iter().map(|(left, other)| Equation {
-                    statement: Statement::Equal { left: left.clone(), right: other.clone() },
-                    ..right.clone()
-                })),
+                Some(way) => {
+                    wrong.extend(equations.len()..equations.len() + way.wrong.equations.len());
+                    equations.extend(way.wrong.equations.iter().map(|(left, other)| Equation {
+                        statement: Statement::Equal { left: left.clone(), right: other.clone() },
+                        ..right.clone()
+                    }));
+                }
             }
         }
-        system.with(equations)
+        (system.with(equations), wrong)
     }
 }

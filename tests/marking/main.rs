@@ -12,6 +12,7 @@ mod formulas;
 mod honest_rounding;
 mod items;
 mod misreadings;
+mod mistakes_met;
 mod readings;
 mod round_trip;
 mod several_roots;

@@ -170,7 +170,11 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
         let sides = || [left, right].map(|side| display.term(side.clone()));
         is_shown.then(|| Balance { words: Block::text(words), sides: sides() })
     };
-    leaf.system.equations.iter().enumerate().filter_map(balance).collect()
+    let all = &leaf.system.equations;
+    // The end of one stage and the start of the next state the same.
+    let is_new =
+        |(place, own): &(usize, &Equation)| !all.iter().take(*place).any(|other| other.statement == own.statement);
+    all.iter().enumerate().filter(is_new).filter_map(balance).collect()
 }
 
 /// The positions and velocities of centres of mass, each between the least and the greatest of those of its bodies.

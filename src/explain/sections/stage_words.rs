@@ -4,6 +4,7 @@ use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Model;
+use crate::scene::Axis;
 use crate::scene::Force;
 use crate::scene::Plane;
 use crate::scene::Scene;
@@ -14,6 +15,7 @@ use crate::scene::stage::Flight;
 use crate::scene::stage::Interact;
 use crate::scene::stage::Push;
 use crate::scene::stage::Slide;
+use crate::scene::stage::Spring;
 use crate::scene::stage::Strand;
 use crate::scene::stage::UpOrDown;
 
@@ -34,14 +36,18 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             let bodies = list(&push.pushed().map(name).collect::<Vec<_>>());
             if let Some(change) = push.mass_change() {
                 let joins = if change.gains { "joins" } else { "leaves" };
-                let how = if push.forces.is_empty() { "moves freely" } else { "is pushed" };
+                let several = push.pushed().any(|body| scene.members(body).len() > 1);
+                let how = match (push.forces.is_empty(), several) {
+                    (true, false) => "moves freely",
+                    (true, true) => "move freely",
+                    (false, false) => "is pushed",
+                    (false, true) => "are pushed",
+                };
                 return format!("{} {joins} {bodies}, which {how}", change.name);
             }
             if push.is_resisted_alone() {
-                return format!(
-                    "{bodies} {} against the resistance",
-                    if push.is_of_several() { "move" } else { "moves" }
-                );
+                let several = push.is_of_several() || push.pushed().any(|body| scene.members(body).len() > 1);
+                return format!("{bodies} {} against the resistance", if several { "move" } else { "moves" });
             }
             format!("forces act on {bodies}")
         }
@@ -86,7 +92,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{} strikes {arm}", name(&strike.body))
         }
         Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
-        Stage::Bowl(bowl) => format!("{} slides round inside the wall", name(&bowl.body)),
+        Stage::Bowl(bowl) => does(&bowl.body, ["slides round inside the wall", "slide round inside the wall"]),
         Stage::Interact(Interact { friction: Some(_), between, .. }) if let [upper, lower] = &between[..] => {
             format!("{} on {}", does(upper, ["slides", "slide"]), name(lower))
         }
@@ -94,19 +100,22 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             let bodies: Vec<String> = interact.between.iter().map(|body| name(body)).collect();
             format!("{} act on each other", list(&bodies))
         }
-        Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
-        Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
-        Stage::Motion(motion) => format!("{} moves as given", name(&motion.body)),
-        Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
-        Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
-        Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),
+        Stage::Central(central) => {
+            does(&central.body, ["moves under the central force", "move under the central force"])
+        }
+        Stage::Fall(fall) => does(&fall.body, ["falls", "fall"]),
+        Stage::Motion(motion) => does(&motion.body, ["moves as given", "move as given"]),
+        Stage::Bounces(bounces) => does(&bounces.body, ["bounces", "bounce"]),
+        Stage::SlideOff(slide) => format!("{} down {}", does(&slide.body, ["slides", "slide"]), name(&slide.on)),
+        Stage::Walk(walk) => format!("{} along {}", does(&walk.body, ["walks", "walk"]), name(&walk.on)),
         Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
-        Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
+        Stage::Thrust(thrust) => does(&thrust.body, ["burns its fuel", "burn their fuel"]),
         Stage::Drift(_) => "no net force acts; every body keeps its velocity".to_owned(),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
             let how = if flight.is_free() { "freely" } else { "against the resistance" };
-            format!("{} {} {how}", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
+            let several = bodies.len() > 1 || flight.flying().any(|body| scene.members(body).len() > 1);
+            format!("{} {} {how}", list(&bodies), if several { "move" } else { "moves" })
         }
         Stage::Separate(separate) => {
             format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
@@ -129,7 +138,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
     let first = impulses.first()?;
     let name = |body: &str| scene.called(body);
     let body = name(&first.on);
-    let [is, its] = if scene.members(&first.on).len() > 1 { ["are", "their"] } else { ["is", "its"] };
+    let [is, its, it] = if scene.members(&first.on).len() > 1 { ["are", "their", "them"] } else { ["is", "its", "it"] };
     let phrase = model.phrase(scene, index);
     let during = |sentence: String| match scene.stages.len() {
         1 => format!("{}.", capitalised(&sentence)),
@@ -142,11 +151,15 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::Impact(_) | Stage::Separate(_), [_, _, ..]) => {
             let inner = impulses.iter().filter(|impulse| matches!(impulse.by, Agent::Body(_)));
             let bodies = inner.map(|impulse| name(&impulse.on)).collect::<Vec<_>>();
-            let equal = if bodies.len() == 2 { "equal and opposite impulses" } else { "impulses that cancel" };
+            let equal = if bodies.len() == 2 {
+                "equal and opposite impulses on each other"
+            } else {
+                "impulses on each other that cancel"
+            };
             let bodies = list(&bodies);
             let guides = guiding(scene, &impulses);
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
-            format!("During {phrase}, {bodies} exert {equal} on each other; {also}.")
+            format!("During {phrase}, {bodies} exert {equal}; {also}.")
         }
         (Stage::SlideOff(slide), _) => during(supported(scene, &slide.body, &slide.on)),
         (Stage::Flight(flight), _) => {
@@ -180,10 +193,12 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             name(&one.on),
             name(&other.on)
         )),
-        (Stage::Spring(_), _) => during(format!("{body} {is} acted on by the spring")),
+        (Stage::Spring(spring), _) => {
+            during(format!("{body} {is} acted on by {}", list(&beside_a_spring(scene, spring, its))))
+        }
         (Stage::Swing(swing), _) => during(format!("{body} {is} acted on by {its} weight and {}", swing.held_by())),
         (Stage::Taut(_), [one, other]) => format!(
-            "During {phrase}, it pulls {} and {} with impulses of equal size; nothing else is impulsive.",
+            "During {phrase}, the string pulls {} and {} with impulses of equal size; nothing else is impulsive.",
             name(&one.on),
             name(&other.on)
         ),
@@ -207,6 +222,9 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::Rotate(rotate), [_, _, ..]) => {
             let held: Vec<String> = rotate.turning().into_iter().map(name).collect();
             during(format!("{} are acted on by {}", list(&held), first.called))
+        }
+        (Stage::Stream(stream), _) if scene.plane == Plane::Vertical && stream.stays => {
+            during(format!("{body} {is} acted on by {}, {its} weight and what holds {it}", first.called))
         }
         (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Stream(_), _) => {
             during(format!("{body} {is} acted on by {}", first.called))
@@ -243,6 +261,19 @@ fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is,
         called = together(scene, push, its);
     }
     format!("{body} {is} acted on by {}", list(&called))
+}
+
+/// What acts on a body at the end of a spring.
+fn beside_a_spring(scene: &Scene, spring: &Spring, its: &str) -> Vec<String> {
+    let is_upright = scene.axes.rectangular().first().is_some_and(|(axis, _)| *axis == Axis::Y);
+    let hangs = spring.incline.is_none() && scene.plane == Plane::Vertical && is_upright;
+    let rests = spring.incline.is_some() || spring.friction.is_some();
+    let mut called = Vec::new();
+    called.extend((hangs || rests).then(|| format!("{its} weight")));
+    called.extend(rests.then(|| "the normal force".to_owned()));
+    called.extend(spring.friction.is_some().then(|| "friction".to_owned()));
+    called.push("the spring".to_owned());
+    called
 }
 
 /// What acts in a flight.

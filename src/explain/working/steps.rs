@@ -155,7 +155,7 @@ impl<'a> Steps<'a> {
         if !self.angle_explained && formula.is_some_and(wants_quadrant) {
             self.angle_explained = true;
             blocks.push(Block::text(
-                "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the calculator's arctangent; if it is zero, the angle is ±90°.",
+                "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the calculator's arctangent or subtract 180° from it; if it is zero, the angle is ±90°.",
             ));
         }
     }
@@ -258,7 +258,7 @@ impl<'a> Steps<'a> {
             numbers = Some(self.display.as_told(&whole));
         }
         let is_exact = self.display.is_exact_multiple(unknown);
-        let numbers = numbers.filter(|own| *own != formula.symbols && *own != value && !is_exact);
+        let numbers = numbers.filter(|own| *own != formula.symbols && own.latex() != value.latex() && !is_exact);
         match numbers {
             // The equation from which it comes stands just above, with the same symbols.
             Some(numbers) if is_too_wide(&formula.symbols) => {

@@ -131,7 +131,7 @@ pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
     WrongForm { of: &REVERSED, write: gain_reversed },
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
-    WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
+    WrongForm { of: &RATE_KEPT, write: |law| [arms(law, 2), together(law)].concat() },
 ];
 /// Wrong forms of conservation.
 pub const CONSERVATION: &[WrongForm] = &[
@@ -231,6 +231,35 @@ fn arms(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
         (Some(first), Some(second)) if first != second => {
             one((before.clone() * second.powi(power), law.right() * first.powi(power)))
         }
+        _ => Vec::new(),
+    }
+}
+
+/// `v_1 r_2 = v_2 r_1` for one of several bodies, or the angular velocity of what carries them, unchanged.
+fn together(law: &Taught<'_>) -> Vec<Wrong> {
+    let [before] = &terms(&law.sides.0)[..] else { return Vec::new() };
+    let parts = |momentum: &Expr| {
+        let own = law.beside("angular-momentum").find(|sides| sides.0 == *momentum);
+        own.map_or_else(Vec::new, |sides| terms(&sides.1))
+    };
+    let (start, end) = (parts(before), parts(&law.sides.1));
+    if start.len() < 2 || end.len() < 2 {
+        return Vec::new();
+    }
+    let turns = |all: &[Expr]| {
+        let mut symbols = all.iter().flat_map(Expr::symbols);
+        symbols.find(|own| law.is(*own, Dimension::new(0, 0, -1))).map(Expr::from)
+    };
+    if let (Some(first), Some(second)) = (turns(&start), turns(&end)) {
+        return one((first, second));
+    }
+    let moves = |all: &[Expr]| {
+        let parts = factors(all.first()?);
+        let arm = parts.iter().find(|own| matches!(own, Expr::Symbol(symbol) if law.is(*symbol, Dimension::LENGTH)))?;
+        Some((arm.clone(), parts.iter().find(|own| law.is_velocity(own))?.clone()))
+    };
+    match (moves(&start), moves(&end)) {
+        (Some((arm, velocity)), Some((other, after))) => one((velocity * other, after * arm)),
         _ => Vec::new(),
     }
 }

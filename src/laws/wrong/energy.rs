@@ -89,8 +89,17 @@ pub const OTHER_WEIGHT: Misconception = Misconception {
     hint: "The normal force between the bodies carries the body on top, and nothing else.",
 };
 
+/// The lower body taken as fixed.
+pub const LOWER_FIXED: Misconception = Misconception {
+    id: "lower-body-taken-as-fixed",
+    does: "lets the upper body slide until it is at rest, as if the lower body were fixed",
+    ask: "Does the lower body stay at rest? With what velocity do both move when the sliding ends?",
+    hint: "Friction speeds the lower body up, so both still have kinetic energy when they move together.",
+};
+
 /// Wrong forms of the work of friction between two bodies.
 pub const RUBBING: &[WrongForm] = &[
+    WrongForm { of: &LOWER_FIXED, write: lower_fixed },
     WrongForm { of: &OTHER_WEIGHT, write: other_weight },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &ONE_BODY, write: upper_body },
@@ -158,6 +167,12 @@ fn upper_body(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(upper) = rubbing_mass(law) else { return Vec::new() };
     let own = |side: &Expr| Expr::sum(terms(side).into_iter().filter(|term| term.contains(upper)));
     law.both(own)
+}
+
+/// Friction takes all the kinetic energy of the body on top.
+fn lower_fixed(law: &Taught<'_>) -> Vec<Wrong> {
+    let upper = upper_body(law).into_iter().flat_map(|wrong| wrong.equations);
+    upper.map(|(start, _)| Wrong::from((start, Expr::zero()))).collect()
 }
 
 /// The mass in the term of friction.

@@ -10,6 +10,7 @@ use super::geometry::TANGENT_INVERTED;
 use super::geometry::tangent_inverted;
 use super::rewrite::ends_averaged;
 use super::rewrite::factors;
+use super::rewrite::half_peak;
 use super::rewrite::one;
 use super::rewrite::sine_and_cosine;
 use super::rewrite::terms;
@@ -36,6 +37,13 @@ pub const ENDS_AVERAGED: Misconception = Misconception {
     ask: "Is the graph of the force over time a straight line?",
     hint: "The mean of the two end values is the average over time only for a straight line.",
 };
+/// The mean of zero and the peak.
+pub const HALF_PEAK: Misconception = Misconception {
+    id: "half-of-the-peak",
+    does: "takes half of the peak as the average force",
+    ask: "Which shape does the graph of the force have? Is it a triangle that begins and ends at zero?",
+    hint: "Half of the peak is the average over time only if the graph is a triangle on the time axis.",
+};
 /// The impulse of a push counted before anything moves.
 pub const FROM_ZERO: Misconception = Misconception {
     id: "sliding-from-the-start",
@@ -53,16 +61,16 @@ pub const MULTIPLIED: Misconception = Misconception {
 /// `N = m g cos(angle)` on a circle.
 pub const TURN_FORGOTTEN: Misconception = Misconception {
     id: "balance-on-a-circle",
-    does: "lets the normal force balance the weight, as if the body did not turn",
+    does: "lets the normal force or the tension balance the weight, as if the body moved along a straight line",
     ask: "Does the body move along a straight line there? What does it take to turn it?",
     hint: "The forces towards the centre add up to the mass times the square of the speed over the radius, not to zero.",
 };
 /// `N = m v^2 / R`.
 pub const ONLY_TURNED: Misconception = Misconception {
     id: "weight-forgotten-on-a-circle",
-    does: "takes the force that turns the body for the normal force, and leaves out the weight",
+    does: "takes the force that turns the body for the normal force or the tension, and leaves out the weight",
     ask: "Which forces act on the body there, and which of them have a component towards the centre?",
-    hint: "Normal force and weight together turn the body.",
+    hint: "The weight turns the body together with the normal force or the tension.",
 };
 /// Pounds of weight as pounds of mass.
 pub const WEIGHT_AS_MASS: Misconception = Misconception {
@@ -98,12 +106,15 @@ pub const TRACK: &[WrongForm] = &[
     WrongForm { of: &TURN_FORGOTTEN, write: |law| one((law.left(), Expr::zero())) },
     WrongForm { of: &ONLY_TURNED, write: |law| law.without(&|term| law.has_gravity(term)) },
 ];
+/// Wrong forms of the tension of a cord.
+pub const CORD: &[WrongForm] = TRACK;
 /// Wrong forms of a conical pendulum.
 pub const CONICAL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of an impulse as an integral.
 pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
+    WrongForm { of: &HALF_PEAK, write: half_peak },
     WrongForm { of: &FROM_ZERO, write: from_zero },
     WrongForm { of: &super::momentum::FRICTION_FORGOTTEN, write: friction_forgotten },
 ];

@@ -66,6 +66,16 @@ pub const TANGENT_INVERTED: Misconception = Misconception {
     hint: "Try a small angle: which of the two lengths is then much smaller?",
 };
 
+/// `h = L cos(angle)`.
+pub const FROM_FIXED_END: Misconception = Misconception {
+    id: "height-from-fixed-end",
+    does: "takes the distance below the fixed end or the centre for the height above the lowest point",
+    ask: "From which point is the height measured, and where does the length times the cosine begin?",
+    hint: "Try an angle of zero: the body is then at its lowest point, and the height must be zero.",
+};
+/// Wrong forms of a height on a circle.
+pub const HEIGHT_ON_CIRCLE: &[WrongForm] =
+    &[WrongForm { of: &FROM_FIXED_END, write: from_fixed_end }, WrongForm { of: &SINE_COSINE, write: sine_and_cosine }];
 /// Wrong forms of a height in a bowl.
 pub const HEIGHT_IN_BOWL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of components.
@@ -80,6 +90,14 @@ pub const DIRECTION: &[WrongForm] = &[
 ];
 /// Wrong forms of speed on a circle.
 pub const ARC: &[WrongForm] = &[WrongForm { of: &RADIUS, write: radius }];
+
+/// `h = L cos(angle)` for `h = L - L cos(angle)`.
+fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {
+    match &terms(&law.sides.1)[..] {
+        [lowest, raised] if matches!(lowest, Expr::Symbol(_)) => one((law.left(), -raised.clone())),
+        _ => Vec::new(),
+    }
+}
 
 fn added(law: &Taught<'_>) -> Vec<Wrong> {
     let Expr::Power(pair) = &law.sides.1 else { return Vec::new() };

@@ -8,6 +8,7 @@ use super::Taught;
 use super::Wrong;
 use super::WrongForm;
 use super::momentum::IMPULSE_REVERSED;
+use super::momentum::ONE_MASS;
 use super::momentum::SIGN_LOST;
 use super::momentum::START_FORGOTTEN;
 use super::rewrite::factors;
@@ -25,12 +26,12 @@ pub const PLAIN_AVERAGE: Misconception = Misconception {
     ask: "Does each body count equally, whatever its mass?",
     hint: "The centre of mass lies nearer to the heavier body: each body is weighted by its mass.",
 };
-/// The impulse on one body's mass.
-pub const ONE_MASS: Misconception = Misconception {
-    id: "one-mass-for-system",
-    does: "divides the impulse by the mass of one body instead of that of the system",
-    ask: "The centre of mass of which system changes its velocity, and what is the mass of that system?",
-    hint: "An external impulse changes the momentum of the whole system.",
+/// Each displacement times the mass of the other body.
+pub const MASSES_EXCHANGED: Misconception = Misconception {
+    id: "masses-exchanged",
+    does: "gives each body the mass of the other",
+    ask: "Which mass belongs to which displacement or velocity?",
+    hint: "Each mass multiplies the quantity of its own body: the heavier body moves less, and the centre of mass lies nearer to it.",
 };
 /// A centre of mass that stays although the system moves.
 pub const CENTRE_STAYS: Misconception = Misconception {
@@ -73,13 +74,19 @@ pub const ENERGY: &[WrongForm] = &[WrongForm { of: &PART_FORGOTTEN, write: each_
 pub const ANGULAR: &[WrongForm] = &[WrongForm { of: &PART_FORGOTTEN, write: each_term }];
 
 /// Wrong forms of the definition.
-pub const MASS_CENTRE: &[WrongForm] =
-    &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &SIGN_LOST, write: sign_lost }];
+pub const MASS_CENTRE: &[WrongForm] = &[
+    WrongForm { of: &PLAIN_AVERAGE, write: plain_average },
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &MASSES_EXCHANGED, write: masses_exchanged },
+];
 /// Wrong forms of the momenta relative to the centre of mass.
 pub const NO_MOMENTUM: &[WrongForm] = &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }];
 /// Wrong forms of the displacements without external impulses.
-pub const DISPLACEMENTS: &[WrongForm] =
-    &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &CENTRE_STAYS, write: stays }];
+pub const DISPLACEMENTS: &[WrongForm] = &[
+    WrongForm { of: &PLAIN_AVERAGE, write: plain_average },
+    WrongForm { of: &CENTRE_STAYS, write: stays },
+    WrongForm { of: &MASSES_EXCHANGED, write: masses_exchanged },
+];
 /// Wrong forms of the displacement of the centre of mass.
 pub const DISPLACEMENT: &[WrongForm] = &[WrongForm { of: &CENTRE_STAYS, write: stays }];
 /// Wrong forms of the motion.
@@ -119,6 +126,15 @@ fn stays(law: &Taught<'_>) -> Vec<Wrong> {
 /// Every mass is one.
 fn plain_average(law: &Taught<'_>) -> Vec<Wrong> {
     law.replaced(&|symbol| law.is(symbol, Dimension::MASS).then(Expr::one))
+}
+
+/// The masses of two bodies exchanged.
+fn masses_exchanged(law: &Taught<'_>) -> Vec<Wrong> {
+    let [one, other] = law.quantities(Dimension::MASS)[..] else { return Vec::new() };
+    law.replaced(&|symbol| {
+        let swapped = if symbol == one { Some(other) } else { (symbol == other).then_some(one) };
+        swapped.map(Expr::from)
+    })
 }
 
 fn one_mass(law: &Taught<'_>) -> Vec<Wrong> {

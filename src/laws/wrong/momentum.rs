@@ -1,6 +1,7 @@
 //! Mistakes about momentum and impulse.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::quantity::Dimension;
 
 use super::Misconception;
@@ -78,6 +79,13 @@ pub const JOINT_MASS: Misconception = Misconception {
     ask: "What moves after the bodies have joined, and what is its mass?",
     hint: "After they have joined, both masses move with the common velocity.",
 };
+/// The mass of one body for that of the system.
+pub const ONE_MASS: Misconception = Misconception {
+    id: "one-mass-for-system",
+    does: "uses the mass of one body instead of that of the system",
+    ask: "Which bodies change their velocity together, and what is their mass?",
+    hint: "An external impulse changes the momentum of the whole system.",
+};
 /// The mean of two velocities.
 pub const PLAIN_MEAN: Misconception = Misconception {
     id: "velocities-averaged",
@@ -133,11 +141,13 @@ pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &WEIGHT_IN_IMPACT, write: weight_in_impact },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
+    WrongForm { of: &ONE_MASS, write: one_of_several },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
 /// Wrong forms of impulse and momentum of a system.
 pub const SYSTEM: &[WrongForm] = &[
     WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &ONE_MASS, write: one_of_several },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
 /// Wrong forms of the third law.
@@ -187,6 +197,27 @@ fn partner_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
         Wrong::from((Expr::sum(kept), law.right()))
     };
     (0..before.len()).map(without).collect()
+}
+
+/// What external impulses do to several bodies, with the terms of one of them only.
+fn one_of_several(law: &Taught<'_>) -> Vec<Wrong> {
+    let masses = |term: &Expr| -> Vec<Symbol> {
+        term.symbols().into_iter().filter(|own| law.is(*own, Dimension::MASS)).collect()
+    };
+    let bodies = terms(&law.sides.1);
+    let is_momentum = |term: &Expr| law.has(term, Dimension::VELOCITY) && !masses(term).is_empty();
+    if bodies.len() < 2 || terms(&law.sides.0).iter().all(is_momentum) {
+        return Vec::new();
+    }
+    let alone = bodies.iter().flat_map(|body| {
+        let own = masses(body);
+        law.without(&|term| {
+            let of = masses(term);
+            let is_single = !factors(term).iter().any(|factor| matches!(factor, Expr::Sum(_)));
+            is_single && !of.is_empty() && !of.iter().any(|mass| own.contains(mass))
+        })
+    });
+    alone.collect()
 }
 
 fn weight_forgotten(law: &Taught<'_>) -> Vec<Wrong> {

@@ -97,24 +97,27 @@ pub struct Misreading {
     pub given: &'static str,
     /// The unit in which it is taken.
     pub taken: &'static str,
+    /// Whether one of several such givens may be taken so by itself. One of several masses in tonnes that is taken in kilograms
+    /// is as good as left out, which is the likelier mistake.
+    pub alone: bool,
 }
 
 /// Every misreading of a unit.
 pub const MISREADINGS: &[Misreading] = &[
-    Misreading { of: &GRAMS, given: "g", taken: "kg" },
-    Misreading { of: &TONNES, given: "t", taken: "kg" },
-    Misreading { of: &KILOMETRES_PER_HOUR, given: "km/h", taken: "m/s" },
-    Misreading { of: &DEGREES, given: "deg", taken: "rad" },
-    Misreading { of: &LENGTHS, given: "cm", taken: "m" },
-    Misreading { of: &LENGTHS, given: "mm", taken: "m" },
-    Misreading { of: &LENGTHS, given: "km", taken: "m" },
-    Misreading { of: &AREAS, given: "cm^2", taken: "m cm" },
-    Misreading { of: &AREAS, given: "mm^2", taken: "m mm" },
-    Misreading { of: &TIMES, given: "ms", taken: "s" },
-    Misreading { of: &TIMES, given: "min", taken: "s" },
-    Misreading { of: &FORCES, given: "kN", taken: "N" },
-    Misreading { of: &FORCES, given: "kN m", taken: "N m" },
-    Misreading { of: &OUNCES, given: "oz", taken: "lb" },
+    Misreading { of: &GRAMS, given: "g", taken: "kg", alone: true },
+    Misreading { of: &TONNES, given: "t", taken: "kg", alone: false },
+    Misreading { of: &KILOMETRES_PER_HOUR, given: "km/h", taken: "m/s", alone: true },
+    Misreading { of: &DEGREES, given: "deg", taken: "rad", alone: true },
+    Misreading { of: &LENGTHS, given: "cm", taken: "m", alone: true },
+    Misreading { of: &LENGTHS, given: "mm", taken: "m", alone: true },
+    Misreading { of: &LENGTHS, given: "km", taken: "m", alone: true },
+    Misreading { of: &AREAS, given: "cm^2", taken: "m cm", alone: true },
+    Misreading { of: &AREAS, given: "mm^2", taken: "m mm", alone: true },
+    Misreading { of: &TIMES, given: "ms", taken: "s", alone: true },
+    Misreading { of: &TIMES, given: "min", taken: "s", alone: true },
+    Misreading { of: &FORCES, given: "kN", taken: "N", alone: true },
+    Misreading { of: &FORCES, given: "kN m", taken: "N m", alone: true },
+    Misreading { of: &OUNCES, given: "oz", taken: "lb", alone: true },
 ];
 
 /// A slip in writing an answer down.

@@ -162,19 +162,70 @@ pub(super) fn gain_reversed(law: &Taught<'_>) -> Vec<Wrong> {
     }
 }
 
-/// A value of what changes, times the whole time: that at the end, at the start, and half-way.
+/// A value of what changes, times the whole time: that at the end, at the start, half-way, and where its pieces meet.
 pub(super) fn value_times_time(law: &Taught<'_>) -> Vec<Wrong> {
-    let Some((value, variable, [low, high])) = law.integral else { return Vec::new() };
-    let middle = Expr::ratio(1, 2) * (low.clone() + high.clone());
-    let at = |time: &Expr| value.substitute(&|symbol| (symbol == variable).then(|| time.clone()));
-    let times = |time: &Expr| Wrong::from((law.left(), at(time) * (high.clone() - low.clone())));
-    vec![times(high), times(low), times(&middle)]
+    let Some(graph) = Graph::of(law) else { return Vec::new() };
+    let [low, high] = graph.ends;
+    let times = [high.clone(), low.clone(), graph.middle()].into_iter().chain(graph.corners());
+    times.map(|time| Wrong::from((law.left(), graph.at(&time) * graph.duration()))).collect()
 }
 
 /// The mean of the values at both ends, times the time.
 pub(super) fn ends_averaged(law: &Taught<'_>) -> Vec<Wrong> {
-    let Some((value, variable, [low, high])) = law.integral else { return Vec::new() };
-    let at = |time: &Expr| value.substitute(&|symbol| (symbol == variable).then(|| time.clone()));
-    let mean = Expr::ratio(1, 2) * (at(low) + at(high));
-    one((law.left(), mean * (high.clone() - low.clone())))
+    let Some(graph) = Graph::of(law) else { return Vec::new() };
+    let [low, high] = graph.ends;
+    let mean = Expr::ratio(1, 2) * (graph.at(low) + graph.at(high));
+    one((law.left(), mean * graph.duration()))
+}
+
+/// Half of a value where pieces meet, times the time; of a force that rises and falls in one piece, half of that half-way.
+pub(super) fn half_peak(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(graph) = Graph::of(law) else { return Vec::new() };
+    let mut tops = graph.corners();
+    if tops.is_empty() && graph.ends.iter().all(|end| graph.at(end).simplify().is_zero()) {
+        tops.push(graph.middle());
+    }
+    let half = |time: &Expr| Expr::product([Expr::ratio(1, 2), graph.at(time), graph.duration()]);
+    tops.iter().map(|time| Wrong::from((law.left(), half(time)))).collect()
+}
+
+/// What changes, against time or position.
+struct Graph<'a> {
+    value: &'a Expr,
+    variable: Symbol,
+    ends: [&'a Expr; 2],
+}
+
+impl<'a> Graph<'a> {
+    fn of(law: &Taught<'a>) -> Option<Self> {
+        law.integral.map(|(value, variable, ends)| Self { value, variable, ends })
+    }
+
+    fn at(&self, time: &Expr) -> Expr {
+        self.value.substitute(&|symbol| (symbol == self.variable).then(|| time.clone()))
+    }
+
+    fn duration(&self) -> Expr {
+        let [low, high] = self.ends;
+        high.clone() - low.clone()
+    }
+
+    fn middle(&self) -> Expr {
+        let [low, high] = self.ends;
+        Expr::ratio(1, 2) * (low.clone() + high.clone())
+    }
+
+    /// Where one piece ends and another begins.
+    fn corners(&self) -> Vec<Expr> {
+        fn collect(term: &Expr, found: &mut Vec<Expr>) {
+            if let Expr::Piecewise(own) = term {
+                found.extend(own.pieces.iter().filter_map(|(until, _)| until.clone()));
+            }
+            term.children().for_each(|part| collect(part, found));
+        }
+        let mut found = Vec::new();
+        collect(self.value, &mut found);
+        found.retain(|time| !self.ends.contains(&time));
+        found
+    }
 }

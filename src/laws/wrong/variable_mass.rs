@@ -58,7 +58,7 @@ pub const STREAM_ENERGY: Misconception = Misconception {
 /// The mass taken to stay.
 pub const MASS_KEPT: Misconception = Misconception {
     id: "rocket-mass-kept",
-    does: "divides the momentum of the exhaust by the mass at the start, as if the mass stayed the same",
+    does: "divides the momentum of the exhaust by the mass at the start or at the end, as if the mass stayed the same",
     ask: "Does the thrust move the same mass at the end of the burn as at its start?",
     hint: "The rocket becomes lighter all the time: the small gains in velocity add up to a logarithm.",
 };
@@ -117,8 +117,9 @@ pub const SUPPORT: &[WrongForm] = &[
 pub const ROCKET: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
     WrongForm { of: &WEIGHT_FORGOTTEN, write: |law| law.without(&|term| law.has_gravity(term)) },
-    WrongForm { of: &MASS_KEPT, write: |law| law.both(|side| logarithm(side, &linear)) },
+    WrongForm { of: &MASS_KEPT, write: mass_kept },
     WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
+    WrongForm { of: &IMPULSE_REVERSED, write: |law| law.both(|side| logarithm(side, &reversed)) },
 ];
 /// Wrong forms of the acceleration under thrust.
 pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &WEIGHT_FORGOTTEN, write: thrust_alone }];
@@ -192,6 +193,17 @@ fn logarithm(term: &Expr, instead: &dyn Fn(&Expr) -> Expr) -> Expr {
 /// `(m_1 - m_2) / m_1` for the logarithm of `m_1 / m_2`.
 fn linear(ratio: &Expr) -> Expr {
     Expr::one() - ratio.clone().powi(-1)
+}
+
+/// The mass at the start throughout, and that at the end.
+fn mass_kept(law: &Taught<'_>) -> Vec<Wrong> {
+    let ways: [&dyn Fn(&Expr) -> Expr; 2] = [&linear, &|ratio| ratio.clone() - Expr::one()];
+    ways.into_iter().flat_map(|instead| law.both(|side| logarithm(side, instead))).collect()
+}
+
+/// The logarithm with the other sign.
+fn reversed(ratio: &Expr) -> Expr {
+    -Expr::apply(Function::Ln, ratio.clone())
 }
 
 fn to_base_ten(ratio: &Expr) -> Expr {

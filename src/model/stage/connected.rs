@@ -115,7 +115,7 @@ impl Builder<'_> {
             format!("the mass and the friction of {pulley}"),
             "it is light and smooth, so that the tension is the same on both sides",
         );
-        self.neglect("the mass of the string", "it is light, and does not stretch");
+        self.neglect("the mass of the string", "it is light");
     }
 
     /// The string takes from one body what it gives to the other, and the pulley turns it.

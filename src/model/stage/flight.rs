@@ -177,11 +177,11 @@ impl Builder<'_> {
         });
         let mut sides = (self.read_any(&end.0, path), self.read_any(&end.1, path));
         sides = (sides.0.substitute(moved), sides.1.substitute(moved));
-        let mut because = format!("{} ends there", self.stage_phrase(index));
+        let mut because = format!("{} ends where this holds", self.stage_phrase(index));
         if self.began_there(index, bodies, until) {
             // The way from the line back to it, so that the root at which it has not left yet drops out exactly.
             sides = (sides.0 - self.read_any(&start.0, path), sides.1 - self.read_any(&start.1, path));
-            because = format!("{because}, where it also began");
+            because = format!("{because}, as at its start");
         }
         if let Some(time) = self.lasting.get(index).cloned().flatten() {
             let reason = Reason::TakesTime(self.stage_phrase(index));

@@ -127,6 +127,7 @@ impl Builder<'_> {
             if end.is_zero() { value.simplify() } else { value }
         };
         let follows = self.scene.follows_a_push(index, body);
+        let variable = if course.by_place { "position" } else { "time" };
         for ((instant, end), [acceleration, force]) in [index + 1, index + 2].into_iter().zip(ends).zip(names) {
             let when = self.when(instant);
             if let Some(place) = &course.place {
@@ -136,7 +137,7 @@ impl Builder<'_> {
             }
             let because = match &course.place {
                 Some(_) => format!("the velocity of {name} is the rate of change of its position"),
-                None => format!("the velocity of {name} is given as a function of time"),
+                None => format!("the velocity of {name} is given as a function of {variable}"),
             };
             let velocity = self.velocity(body, instant, course.axis);
             self.law(&motion::VELOCITY, Some(index), because, (velocity, at(&course.velocity, end)));

@@ -111,7 +111,7 @@ impl Builder<'_> {
     }
 
     fn neglect_other_gravity(&mut self) {
-        self.neglect("the gravity of everything else", "it is small, or the same on both");
+        self.neglect("the gravity of everything else", "it is small, or nearly the same for both bodies");
     }
 
     fn circle(&mut self, round: &Round<'_>) {

@@ -204,7 +204,7 @@ impl Builder<'_> {
         for (side, ((time, mass), velocity)) in ends.enumerate().skip(first) {
             let [force, acceleration] = self.net_force_and_acceleration(pushed.body, pushed.index + 1 + side, own.axis);
             let there = own.force.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
-            let because = format!("these are all forces on {name} with its load along the motion");
+            let because = format!("these are all the forces on {name} with its load along the motion");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
             let (because, given) = if own.gains {
                 let slower = if own.arrives.is_zero() {

@@ -46,7 +46,7 @@ impl Builder<'_> {
         let ends = [(pushed.index + 1, start), (pushed.index + 2, end)];
         for (instant, there) in ends.into_iter().skip(first) {
             let [force, acceleration] = self.net_force_and_acceleration(pushed.body, instant, axis);
-            let because = format!("these are all forces on {name}{along}");
+            let because = format!("these are all the forces on {name}{along}");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
             let because = format!("the net force on {name} accelerates it");
             let sides = motion::net_force(&mass, &acceleration, &force);

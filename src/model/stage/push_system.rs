@@ -120,7 +120,7 @@ impl Builder<'_> {
                 let letter = self.letter(*axis);
                 let rate = Name::of(QuantityKind::MomentumRate, "").at(instant).along(letter);
                 let rate = self.component(rate, Meaning { noun: "the rate of change of the momentum", of: whose });
-                let because = format!("these are all external forces on the system{}", self.along(*axis));
+                let because = format!("these are all the external forces on the system{}", self.along(*axis));
                 self.law(&mass_centre::RATE, Some(index), because, (rate.into(), net));
                 let acceleration = Name::of(QuantityKind::Acceleration, MASS_CENTRE).at(instant).along(letter);
                 let acceleration = self.component(acceleration, Meaning { noun: "the acceleration", of });

@@ -141,7 +141,9 @@ impl Builder<'_> {
                     own.works(Effect::Of(before - after), &words)
                 }
             };
-            self.acts(own);
+            // A child on a carousel is held by the carousel.
+            let held_by: Vec<&str> = stage.rotor.iter().map(String::as_str).collect();
+            self.acts(own.by(&held_by));
             if !others.is_empty() {
                 let between = Influence::outside(index, body, "the arm").by(&others);
                 self.acts(Influence { work: Work::OfForce, ..between });

@@ -44,7 +44,8 @@ impl Builder<'_> {
             }
         }
         let because = format!(
-            "both start from rest, and along its path neither weight nor {} exerts an impulse on them",
+            "both start from rest, and along the path of {} neither weight nor {} exerts an impulse on them",
+            self.called(on),
             guide.by
         );
         let sides = (momentum::total(&projected(&end, &along)), Expr::zero());

@@ -246,7 +246,10 @@ impl Builder<'_> {
         let meaning = format!("the force that supports {name}");
         let support = self.positive(self.in_stage(QuantityKind::NormalForce, &stage.body, index), meaning);
         let carried = (mass + caught) * gravity + Expr::integer(down) * force.clone();
-        let because = format!("{name} stays at rest while {} comes to rest on it", stage.by);
+        let because = match &stage.moves {
+            Some(_) => format!("{name} moves at constant velocity while {} joins it", stage.by),
+            None => format!("{name} stays at rest while {} comes to rest on it", stage.by),
+        };
         self.law(&variable_mass::SUPPORT, Some(index), because, (support.into(), carried));
     }
 }

@@ -44,14 +44,22 @@ impl Builder<'_> {
             let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
             let momentum =
                 Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
-            let because = "all move at right angles to the arm";
+            let because = match &stage.rotor {
+                Some(rotor) => {
+                    format!(
+                        "{name} moves at right angles to the radius, and {} turns about {centre}",
+                        self.called(rotor)
+                    )
+                }
+                None => "all move at right angles to the arm".to_owned(),
+            };
             self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
             momenta.push(momentum);
             contact.push([velocity, distance.clone() * turn]);
         }
         let arm = self.struck(stage);
         let because = format!(
-            "the impulse at {centre} has no moment about it, and that between {name} and {arm} acts within the system"
+            "the impulse at {centre} has no moment about that point, and that between {name} and {arm} acts within the system"
         );
         if let [before, after] = &momenta[..] {
             self.law(&angular::CONSERVATION, Some(index), because, (before.clone(), after.clone()));
@@ -62,7 +70,9 @@ impl Builder<'_> {
                 of: format!("of {name} on {arm} about {centre}"),
                 letter: None,
                 law: &angular::ANGULAR_IMPULSE,
-                because: format!("the impulse at {centre} has no moment about it, and only that of {name} turns {arm}"),
+                because: format!(
+                    "the impulse at {centre} has no moment about that point, and only that of {name} turns {arm}"
+                ),
                 ends,
             });
         }

@@ -96,6 +96,10 @@ impl Builder<'_> {
         }
         self.require(start.along, Relation::Less, moves.clone(), Reason::NotReached(name.clone(), wall.clone()));
         self.require(end.along, Relation::AtLeast, moves, Reason::PassesThrough(name, wall.clone()));
-        self.not_needed(format!("the momentum of {wall}"), format!("{wall} is held by external forces"));
+        let why = match &entry.velocity {
+            Some(_) => format!("the impact does not change the velocity of {wall}"),
+            None => format!("{wall} is held by external forces"),
+        };
+        self.not_needed(format!("the momentum of {wall}"), why);
     }
 }

@@ -53,7 +53,7 @@ impl Builder<'_> {
         }
         let reason = Reason::StaysSlack(first.clone(), second.clone());
         self.require(pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
-        self.neglect("the mass of the string", "it is light, and does not stretch");
+        self.neglect("the mass of the string", "it is light");
         if stage.over.is_some() || self.scene.plane == Plane::Vertical {
             let why =
                 "it is not impulsive: its impulse during the short jerk is negligible compared with that of the string";

@@ -24,7 +24,7 @@ impl Builder<'_> {
                     .downwards(position)
                     .map(|down| Expr::product([Expr::integer(down), mass.clone(), self.gravity()]));
                 let all = Expr::sum([burn.thrust.clone() * part.clone()].into_iter().chain(weight)).simplify();
-                let because = format!("these are all forces on what {name} consists of at that instant");
+                let because = format!("these are all the forces on what {name} consists of at that instant");
                 self.law(&motion::ALL_FORCES, Some(index), because, (force.clone(), all));
                 let because = "the thrust takes into account what the exhaust carries away";
                 let sides = motion::net_force(mass, &acceleration, &force);

@@ -50,6 +50,8 @@ pub struct Mistake {
     /// The law that is got wrong, as it is used: a position in [`crate::model::Model::instances`]; none where nothing is
     /// wrong with the laws.
     pub instance: Option<usize>,
+    /// In how many places the same is got wrong: one mistake is likelier than several.
+    pub places: usize,
     pub(super) made: Made,
 }
 
@@ -103,9 +105,11 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let mut mistakes: Vec<Mistake> = Vec::new();
     for mistaken in problem.model().mistaken(&leaf.system, &used, &form.told, problem.units()) {
         let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
+        let solvers = solvers.filter_map(|solver| solver.of_what_depends(&mistaken.system, &mistaken.wrong));
         let ways: Vec<WrongSystem> = solvers.map(|solver| solver.into_way(&mistaken.system, &mut batch)).collect();
         if !ways.is_empty() {
-            mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made: Made::Solved(ways) });
+            let (of, instance, places) = (mistaken.of, Some(mistaken.instance), mistaken.places);
+            mistakes.push(Mistake { of, instance, places, made: Made::Solved(ways) });
         }
     }
     let restricted = Restricted::new(&leaf.system, used);
@@ -115,19 +119,21 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
             let exactly: Option<Vec<_>> = read.iter().map(exactly).collect();
             let place = exactly.and_then(|read| right.batched(&restricted.system, &read, &mut batch));
             let made = Made::Misread(Arc::clone(&right), read, place);
-            mistakes.push(Mistake { of, instance: None, made });
+            mistakes.push(Mistake { of, instance: None, places: 1, made });
         }
     }
     mistakes.extend(SLIPS.iter().map(|slip| Mistake {
         of: slip.of,
         instance: None,
+        places: 1,
         made: Made::Written(slip.to, slip.written),
     }));
     let directed = wanted.into_iter().filter(|symbol| problem.senses(*symbol).is_some()).collect();
     Planned { list: mistakes, inputs, batch: batch.finish(), directed }
 }
 
-/// Every unit that some given has and that is often overlooked: of all its givens, and of each alone, and by how much.
+/// Every unit that some given has and that is often overlooked: of all its givens, of each alone where that is told from
+/// other mistakes, and by how much.
 fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(Symbol, f64)>)> {
     let mut found = Vec::new();
     for row in MISREADINGS {
@@ -136,7 +142,7 @@ fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(
         let told =
             form.told.iter().filter(|symbol| problem.unit_told(form, **symbol).is_some_and(|unit| unit == given));
         let read: Vec<(Symbol, f64)> = told.map(|symbol| (*symbol, factor)).collect();
-        if read.len() > 1 {
+        if read.len() > 1 && row.alone {
             found.extend(read.iter().map(|own| (row.of, vec![*own])));
         }
         if !read.is_empty() {
@@ -164,6 +170,22 @@ impl Solver {
         let strict = if several { compile(system) } else { None };
         let bare = System { conditions: Vec::new(), ..system.clone() };
         Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs, plan: audit.plan.clone() })
+    }
+
+    /// The same for what depends on some wrong equation: the mistake leaves the rest as it is. None where nothing does.
+    fn of_what_depends(self, system: &System, wrong: &BTreeSet<usize>) -> Option<Self> {
+        let mut depending: BTreeSet<Symbol> = BTreeSet::new();
+        for step in &self.plan.steps {
+            let uses = |equation: &usize| {
+                let statement = system.equations.get(*equation);
+                wrong.contains(equation) || statement.is_some_and(|own| !own.symbols().is_disjoint(&depending))
+            };
+            if step.equations.iter().any(uses) {
+                depending.extend(step.unknowns.iter().copied());
+            }
+        }
+        let wanted: Vec<Symbol> = self.wanted.iter().copied().filter(|own| depending.contains(own)).collect();
+        if wanted.is_empty() { None } else { Some(Self { wanted, ..self }) }
     }
 
     fn into_way(self, system: &System, batch: &mut BatchWriter) -> WrongSystem {

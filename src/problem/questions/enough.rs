@@ -185,10 +185,10 @@ fn lacking(model: &Model, sought: Symbol, enough: &[Vec<Symbol>]) -> String {
         join(&words)
     };
     let sets: Vec<String> = enough.iter().filter(has_words).take(TOLD).map(said).collect();
-    let without = "the laws that hold here contain more unknown quantities than there are equations";
+    let without = "there are more unknown quantities than equations to find them from";
     if sets.is_empty() {
         without.to_owned()
     } else {
-        format!("{without}; it would follow if one knew {}, for instance", sets.join(", or "))
+        format!("{without}; it could be found if one also knew {}, for instance", sets.join(", or "))
     }
 }

@@ -99,10 +99,12 @@ pub(super) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<
     let outside = from_outside(balance, builder);
     let mut tests = Vec::new();
     let mut passing: Vec<String> = Vec::new();
+    let named = builder.scene().points.get(balance.about);
+    let point = named.map_or("the point", |entry| entry.name.as_str());
     for own in &outside {
-        let words = || format!("{} has a moment about the point", own.called);
+        let words = || format!("{} has a moment about {point}", own.called);
         match &own.moment {
-            Moment::Through(point) if point == balance.about => passing.push(own.called.clone()),
+            Moment::Through(through) if through == balance.about => passing.push(own.called.clone()),
             Moment::About(moments) => {
                 for moment in moments {
                     let effect = Effect::Of(moment.clone());
@@ -118,9 +120,9 @@ pub(super) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<
     }
     passing.dedup();
     let because = match &passing[..] {
-        [] => "no force has a moment about the point".to_owned(),
-        [one] => format!("{one} has no moment about the point at any time"),
-        _ => format!("{} have no moment about the point at any time", join(&passing)),
+        [] => format!("no force has a moment about {point}"),
+        [one] => format!("{one} has no moment about {point} at any time"),
+        _ => format!("{} have no moment about {point} at any time", join(&passing)),
     };
     Verdict { tests, because }
 }

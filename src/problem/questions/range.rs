@@ -116,7 +116,12 @@ pub(in crate::problem) fn read(
         return None;
     }
     let boundary = builder.boundary(claim.left.clone(), claim.right.clone());
-    let label = format!("For which {} is {question}?", ask.range);
+    let entry = builder.symbols().entry(symbol);
+    let of = match entry.meaning.as_str() {
+        "" => ask.range.clone(),
+        meaning => format!("values of {meaning}, {},", ask.range),
+    };
+    let label = format!("For which {of} is {question}?");
     Some((label, PartKind::Range(RangePart { number, claim }), boundary))
 }
 

@@ -58,6 +58,8 @@ const CLAUSE_ENDS: &[char] = &['.', ';', ':', '!', '?', '\n'];
 const CLAUSE_STARTS: &[&str] = &["and", "but", "while", "whereas", "when", "so"];
 /// Words that begin a clause with a verb of its own wherever they stand.
 const SUBORDINATORS: &[&str] = &["which", "who", "while", "whereas", "when", "until"];
+/// Words of several bodies, after which the verb is a plural: `both`, `the two of them together`.
+const PLURALS: &[&str] = &["they", "both", "together", "two", "three"];
 /// Words straight after which a verb must follow.
 const CONJUNCTIONS: &[&str] = &["and", "but", "or", "then"];
 
@@ -184,15 +186,18 @@ impl Speaker<'_> {
     }
 
     fn motion(&self, value: &Decimal, unit: &Unit, before: &str) -> String {
+        let last = before.split(|letter: char| !letter.is_alphabetic()).rfind(|word| !word.is_empty());
+        let is_plural = last.is_some_and(|last| PLURALS.contains(&last.to_lowercase().as_str()));
+        let [is, moves] = if is_plural { ["are", "move"] } else { ["is", "moves"] };
         if value.is_zero() {
-            return "is at rest".into();
+            return format!("{is} at rest");
         }
         let speed = quantity(&value.abs(), unit);
         let how = match self.direction(value) {
             direction if direction.is_empty() => format!("at {speed}"),
             direction => format!("at {speed} {direction}"),
         };
-        if has_verb_of_motion(before) { how } else { format!("moves {how}") }
+        if has_verb_of_motion(before) { how } else { format!("{moves} {how}") }
     }
 }
 
