@@ -94,7 +94,7 @@ pub const ARC: &[WrongForm] = &[WrongForm { of: &RADIUS, write: radius }];
 /// `h = L cos(angle)` for `h = L - L cos(angle)`.
 fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {
     match &terms(&law.sides.1)[..] {
-        [lowest, raised] if matches!(lowest, Expr::Symbol(_)) => one((law.left(), -raised.clone())),
+        [Expr::Symbol(_), raised] => one((law.left(), -raised.clone())),
         _ => Vec::new(),
     }
 }
