@@ -24,12 +24,13 @@ pub(super) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Bui
         let acting = outside.iter().find(|(_, components)| components.get(*position).is_none_or(|own| !own.is_zero()));
         let otherwise = acting.map_or_else(|| "it is not the same before and after".to_owned(), |own| own.0.clone());
         // What is struck belongs to the system with all that it carries, so that only its support is outside.
-        let otherwise = match builder.scene().stages.get(balance.stage) {
-            Some(Stage::Strike(strike)) if takes_in_all(balance, builder) => {
-                let arm = strike.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| builder.name_of(rotor));
-                format!("the support exerts an external impulse on {arm}")
-            }
-            _ => otherwise,
+        let otherwise = if let Some(Stage::Strike(strike)) = builder.scene().stages.get(balance.stage)
+            && takes_in_all(balance, builder)
+        {
+            let arm = strike.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| builder.name_of(rotor));
+            format!("the support exerts an external impulse on {arm}")
+        } else {
+            otherwise
         };
         // Along a string over a pulley the velocities of both have one sense, and the pulley turns the momentum of one of
         // them. On an arm they have one sense on either side of what holds it, which gives an impulse from outside.
