@@ -167,7 +167,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
             Ok(form) => {
                 let by_formula = any::by_formula(loaded, &model, &form);
                 let (free, printed) = (any::free(loaded, &model, &form), &form.printed - &by_formula);
-                forms.push(Form { free, by_formula, printed, ..form });
+                forms.push(Form { printed, free, by_formula, ..form });
             }
             Err(found) => faults.extend(found),
         }
