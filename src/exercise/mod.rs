@@ -161,7 +161,7 @@ impl Exercise {
                     vector.axes_in_words(),
                     if unit.is_none() { "." } else { "" }
                 );
-                let name = self.problem.notation().math(&part.id);
+                let name = self.problem.math_of_vector(&part.id, vector);
                 let mut text = Inline::line(&format!("Find {}, ", part.label));
                 text.extend([Inline::Math(name), Inline::Text(along)]);
                 (text, unit)

@@ -3,6 +3,8 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::expr::SymbolTable;
+use crate::fault::Segment;
+use crate::quantity::Decimal;
 use crate::quantity::Quantity;
 use crate::scene::Axis;
 use crate::scene::Scene;
@@ -22,6 +24,26 @@ impl<'s> Builder<'s> {
     /// Every body's short name, those that impacts make included.
     pub fn bodies(&self) -> impl Iterator<Item = &str> {
         self.timeline.bodies()
+    }
+
+    /// Whether a term is written as zero, with a unit or without.
+    #[must_use]
+    pub fn is_nothing(&self, term: &Expr) -> bool {
+        let value = |symbol: &Symbol| self.literals.iter().find(|(own, _)| own == symbol).map(|(_, own)| &own.value);
+        term.is_zero() || matches!(term, Expr::Symbol(symbol) if value(symbol).is_some_and(Decimal::is_zero))
+    }
+
+    /// The stage that a quantity belongs to by its name, or in whose description the author named it, as a noun phrase.
+    #[must_use]
+    pub fn stage_phrase_of(&self, symbol: Symbol) -> Option<String> {
+        let by_name = || self.timeline.stage(self.scene, self.name(symbol).stage.as_deref()?);
+        let by_place = || {
+            self.named.get(&symbol)?.segments().into_iter().find_map(|step| match step {
+                Segment::Index(index) => Some(index),
+                Segment::Key(_) | Segment::Name(_) => None,
+            })
+        };
+        by_name().or_else(by_place).map(|stage| self.stage_phrase(stage))
     }
 
     /// How a body is called in a sentence.

@@ -27,6 +27,9 @@ use super::name::is_bare_name;
 /// Names of what a whole stage does, which need the stage in brackets where there are several.
 const STAGED: &[&str] = &["T_lost", "T_gained", "work", "J_def", "J_rest", "v_common", "dt"];
 
+/// Keys of stages by which an author names a quantity.
+const KEYS: &[&str] = &["distance", "during", "duration", "height", "length"];
+
 /// Which potential energies have names.
 const POTENTIAL_ENERGIES: &str = "`V_A1` is the potential energy of the weight of a body, in a vertical plane with an axis that points up or down; `V_spring1` is that of the spring of a `spring` stage or of a `central` one, and where one spring follows another it needs the stage: `V_spring2[2]`";
 
@@ -223,6 +226,9 @@ impl Builder<'_> {
                 let each: Vec<String> = labels.map(|label| format!("`{name}[{label}]`")).collect();
                 fault.help(format!("several stages have this quantity: write {}", each.join(" or ")))
             }
+            None if Name::parse(name).is_some_and(|own| self.is_said_by_a_key(&own)) => fault.help(
+                "the stage itself gives it a name, which stands without brackets: `distance: s`, and ask for `s`",
+            ),
             None if is_bare_name(name) && !name.contains('_') => {
                 fault.help("give it under `given`, or name it at its place in the scene, as `restitution: e` does")
             }
@@ -248,6 +254,12 @@ impl Builder<'_> {
         let parts: Vec<String> = self.axes.iter().map(|(axis, _)| format!("{name}.{}", axis.letter())).collect();
         let is_vector = parts.len() > 1 && parts.iter().all(|part| self.symbols.find(part).is_some());
         is_vector.then(|| format!("it is a vector here, which is named by its components: {}", each(parts, " and ")))
+    }
+
+    /// Whether a name is that of a key of a stage of the scene.
+    fn is_said_by_a_key(&self, name: &Name) -> bool {
+        let is_stage = name.stage.as_ref().is_some_and(|stage| self.timeline.stage(self.scene, stage).is_some());
+        is_stage && matches!(&name.kind, QuantityKind::Own(key) if KEYS.contains(&key.as_str()))
     }
 
     /// The fault of a moment about a body, which moves.

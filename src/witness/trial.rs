@@ -12,6 +12,7 @@ use crate::expr::Symbol;
 use crate::problem::Problem;
 use crate::problem::Sampler;
 use crate::problem::Worked;
+use crate::quantity::Dimension;
 use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Procedure;
 
@@ -135,6 +136,7 @@ impl<'a> Trial<'a> {
             let bound = comparison.error + run;
             all.insert(name, (comparison, bound));
         }
+        allow_for_zeros(worked, &mut all);
         let mut trial = Self { worked, case, witness, rough, all, wide: false };
         trial.compare_formulas();
         trial
@@ -259,6 +261,19 @@ impl<'a> Trial<'a> {
             !worked.form.told.contains(own) && self.witness.started_with(&model.symbols.entry(*own).name).is_none()
         };
         parts.into_iter().filter(is_solved).filter_map(|own| Some((own, parts::off(worked, own)?)))
+    }
+}
+
+/// Beside a value that is zero by the laws: what a simulation finds as the difference of quantities of one dimension is off by their
+/// rounding, half a unit in the last place of the largest.
+fn allow_for_zeros(worked: &Worked<'_>, all: &mut BTreeMap<String, (Comparison, f64)>) {
+    let symbols = &worked.problem.model().symbols;
+    for (name, (_, bound)) in all.iter_mut().filter(|(_, (own, _))| own.stated == 0.0) {
+        let dimension = symbols.find(name).map(|symbol| symbols.entry(symbol).dimension);
+        let Some(dimension) = dimension.filter(|own| *own != Dimension::NONE) else { continue };
+        let alike = symbols.iter().filter(|(_, entry)| entry.dimension == dimension);
+        let sizes = alike.filter_map(|(symbol, _)| Some(worked.variant.value(symbol)?.value.abs()));
+        *bound = bound.max(sizes.fold(0.0, f64::max) * f64::EPSILON / 2.0);
     }
 }
 

@@ -27,6 +27,8 @@ const FOUND: &[(&str, Outcome)] = &[
     ("angle_with_a_relative_velocity", Holds(&["angle(v_A2, v_rel_A2) = 26.6"])),
     ("backwards", Refused(&["`backwards` is not a direction of this scene", "its directions are `ahead`"])),
     ("classify_at_a_moving_wall", Holds(&["a = perfectly plastic"])),
+    // By hand: 2/3*5*T^1.5 = 3*2.5.
+    ("brake_by_a_root", Holds(&["T = 1.72 s"])),
     // By hand: 2.25*10*sin 127 and 1.8*10*cos 53.
     ("direction_along_an_axis", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
     // By hand: 2.25*10*sin 53 and 1.8*10*cos 53.
@@ -34,6 +36,7 @@ const FOUND: &[(&str, Outcome)] = &[
     // A raft of four times the mass goes back by a fifth of what the dog walks along it.
     ("displacement_by_its_direction", Holds(&["s_D = 1.60 m", "s_B = -0.400 m"])),
     ("enough_for_an_angle", Holds(&["a = no"])),
+    ("distance_in_brackets", Refused(&["`distance[rise]` is not known", "`distance: s`, and ask for `s`"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),
     // 2/5 of sqrt(2*9.81*0.4).
     ("falls_on_a_string", Holds(&["v_B3 = 1.12 m/s"])),
@@ -42,17 +45,25 @@ const FOUND: &[(&str, Outcome)] = &[
     ("fractions_beside_a_kind", Holds(&["v_A2 = 1.00 m/s", "T_lost[1] = 0.833 J", "d = inelastic"])),
     ("given_by_given", Holds(&["v_A2 = 6.00 m/s"])),
     ("height_in_terms_of_r", Holds(&["v_A2 = sqrt(10*R*g)"])),
+    // By hand: (0.26/3.2)^(1/6).
+    ("height_of_a_counted_bounce", Holds(&["e = 0.658"])),
+    // By hand: the impulse gives the velocity across at once.
+    ("impulse_across", Holds(&["speed_B2 = 40.2 m/s", "angle_B2 = 85.0"])),
     ("interact_after_impact", Holds(&["v_C3 = 0.444 m/s", "p_3 = 1.00 kg m/s"])),
+    ("jerked_along", Holds(&["speed_A2 = 0.167 u", "J_A.x = m*u/3"])),
     ("kind_by_numbers", Holds(&["a = perfectly plastic", "b = no"])),
     ("mass_after_a_burn", Holds(&["v_C3 = 31.6 m/s", "T_lost[coupling] = 99900 J", "T_A2 = 250000 J"])),
+    ("label_with_a_comma", Refused(&["a text with a comma or a colon stands in quotation marks"])),
     ("mass_of_a_union", Holds(&["v_C2 = 1.00 m/s", "m_B = 4.00 kg"])),
     ("mass_in_terms_of_m", Holds(&["J_B = 6.30 m"])),
     ("moon", Refused(&["the text never prints `g`, which the solution needs"])),
+    ("multiple_backwards", Holds(&["v_n2 = -0.333 v_n1"])),
     ("multiple_of_a_height", Holds(&["r_A4 = 0.250 h"])),
     ("multiple_of_a_multiple", Holds(&["r_A4 = 1.00 h"])),
     ("name_collision", Refused(&["`t_1` stands for", "`t_2` stands for"])),
     // 8/9 of the energy, whatever the mass and the speed.
     ("one_constant_part", Holds(&["share = 88.9%"])),
+    ("order_of_losses", Holds(&["b = T_lost[second] < T_lost[first]"])),
     ("orbit_circle", Holds(&["r_K1 = 2.50 × 10^8 km"])),
     ("order_of_what_is_equal", Broken(&["`speed_A2` and `speed_B2` are equal with these numbers"])),
     ("passes_through", Broken(&["would pass through the block); if that is meant, write `allow: [passes-through]`"])),
@@ -62,6 +73,8 @@ const FOUND: &[(&str, Outcome)] = &[
     ("range_in_symbols", Holds(&["e = 0.600 < e <= 1"])),
     ("ratio_as_a_symbol", Holds(&["v_Q2 = 0.2*u*(4 + 9*e)"])),
     ("required_to_be_positive", Holds(&["e = 0.800 < e <= 1"])),
+    // By the laws the block is at rest at the end; a simulation finds that to within its rounding.
+    ("rest_by_a_graph", Holds(&["v_A2 = 0 m/s", "work[pull] = -24.0 J"])),
     ("roots_all", Holds(&["dt = 1.49 s or 0.546 s"])),
     ("share_as_a_formula", Holds(&["q = m_B/(m_A + m_B)"])),
     ("shelf", Holds(&["r_ball2.x = 3.97 m"])),
@@ -72,6 +85,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("strike_elastic", Broken(&["b: yes", "`T_lost` is always 0"])),
     // A spring pulls it back with more than it is pushed: it never goes so far.
     ("turned_back_by_a_force", Broken(&["would come to rest before it had gone the whole way"])),
+    ("unit_of_letters", Refused(&["write `as: formula`"])),
     ("unknown_normal", Holds(&["beta = -14.0", "e = 0.500"])),
     ("told_in_another_form", Holds(&["e = 0.667"])),
     ("wall_creates_energy", Refused(&["the ball would leave the wall faster than it arrived (e above 1)"])),
@@ -166,6 +180,20 @@ fn marking_says_how_a_multiple_is_written() {
 fn sides_of_a_comparison_are_named_as_the_author_wrote_them_with_their_values() {
     let (_, solved) = run(&["solve", &path("sides_as_written"), "--format", "json"]);
     assert!(solved.contains("abs(v_A2) (1.769\u{a0}m/s) is greater than abs(v_B2) (0.8558\u{a0}m/s)"), "{solved}");
+}
+
+#[test]
+fn quantities_of_several_stages_are_told_apart_and_a_multiple_keeps_its_letter() {
+    for (name, said) in [
+        ("order_of_losses", r"T_{\text{lost},\text{second}} < T_{\text{lost},\text{first}}"),
+        ("order_of_losses", "with e below 1, part of the kinetic energy is lost in the impact"),
+        ("multiple_backwards", r"that is $0.333\,v_{n1}$ to the left"),
+        ("height_of_a_counted_bounce", r"\left(\frac{h_{n}}{h_{0}}\right)^{\frac{1}{2\,n}}"),
+        ("jerked_along", r"=0.1667\,u"),
+    ] {
+        let (_, solved) = run(&["generate", &path(name), "--seed", "1", "--solution"]);
+        assert!(solved.contains(said), "{name}: {said}\n{solved}");
+    }
 }
 
 #[test]

@@ -58,7 +58,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
         PartKind::Range(range) => interval::sentence(display, part, range),
         PartKind::Vector(vector) => {
             let is = vec![
-                display.worked.problem.notation().math(&part.id),
+                display.worked.problem.math_of_vector(&part.id, vector),
                 Math::Operator(Operator::Equals),
                 printed::printed_vector(display.worked, vector),
             ];
@@ -81,7 +81,8 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             }
             words.extend(printed::as_taught(display, number));
             if let Some(direction) = direction(display, number) {
-                words.push(Inline::Text(format!(", {direction}")));
+                words.push(Inline::Text(", ".into()));
+                words.extend(direction);
             }
             words.push(Inline::Text(".".into()));
             words
@@ -124,24 +125,30 @@ fn to_the_unit(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Ve
 }
 
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.
-fn direction(display: Display<'_>, number: &NumberPart) -> Option<String> {
+fn direction(display: Display<'_>, number: &NumberPart) -> Option<Vec<Inline>> {
     let senses = display.manner(number.symbol).senses.as_ref()?;
     if display.worked.answers(number).len() > 1 {
         return None;
     }
+    let said = |words: String| Some(vec![Inline::Text(words)]);
     let value = display.worked.answer(number);
     if value.is_zero() {
         let kind = &display.worked.problem.model().name(number.symbol).kind;
-        return kind.is_velocity().then(|| "at rest".to_owned());
+        return if kind.is_velocity() { said("at rest".to_owned()) } else { None };
     }
     if value.value >= 0.0 {
-        return Some(senses.positive.clone());
+        return said(senses.positive.clone());
     }
-    if matches!(&number.unit, AskedUnit::InTermsOf(_, unit) if !unit.is_none()) {
-        return Some(format!("that is {}", senses.negative));
+    if let AskedUnit::InTermsOf(letter, unit) = &number.unit {
+        if !unit.is_none() {
+            return said(format!("that is {}", senses.negative));
+        }
+        let size = printed::multiple(display, printed::shown(number, -value.for_print()), *letter);
+        let sense = Inline::Text(format!(" {}", senses.negative));
+        return Some(vec![Inline::Text("that is ".into()), Inline::Math(size), sense]);
     }
     let size = Printed::new(-value.for_print(), number.figures)?;
     let unit = number.plain_unit();
     let gap = if unit.is_attached() || unit.is_none() { "" } else { "\u{a0}" };
-    Some(format!("that is {}{gap}{} {}", size.plain(), unit.unicode(), senses.negative))
+    said(format!("that is {}{gap}{} {}", size.plain(), unit.unicode(), senses.negative))
 }

@@ -45,7 +45,8 @@ pub(in crate::explain) fn answer(display: Display<'_>, number: &NumberPart, answ
     }
 }
 
-fn multiple(display: Display<'_>, number: Math, symbol: Symbol) -> Math {
+/// A multiple of a quantity.
+pub(in crate::explain) fn multiple(display: Display<'_>, number: Math, symbol: Symbol) -> Math {
     Math::Row(vec![number, Math::Operator(Operator::Juxtapose), display.name(symbol)])
 }
 

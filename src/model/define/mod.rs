@@ -28,6 +28,7 @@ use super::Name;
 use super::QuantityKind;
 use super::VectorKind;
 use super::VectorName;
+use super::builder::LAW_COST;
 use super::builder::SECOND_COST;
 use super::name::Meaning;
 use super::stage::angular_impulse_by_name;
@@ -218,12 +219,15 @@ impl Builder<'_> {
         if let [x, y] = components {
             let direction = self.symbol(direction, format!("the direction of {meaning}"));
             self.directions.insert(direction, [x.clone(), y.clone()]);
+            // From a direction that is given the components follow: the tangent of a right angle would give none.
+            let is_given = self.given.contains(&self.symbols.entry(direction).name);
+            let [resolved, tangent] = if is_given { [LAW_COST, SECOND_COST] } else { [SECOND_COST, LAW_COST] };
             let because = "the impulse is resolved along the axes";
             for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
-                self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
+                self.law_at(resolved, &geometry::COMPONENTS, Some(stage), because, sides);
             }
-            let angle = y.clone().atan2(x.clone());
-            self.law(&geometry::DIRECTION, Some(stage), "the components give the direction", (direction.into(), angle));
+            let sides = (direction.into(), y.clone().atan2(x.clone()));
+            self.law_at(tangent, &geometry::DIRECTION, Some(stage), "the components give the direction", sides);
         }
         let because = "the components of the impulse are perpendicular";
         let squares = Expr::sum(components.iter().map(|component| component.clone().powi(2)));

@@ -34,6 +34,10 @@ impl Builder<'_> {
             .count
             .as_ref()
             .map(|term| self.read_positive(term, Dimension::NONE, "the number of bounces", &path.key("count")));
+        // After that many bounces there would be no height and no speed to speak of.
+        if let (Expr::Symbol(e), Some(Expr::Symbol(_))) = (&e, &count) {
+            self.system.positive.insert(*e);
+        }
         if is_dropped(self.scene, index, stage) {
             self.bounces_after_a_drop(index, stage, &e, count.as_ref());
         } else {

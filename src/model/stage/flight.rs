@@ -160,7 +160,8 @@ impl Builder<'_> {
             let axis = upright.and_then(|position| Some(self.axes.get(position)?.0));
             for (body, axis) in bodies.iter().zip(axis) {
                 let velocity = self.velocity(body, index + 2, axis);
-                let because = format!("at the top of its path, {} moves neither up nor down", self.called(body));
+                let because =
+                    format!("at the top of its path, {} neither up nor down", self.does(body, ["moves", "move"]));
                 self.law(&kinematics::TOP, Some(index), because, (velocity, Expr::zero()));
             }
             return;

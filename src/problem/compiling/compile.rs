@@ -23,6 +23,7 @@ use crate::scene::Stage;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Planner;
+use crate::solve::Relation;
 
 use super::super::consequences::feedback;
 use super::super::language::condition::condition;
@@ -142,6 +143,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
             condition(&mut builder, text, reason, &Path::root().key("require").index(index))
         })
         .collect();
+    positive_letters(loaded, &known, &require, &mut builder);
     mention_for_checks(&draft.scene.stages, &mut builder);
     mention_in_texts(loaded, &mut builder);
     let drafts: Vec<FormDraft> =
@@ -182,6 +184,22 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     let drawn = drawn.iter().filter_map(|position| known.get(*position)).map(|known| known.name.as_str());
     let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
     Ok(Built { model, known, forms, streams, units, notation })
+}
+
+/// A letter for a quantity that may be anything is positive where the file requires so, or where something positive is given by it alone.
+fn positive_letters(loaded: &Loaded, known: &[Known], require: &[Condition], builder: &mut Builder<'_>) {
+    for letter in known.iter().filter(|known| matches!(known.origin, Origin::Any)) {
+        let is_required = require.iter().any(|own| {
+            own.left == letter.symbol.into() && own.relation == Relation::Greater && builder.is_nothing(&own.right)
+        });
+        let is_given = |(name, given): (&str, &Given)| {
+            let is_own = matches!(given, Given::Expression(text) if text.trim() == letter.name);
+            is_own && builder.symbols().find(name).is_some_and(|symbol| builder.is_positive(symbol))
+        };
+        if is_required || loaded.given.iter().any(is_given) {
+            builder.assume_positive(&letter.name, letter.symbol);
+        }
+    }
 }
 
 /// Gives a random stream to each given that some form draws; the positions of these givens.

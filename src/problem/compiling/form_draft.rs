@@ -130,6 +130,13 @@ impl FormDraft {
         let extra = |conditions: &[Condition]| [require, conditions].concat();
         let printed = enough::printed(loaded, &self.question, model);
         let sheet = enough::on_the_sheet(&self.question, &printed, &known, &told);
+        // Beside a value that is revealed as it is rounded, values that were drawn and not printed would contradict it.
+        if !self.reveal.is_empty() && !self.sought.is_empty() {
+            let is_drawn = |known: &&Known| known.origin.is_drawn() && !sheet.contains(&known.symbol);
+            for secret in known.iter().filter(is_drawn) {
+                told.remove(&secret.symbol);
+            }
+        }
         let rules = (&self.counts[..], &extra(&self.conditions)[..]);
         let answered = enough::answered(planner, model, &self.sought, rules, (&known, &sheet))?;
         for (at, part) in answered.parts {

@@ -10,6 +10,7 @@ use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::expr::SymbolEntry;
 use crate::laws::Law;
+use crate::model::Instant;
 use crate::model::Model;
 use crate::model::Name;
 use crate::model::QuantityKind;
@@ -28,6 +29,7 @@ use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
+use super::super::questions::vector::VectorPart;
 use super::super::reading::load::Loaded;
 use super::super::sampling::rounding::Sensitivities;
 use super::super::sampling::samples::Samples;
@@ -130,6 +132,14 @@ impl Form {
     pub(in crate::problem) fn finds(&self, symbol: Symbol) -> bool {
         let by = |leaf: &Leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol));
         !self.is_any(symbol) && (self.told.contains(&symbol) || self.solver.leaves().iter().all(by))
+    }
+
+    /// Whether a quantity is told or asked, or found on the way to an answer.
+    fn speaks_of(&self, symbol: Symbol) -> bool {
+        let finds = |leaf: &Leaf| leaf.answer_steps().iter().any(|step| step.unknowns.contains(&symbol));
+        self.on_sheet.contains(&symbol)
+            || self.wanted().any(|own| own == symbol)
+            || self.solver.leaves().iter().any(finds)
     }
 
     /// The quantities in terms of which answers are asked.
@@ -247,7 +257,34 @@ impl Problem {
         self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(set).clone())
     }
 
-    /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies.
+    /// The name of a vector that is asked, typeset.
+    #[must_use]
+    pub fn math_of_vector(&self, id: &str, vector: &VectorPart) -> Math {
+        match vector.components.first().and_then(|first| self.stage_shown(first.symbol)) {
+            Some(stage) => self.notation.math(&format!("{}@{stage}", id.split_once('[').map_or(id, |(name, _)| name))),
+            None => self.notation.math(id),
+        }
+    }
+
+    /// The stage of a quantity that has to be told apart from the same one of another stage: some form speaks of both.
+    fn stage_shown(&self, symbol: Symbol) -> Option<&str> {
+        let own = self.model.name(symbol);
+        let stage = own.stage.as_deref()?;
+        // These show their stages anyway; a named instant stands in the same place.
+        let is_told_apart = matches!(own.kind, QuantityKind::Duration | QuantityKind::TerminalSpeed)
+            || matches!(own.instant, Some(Instant::Named(_)));
+        let bare = Name { stage: None, ..own.clone() };
+        let alike = |other: &Symbol| {
+            let name = self.model.name(*other);
+            name.stage.is_some() && name.stage != own.stage && Name { stage: None, ..name.clone() } == bare
+        };
+        let others: Vec<Symbol> = self.model.symbols.iter().map(|(other, _)| other).filter(alike).collect();
+        let both = |form: &Form| form.speaks_of(symbol) && others.iter().any(|other| form.speaks_of(*other));
+        (!is_told_apart && self.forms.iter().any(both)).then_some(stage)
+    }
+
+    /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies, and a quantity that
+    /// several stages have is told apart by its stage.
     fn set_apart(&self, symbol: Symbol) -> Cow<'_, str> {
         let name = self.model.name(symbol);
         let is_energy = |(symbol, entry): (Symbol, &SymbolEntry)| {
@@ -255,6 +292,9 @@ impl Problem {
         };
         if name.kind == QuantityKind::Period && self.model.symbols.iter().any(is_energy) {
             return Name { kind: QuantityKind::Own("tau".to_owned()), ..name.clone() }.to_string().into();
+        }
+        if let Some(stage) = self.stage_shown(symbol) {
+            return format!("{}@{stage}", Name { stage: None, ..name.clone() }).into();
         }
         self.model.symbols.entry(symbol).name.as_str().into()
     }

@@ -112,8 +112,25 @@ pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &m
         let points = loaded.draft.points_of(points);
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
     }
+    tell_apart(&mut read.parts, builder);
     check_alone(&read, question, builder);
     read
+}
+
+/// Where two questions have the same words, each says in which stage its quantity is.
+fn tell_apart(parts: &mut [Part], builder: &Builder<'_>) {
+    let phrase = |part: &Part| match &part.kind {
+        PartKind::Number(number) => builder.stage_phrase_of(number.symbol),
+        PartKind::Formula(formula) => builder.stage_phrase_of(formula.symbol),
+        PartKind::Choice(_) | PartKind::Vector(_) | PartKind::Range(_) => None,
+    };
+    let own: Vec<(String, Option<String>)> = parts.iter().map(|part| (part.label.clone(), phrase(part))).collect();
+    for (part, (label, stage)) in parts.iter_mut().zip(&own) {
+        let differs = |(other, its): &&(String, Option<String>)| other == label && its != stage;
+        if let Some(stage) = stage.as_ref().filter(|_| own.iter().find(differs).is_some()) {
+            part.label = format!("{label} during {stage}");
+        }
+    }
 }
 
 /// On the boundary of an interval other quantities have the values that belong to it, and no others can be asked.
@@ -214,33 +231,43 @@ pub(super) fn number_part(
     let entry = builder.symbols().entry(symbol).clone();
     let unit = match &find.unit {
         None => AskedUnit::Unit(unit_for(loaded, find.name(), entry.dimension)),
-        Some(text) => match (Unit::parse(text), builder.mention(text)) {
-            (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
-            (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
-                AskedUnit::InTermsOf(other, Unit::none())
+        Some(text) => {
+            match (Unit::parse(text), builder.mention(text)) {
+                (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
+                (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
+                    AskedUnit::InTermsOf(other, Unit::none())
+                }
+                // Of what the sheet tells by a number nobody asks for a multiple with a unit of its own.
+                (_, Some(other)) if matches!(loaded.given.get(text), Some(Given::Any(_))) => {
+                    let multiple = entry.dimension / builder.symbols().entry(other).dimension;
+                    AskedUnit::InTermsOf(other, coherent_unit(multiple, unit_system(loaded.draft.units)))
+                }
+                (Ok(unit), _) => {
+                    let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
+                    let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.name());
+                    let help = match builder.mention(text) {
+                        Some(_) => format!(
+                            "write a unit of its own dimension; an answer in terms of `{text}` needs `{text}` given as `any`, with its unit"
+                        ),
+                        None => "write a unit of its own dimension".to_owned(),
+                    };
+                    builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.key("unit")));
+                    return None;
+                }
+                (Err(fault), _) => {
+                    let fault = unit_fault(fault, 0);
+                    let words = text.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
+                    let mut names = words.filter(|word| Unit::parse(word).is_err());
+                    let fault = if names.any(|word| builder.mention(word).is_some()) {
+                        fault.help("in terms of several quantities an answer is a formula: remove `unit`, and write `as: formula`")
+                    } else {
+                        fault
+                    };
+                    builder.fault(fault.at_path(path.key("unit")));
+                    return None;
+                }
             }
-            // Of what the sheet tells by a number nobody asks for a multiple with a unit of its own.
-            (_, Some(other)) if matches!(loaded.given.get(text), Some(Given::Any(_))) => {
-                let multiple = entry.dimension / builder.symbols().entry(other).dimension;
-                AskedUnit::InTermsOf(other, coherent_unit(multiple, unit_system(loaded.draft.units)))
-            }
-            (Ok(unit), _) => {
-                let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
-                let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.name());
-                let help = match builder.mention(text) {
-                    Some(_) => format!(
-                        "write a unit of its own dimension; an answer in terms of `{text}` needs `{text}` given as `any`, with its unit"
-                    ),
-                    None => "write a unit of its own dimension".to_owned(),
-                };
-                builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.key("unit")));
-                return None;
-            }
-            (Err(fault), _) => {
-                builder.fault(unit_fault(fault, 0).at_path(path.key("unit")));
-                return None;
-            }
-        },
+        }
     };
     if find.id.is_some()
         && matches!(&unit, AskedUnit::Unit(unit) if unit.is_percent())

@@ -106,7 +106,9 @@ fn takes_in_all(balance: &Balance<'_>, builder: &Builder<'_>) -> bool {
         of.iter().any(|own| own == body || builder.scene().members(own).contains(body))
             || builder.scene().members(body).iter().all(|member| of.iter().any(|own| own == member))
     };
-    let bodies: Vec<&str> = builder.bodies().collect();
+    // What a stage makes later consists of bodies that are looked at themselves.
+    let declared = builder.scene().bodies.keys().map(String::as_str);
+    let bodies: Vec<&str> = declared.collect();
     bodies.iter().filter(|body| builder.is_changed_in(body, balance.stage)).all(is_in)
 }
 

@@ -177,6 +177,9 @@ impl<'s> Checker<'s> {
                     (false, None) if free.is_empty() => {
                         "all possible keys are already here: remove this one".to_owned()
                     }
+                    (false, None) if key.split_whitespace().nth(1).is_some() => {
+                        "within `{ }` a text with a comma or a colon stands in quotation marks".to_owned()
+                    }
                     (false, None) => format!("the keys here are {}", quoted(&known, "and")),
                 };
                 let fault = Fault::new(Code::UnknownKey, format!("`{key}` is not a key of {what}"));

@@ -1,7 +1,7 @@
 //! # Isolate
 //!
 //! *Closes:* one equation whose only unknown is linear in it, or is written once; also one given piece by piece, where a
-//! single piece depends on the unknown.
+//! single piece depends on the unknown; a product that is one power of a positive unknown.
 //!
 //! *On paper:* bring the unknown to one side: `m v2 = m v1 + J` gives `v2 = v1 + J / m`.
 //!
@@ -9,6 +9,7 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::quantity::Rational;
 
 use super::block::Block;
 use super::closing::{Closing, Found, Refusal};
@@ -54,6 +55,8 @@ pub(super) fn isolated(
         None
     };
     let found = found.or_else(|| pure_power(&residual, unknown, positive));
+    let found = found.or_else(|| one_power(left, right, unknown, positive));
+    let found = found.or_else(|| one_power(right, left, unknown, positive));
     let found = found.or_else(|| in_one_piece(&residual, unknown).map(|value| vec![value]));
     let found = found.ok_or(Refusal::NotApplicable)?;
     Ok(found.into_iter().map(|value| cancelled_where(value, positive)).collect())
@@ -99,6 +102,34 @@ fn piecewise_in(term: &Expr, unknown: Symbol) -> Option<&Expr> {
     match term {
         Expr::Piecewise(_) => term.contains(unknown).then_some(term),
         other => other.children().find_map(|part| piecewise_in(part, unknown)),
+    }
+}
+
+/// The root of `c x^p = d` for a positive unknown that is written several times: `x sqrt(x/a) = d`.
+fn one_power(side: &Expr, other: &Expr, unknown: Symbol, positive: &dyn Fn(Symbol) -> bool) -> Option<Vec<Expr>> {
+    if !positive(unknown) || other.contains(unknown) {
+        return None;
+    }
+    let (power, coefficient) = as_power(side, unknown).filter(|(power, _)| !power.is_zero())?;
+    Some(vec![over(other, &coefficient).power(Expr::Number(Rational::ONE / power))])
+}
+
+/// A product as a power of an unknown that is positive, and what it is multiplied by.
+fn as_power(term: &Expr, unknown: Symbol) -> Option<(Rational, Expr)> {
+    match term {
+        term if !term.contains(unknown) => Some((Rational::ZERO, term.clone())),
+        Expr::Symbol(_) => Some((Rational::ONE, Expr::one())),
+        Expr::Product(factors) => {
+            let parts: Option<Vec<(Rational, Expr)>> = factors.iter().map(|own| as_power(own, unknown)).collect();
+            let (powers, coefficients): (Vec<Rational>, Vec<Expr>) = parts?.into_iter().unzip();
+            Some((powers.into_iter().fold(Rational::ZERO, |sum, own| sum + own), Expr::product(coefficients)))
+        }
+        Expr::Power(pair) => {
+            let exponent = pair.1.as_number()?;
+            let (power, coefficient) = as_power(&pair.0, unknown)?;
+            Some((power * exponent, coefficient.power(pair.1.clone())))
+        }
+        _ => None,
     }
 }
 
