@@ -164,7 +164,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::SlideOff(slide), _) => during(supported(scene, &slide.body, &slide.on)),
         (Stage::Flight(flight), _) => {
             let bodies: Vec<String> = flight.flying().map(name).collect();
-            let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
+            let (are, their) = if bodies.len() > 1 { ("are", "their") } else { (is, its) };
             during(format!("{} {are} acted on by {}", list(&bodies), in_flight(scene, flight, their)))
         }
         (Stage::Interact(own), [one, other]) if own.friction.is_some() => during(format!(
