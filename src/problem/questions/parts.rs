@@ -126,8 +126,8 @@ fn tell_apart(parts: &mut [Part], builder: &Builder<'_>) {
     };
     let own: Vec<(String, Option<String>)> = parts.iter().map(|part| (part.label.clone(), phrase(part))).collect();
     for (part, (label, stage)) in parts.iter_mut().zip(&own) {
-        let differs = |(other, its): &&(String, Option<String>)| other == label && its != stage;
-        if let Some(stage) = stage.as_ref().filter(|_| own.iter().find(differs).is_some()) {
+        let differs = |(other, its): &(String, Option<String>)| other == label && its != stage;
+        if let Some(stage) = stage.as_ref().filter(|_| own.iter().any(differs)) {
             part.label = format!("{label} during {stage}");
         }
     }
@@ -231,43 +231,34 @@ pub(super) fn number_part(
     let entry = builder.symbols().entry(symbol).clone();
     let unit = match &find.unit {
         None => AskedUnit::Unit(unit_for(loaded, find.name(), entry.dimension)),
-        Some(text) => {
-            match (Unit::parse(text), builder.mention(text)) {
-                (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
-                (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
-                    AskedUnit::InTermsOf(other, Unit::none())
-                }
-                // Of what the sheet tells by a number nobody asks for a multiple with a unit of its own.
-                (_, Some(other)) if matches!(loaded.given.get(text), Some(Given::Any(_))) => {
-                    let multiple = entry.dimension / builder.symbols().entry(other).dimension;
-                    AskedUnit::InTermsOf(other, coherent_unit(multiple, unit_system(loaded.draft.units)))
-                }
-                (Ok(unit), _) => {
-                    let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
-                    let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.name());
-                    let help = match builder.mention(text) {
-                        Some(_) => format!(
-                            "write a unit of its own dimension; an answer in terms of `{text}` needs `{text}` given as `any`, with its unit"
-                        ),
-                        None => "write a unit of its own dimension".to_owned(),
-                    };
-                    builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.key("unit")));
-                    return None;
-                }
-                (Err(fault), _) => {
-                    let fault = unit_fault(fault, 0);
-                    let words = text.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
-                    let mut names = words.filter(|word| Unit::parse(word).is_err());
-                    let fault = if names.any(|word| builder.mention(word).is_some()) {
-                        fault.help("in terms of several quantities an answer is a formula: remove `unit`, and write `as: formula`")
-                    } else {
-                        fault
-                    };
-                    builder.fault(fault.at_path(path.key("unit")));
-                    return None;
-                }
+        Some(text) => match (Unit::parse(text), builder.mention(text)) {
+            (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
+            (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
+                AskedUnit::InTermsOf(other, Unit::none())
             }
-        }
+            // Of what the sheet tells by a number nobody asks for a multiple with a unit of its own.
+            (_, Some(other)) if matches!(loaded.given.get(text), Some(Given::Any(_))) => {
+                let multiple = entry.dimension / builder.symbols().entry(other).dimension;
+                AskedUnit::InTermsOf(other, coherent_unit(multiple, unit_system(loaded.draft.units)))
+            }
+            (Ok(unit), _) => {
+                let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
+                let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.name());
+                let help = match builder.mention(text) {
+                    Some(_) => format!(
+                        "write a unit of its own dimension; an answer in terms of `{text}` needs `{text}` given as `any`, with its unit"
+                    ),
+                    None => "write a unit of its own dimension".to_owned(),
+                };
+                builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.key("unit")));
+                return None;
+            }
+            (Err(fault), _) => {
+                let fault = no_unit(text, unit_fault(fault, 0), builder);
+                builder.fault(fault.at_path(path.key("unit")));
+                return None;
+            }
+        },
     };
     if find.id.is_some()
         && matches!(&unit, AskedUnit::Unit(unit) if unit.is_percent())
@@ -291,6 +282,16 @@ pub(super) fn number_part(
     let figures = find.figures.map_or_else(|| loaded.draft.significant_figures(), usize::from);
     let every_root = find.roots.is_some();
     Some(NumberPart { symbol, size: unit.size(), unit, figures, tolerance, whole: false, every_root })
+}
+
+/// The fault of what is no unit; a product of quantities is no unit either.
+fn no_unit(text: &str, fault: Fault, builder: &mut Builder<'_>) -> Fault {
+    let words = text.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
+    let mut names = words.filter(|word| Unit::parse(word).is_err());
+    if !names.any(|word| builder.mention(word).is_some()) {
+        return fault;
+    }
+    fault.help("in terms of several quantities an answer is a formula: remove `unit`, and write `as: formula`")
 }
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
