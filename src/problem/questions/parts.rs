@@ -119,10 +119,9 @@ pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &m
 
 /// Where two questions have the same words, each says in which stage its quantity is.
 fn tell_apart(parts: &mut [Part], builder: &Builder<'_>) {
-    let phrase = |part: &Part| match &part.kind {
-        PartKind::Number(number) => builder.stage_phrase_of(number.symbol),
-        PartKind::Formula(formula) => builder.stage_phrase_of(formula.symbol),
-        PartKind::Choice(_) | PartKind::Vector(_) | PartKind::Range(_) => None,
+    let phrase = |part: &Part| match part.kind.wanted()[..] {
+        [only] if !matches!(part.kind, PartKind::Choice(_)) => builder.stage_phrase_of(only),
+        _ => None,
     };
     let own: Vec<(String, Option<String>)> = parts.iter().map(|part| (part.label.clone(), phrase(part))).collect();
     for (part, (label, stage)) in parts.iter_mut().zip(&own) {
