@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::grade;
 use crate::grade::Diagnosis;
+use crate::grade::Verdict;
 use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
 use crate::problem::Decision;
@@ -18,15 +19,27 @@ use super::marking::Marking;
 impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
     pub(super) fn diagnose(&self, report: &mut grade::Report) {
+        let mut changed = false;
         for (place, own) in report.parts.iter_mut().enumerate() {
             if !diagnose::is_open(own.verdict) || own.follows.is_some() {
                 continue;
             }
-            let found = self.misjudged(place).or_else(|| self.diagnosis(self.suspects(place)?));
+            let exactly = own.verdict == Verdict::RoundingSlip;
+            let found = self.misjudged(place).or_else(|| self.diagnosis(self.suspects(place, exactly)?));
             let Some(diagnosis) = found else { continue };
+            if exactly {
+                // A mistake that gives exactly this value says where it comes from; nothing was rounded.
+                (own.verdict, own.message) = (Verdict::Wrong, grade::not_right());
+                own.points = self.rubric.points(Verdict::Wrong, own.out_of);
+                changed = true;
+            }
             let told = diagnosis.hints.iter().take(self.sitting(place).hints.saturating_add(1)).map(String::as_str);
+            let told = told.filter(|told| **told != *own.message);
             own.message = std::iter::once(&*own.message).chain(told).collect::<Vec<_>>().join(" ").into();
             own.diagnosis = Some(diagnosis);
+        }
+        if changed {
+            report.recount();
         }
     }
 
@@ -43,14 +56,25 @@ impl Marking<'_> {
         misjudged(self.worked, &choice.decided(&self.worked), chosen.option)
     }
 
-    /// The mistakes that lead to the answer there.
-    fn suspects(&self, place: usize) -> Option<Vec<&Mistake>> {
+    /// The mistakes that lead to the answer there, perhaps those alone that lead to it exactly.
+    fn suspects(&self, place: usize, exactly: bool) -> Option<Vec<&Mistake>> {
         match self.answered(place)? {
-            (PartKind::Number(number), grade::ExpectedKind::Number(right), answer) => {
-                let answer = diagnose::number(right, answer).filter(|own| !diagnose::is_coarse(right, *own))?;
-                let is_near = |value: f64| diagnose::is_near(right, answer, value);
-                let (mistakes, values) = self.outcomes(|all, mistake, add| all.each(mistake, number, &is_near, add));
-                Some(picked(&mistakes, diagnose::matching(right, answer, &values)))
+            (PartKind::Number(number), grade::ExpectedKind::Number(right), written) => {
+                let answer = diagnose::number(right, written).filter(|own| !diagnose::is_coarse(right, *own))?;
+                let (mistakes, values) = self.outcomes(|all, mistake, add| {
+                    // Whose numbers come of another unit may be anywhere: nearness alone says nothing of them.
+                    let exactly = exactly || mistake.is_misreading();
+                    let is_near = |value: f64| {
+                        if exactly {
+                            diagnose::is_rounded(right, answer, value)
+                        } else {
+                            diagnose::is_near(right, answer, value)
+                        }
+                    };
+                    all.each(mistake, number, &is_near, add);
+                });
+                let further = diagnose::further_figures(right, written);
+                Some(picked(&mistakes, diagnose::matching(right, answer, further, &values)))
             }
             (PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer) => {
                 let answer = diagnose::components(right, answer)?;
@@ -105,7 +129,7 @@ impl Marking<'_> {
                 codes.push(mistake.of.id);
             }
         }
-        Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, first) })
+        Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, &found) })
     }
 }
 
@@ -144,16 +168,28 @@ fn step(worked: Worked<'_>, mistake: &Mistake) -> Option<String> {
     })
 }
 
-/// What is said of a mistake: a question first, each hint plainer than the one before. None holds the right value.
-pub(super) fn hints_on(worked: Worked<'_>, mistake: &Mistake) -> Vec<String> {
-    let question = feedback_on(worked, mistake.of).unwrap_or_else(|| mistake.of.ask.to_owned());
-    let first = match step(worked, mistake) {
+/// What is said of mistakes that cannot be told apart: a question first, each hint plainer than the one before. None holds the right
+/// value. Of laws two are named; an author's own words stand alone.
+pub(super) fn hints_on(worked: Worked<'_>, found: &[&Mistake]) -> Vec<String> {
+    let Some(mistake) = found.first() else { return Vec::new() };
+    let own_words = feedback_on(worked, mistake.of);
+    let is_another = |other: &&&Mistake| other.of != mistake.of && other.instance.is_some();
+    let alone = own_words.is_some() || mistake.instance.is_none();
+    let another = found.iter().find(is_another).filter(|_| !alone).map(|other| other.of);
+    let question = own_words.unwrap_or_else(|| mistake.of.ask.to_owned());
+    let mut first = match step(worked, mistake) {
         Some(step) => format!("Look at the step with {step}. {question}"),
         None => question,
     };
+    let mut hint = mistake.of.hint.to_owned();
+    if let Some(other) = another {
+        let asked = feedback_on(worked, other).unwrap_or_else(|| other.ask.to_owned());
+        first = format!("{first} Another possibility: {asked}");
+        hint = format!("{hint} {}", other.hint);
+    }
     let law = mistake.instance.and_then(|own| worked.problem.model().instances.get(own)).map(|own| own.law);
     let statement = law.map(|law| format!("{} {}", law.statement, law.signs));
-    [Some(first), Some(mistake.of.hint.to_owned()), statement].into_iter().flatten().collect()
+    [Some(first), Some(hint), statement].into_iter().flatten().collect()
 }
 
 fn picked<'m>(mistakes: &[&'m Mistake], places: Vec<usize>) -> Vec<&'m Mistake> {

@@ -29,6 +29,8 @@ pub(super) struct Earlier {
     pub(super) symbol: Symbol,
     /// In SI units; of a formula, with the numbers of the variant.
     pub(super) value: f64,
+    /// Whether nothing but its sign is wrong.
+    pub(super) reversed: bool,
     /// In what is given. Of numbers only a pure one can stand in a formula.
     pub(super) formula: Option<Expr>,
 }
@@ -67,9 +69,16 @@ impl Marking<'_> {
             {
                 own.own_values = self.own_values(number, relevant);
             }
+            let reversed = matches!(own.verdict, Verdict::Sense | Verdict::SenseReversed);
             let fresh = self.given_as(place).into_iter();
             earlier.extend(fresh.filter_map(|(symbol, value, formula)| {
-                self.can_be_built_upon(symbol, value).then(|| Earlier { id: own.id.clone(), symbol, value, formula })
+                self.can_be_built_upon(symbol, value).then(|| Earlier {
+                    id: own.id.clone(),
+                    symbol,
+                    value,
+                    reversed,
+                    formula,
+                })
             }));
         }
         report.recount();

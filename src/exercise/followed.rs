@@ -190,8 +190,12 @@ impl Marking<'_> {
         accept: &mut dyn FnMut(&Candidate<'_>) -> bool,
     ) -> Vec<Consequence> {
         let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
-        let mut accept =
-            |candidate: &Candidate<'_>| self.can_be_built_upon(asked, candidate.value) && accept(candidate);
+        // A sign that is lost in writing an answer down has not been wrong before.
+        let reversed = chosen.iter().any(|own| own.reversed);
+        let mut accept = |candidate: &Candidate<'_>| {
+            let follows = !(reversed && candidate.is_backwards());
+            follows && self.can_be_built_upon(asked, candidate.value) && accept(candidate)
+        };
         self.worked.following(asked, &values, &mut accept)
     }
 }

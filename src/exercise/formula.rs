@@ -12,6 +12,7 @@ use crate::expr::Symbol;
 use crate::grade;
 use crate::problem::FormulaPart;
 use crate::problem::Part;
+use crate::problem::Sign;
 use crate::problem::Worked;
 use crate::quantity::Dimension;
 
@@ -81,7 +82,12 @@ pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade:
     let formula = formula.unwrap_or_else(|| Expr::from(part.symbol));
     let table = Arc::new(worked.problem.notation().table(symbols));
     let givens: Vec<Symbol> = alphabet.letters.iter().map(|(symbol, ..)| *symbol).collect();
+    let value = worked.variant.value(part.symbol).map(|own| own.value);
+    let sign = worked.problem.sign(part.symbol);
     grade::ExpectedKind::Formula(grade::ExpectedFormula {
+        value: value.filter(|_| symbols.entry(part.symbol).dimension == Dimension::NONE),
+        signed: sign != Sign::Nothing || value.is_none_or(|value| value < 0.0),
+        directed: matches!(sign, Sign::Sense(_)),
         samples: worked.samples(&givens),
         values: alphabet.values.into_iter().collect(),
         multiple_of: part.in_terms_of.filter(|unit| symbols.entry(*unit).dimension != Dimension::NONE),

@@ -301,7 +301,7 @@ impl Exercise {
     fn said(&self, mut behind: Vec<&Mistake>) -> (Vec<&'static str>, Vec<String>) {
         let worked = self.worked();
         likeliest_first(worked, &mut behind);
-        let feedback = behind.first().map(|mistake| hints_on(worked, mistake)).unwrap_or_default();
+        let feedback = hints_on(worked, &behind);
         let mut codes: Vec<&'static str> = Vec::new();
         for mistake in behind {
             if !codes.contains(&mistake.of.id) {
@@ -320,7 +320,7 @@ impl Exercise {
             for wrong in worked.mistaken_formulas(mistake, formula.symbol) {
                 let text = wrong.text(symbols);
                 if text != right && !all.iter().any(|(own, _)| *own == text) {
-                    all.push((text, hints_on(worked, mistake).into_iter().next().unwrap_or_default()));
+                    all.push((text, hints_on(worked, &[mistake]).into_iter().next().unwrap_or_default()));
                 }
             }
         }

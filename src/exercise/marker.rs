@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use crate::expr::Notation;
 use crate::grade;
 use crate::grade::Attempts;
 use crate::grade::Reading;
@@ -27,6 +26,7 @@ use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
 
 use super::formula::expected_formula;
+use super::names::Names;
 use super::rules::Rules;
 
 /// All that marking knows of a form before its numbers are drawn. With them it marks answers, always in the same way; it has
@@ -55,8 +55,8 @@ pub struct Marker {
     pub(super) blanks: Vec<Blank>,
     pub(super) rubric: Rubric,
     pub(super) mark: grade::DecimalMark,
-    /// The letters in which answers may be typed.
-    pub(super) notation: Notation,
+    /// The names under which answers may be given.
+    names: Names,
 }
 
 /// One part, with everything but the right answer.
@@ -97,24 +97,24 @@ impl Marker {
             blanks: form.parts.iter().map(|part| Blank::new(rules, part)).collect(),
             rubric: rules.rubric(),
             mark,
-            notation: problem.notation().clone(),
+            names: Names::of(problem, form),
         }
     }
 
-    /// The position of the part that is meant by a name, in the file's letters or the course's.
+    /// The position of the part that is meant by a name, in the file's letters, the course's, or as the sheet prints it.
     #[must_use]
     pub fn part(&self, name: &str) -> Option<usize> {
-        let ids = || self.blanks.iter().map(|blank| blank.id.as_str());
-        let own = self.notation.usual(ids(), name);
-        ids().position(|id| id == own)
+        let ids: Vec<&str> = self.blanks.iter().map(|blank| blank.id.as_str()).collect();
+        let own = self.names.meant(&ids, name);
+        ids.iter().position(|id| *id == own)
     }
 
-    /// What is said of parts, with the parts' names in the file where the course's were written.
+    /// What is said of parts, with the parts' names in the file where others were written.
     pub(super) fn usual<'a, T: Copy>(&self, ids: &[&'a str], said: &'a [(&'a str, T)]) -> Cow<'a, [(&'a str, T)]> {
-        if self.notation.is_usual() {
+        if said.iter().all(|(part, _)| ids.contains(part)) {
             return Cow::Borrowed(said);
         }
-        let usual = |part: &'a str| self.notation.usual(ids.iter().copied(), part);
+        let usual = |part: &'a str| self.names.meant(ids, part);
         Cow::Owned(said.iter().map(|(part, what)| (usual(part), *what)).collect())
     }
 
@@ -233,7 +233,9 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
         }
         AskedUnit::Unit(_) => None,
     };
-    let called = grade::Called { name: part.id.clone(), axis: rules.problem.axis(number.symbol), multiple_of };
+    let hangs = rules.problem.hanging(number.symbol).map(|senses| [senses.positive, senses.negative]);
+    let axis = rules.problem.axis(number.symbol);
+    let called = grade::Called { name: part.id.clone(), axis, hangs, multiple_of };
     grade::ExpectedNumber {
         cyclic: is_direction(rules, part, number) && unit.is_plain_angle(),
         tolerance: number.tolerance.clone(),
@@ -255,7 +257,8 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
 /// Whether a quantity is a direction, of which a whole turn is as good as none; an angle turned through is not.
 fn is_direction(rules: Rules<'_>, part: &Part, number: &NumberPart) -> bool {
     let name = &rules.problem.model().symbols.entry(number.symbol).name;
-    rules.reference(part).is_some() || name.starts_with("angle_")
+    // The angle of a cord with the vertical is a size.
+    rules.reference(part).is_some() || name.starts_with("angle_") && !rules.problem.model().system.positive.contains(&number.symbol)
 }
 
 fn filled(blank: &grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) -> grade::ExpectedNumber {

@@ -15,6 +15,7 @@ use super::Exercise;
 use super::marker::Blank;
 use super::marker::Marker;
 use super::marker::widen;
+use super::names::Names;
 use super::roots::{joined, several, shared_out};
 use super::rules::Rules;
 
@@ -123,10 +124,13 @@ impl Marking<'_> {
 }
 
 impl Exercise {
-    /// The name in the file of what an answer is for, where the student wrote the course's: `J_A` for `I_A`.
+    /// The name in the file of what an answer is for, where the student wrote the course's, `J_A` for `I_A`, or the one that the sheet
+    /// prints.
     #[must_use]
     pub fn usual_name<'a>(&'a self, typed: &'a str) -> &'a str {
-        self.problem.notation().usual(self.worked().form.parts.iter().map(|part| part.id.as_str()), typed)
+        let worked = self.worked();
+        let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
+        Names::of(worked.problem, worked.form).meant(&ids, typed)
     }
 
     /// What a right answer to a part is.

@@ -14,6 +14,7 @@ mod issued;
 mod item;
 mod marker;
 mod marking;
+mod names;
 mod printable;
 mod record;
 mod roots;

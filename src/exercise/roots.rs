@@ -112,8 +112,10 @@ fn one(group: &[PartReport], roots: usize, part: &Part) -> Option<PartReport> {
     let first = group.first()?;
     let alike = surplus == 0 && group.iter().all(|own| own.verdict == first.verdict);
     let all_right = surplus == 0 && group.iter().all(|own| own.verdict.is_right());
+    // Signs are right or wrong, whether they are written or not.
+    let signs = surplus == 0 && group.iter().all(|own| matches!(own.verdict, Verdict::Sense | Verdict::SenseReversed));
     let none_right = group.iter().all(|own| is_wrong(&own) || own.verdict == Verdict::Unanswered);
-    let shown = if alike || none_right {
+    let shown = if alike || none_right || signs {
         group.iter().find(|own| own.diagnosis.is_some()).or(group.iter().find(is_wrong)).unwrap_or(first)
     } else if all_right {
         group.iter().find(|own| own.verdict != Verdict::Right).unwrap_or(first)

@@ -8,7 +8,7 @@ use crate::quantity::unit_of_place;
 
 use super::expected::{ExpectedNumber, ExpectedVector};
 use super::judge::BESIDE_A_WHOLE_NUMBER;
-use super::read::{Answer, NumberAnswer};
+use super::read::{Answer, NumberAnswer, Written};
 use super::verdict::Verdict;
 
 /// What a wrong answer comes from, most likely.
@@ -106,10 +106,28 @@ fn distance(expected: &ExpectedNumber, one: f64, other: f64) -> f64 {
     (one - other).abs()
 }
 
-/// The suspects that lead to the answer: those within its rounding, or the nearest within that of the values on the way.
-/// Suspects that give the right answer here are none.
+/// Whether an answer is a value as it is rounded at the end.
 #[must_use]
-pub fn matching(expected: &ExpectedNumber, answer: f64, suspects: &[f64]) -> Vec<usize> {
+pub fn is_rounded(expected: &ExpectedNumber, answer: f64, value: f64) -> bool {
+    let limit = if expected.whole { 0.0 } else { rounding(value, expected.figures) };
+    distance(expected, value, answer) <= limit
+}
+
+/// The figures with which a number is written beyond those that are asked.
+#[must_use]
+pub fn further_figures(expected: &ExpectedNumber, answer: &Answer) -> usize {
+    match answer {
+        Answer::Number(NumberAnswer { written: Written::Figures { least, .. }, .. }) => {
+            least.saturating_sub(expected.figures)
+        }
+        _ => 0,
+    }
+}
+
+/// The suspects that lead to the answer: those within its rounding, or the nearest within that of the values on the way.
+/// Suspects that give the right answer here are none. Of an answer that is written with further figures, those which agree in these.
+#[must_use]
+pub fn matching(expected: &ExpectedNumber, answer: f64, further: usize, suspects: &[f64]) -> Vec<usize> {
     let distance = |one: f64, other: f64| distance(expected, one, other);
     let rounding = |value: f64| if expected.whole { 0.0 } else { rounding(value, expected.figures) };
     let near = suspects
@@ -117,8 +135,16 @@ pub fn matching(expected: &ExpectedNumber, answer: f64, suspects: &[f64]) -> Vec
         .enumerate()
         .filter(|(_, value)| is_near(expected, answer, **value) && !is_right(expected, **value))
         .map(|(place, value)| Suspect { place, size: value.abs(), away: distance(*value, answer) });
+    let near: Vec<Suspect> = near.collect();
+    let finer = |own: &Suspect| if expected.whole { 0.0 } else { self::rounding(own.size, expected.figures + further) };
+    let alike: Vec<usize> = near.iter().filter(|own| own.away <= finer(own)).map(|own| own.place).collect();
+    if !alike.is_empty() {
+        return alike;
+    }
     let limit = |own: &Suspect| rounding(own.size);
-    chosen(&near.collect::<Vec<_>>(), &limit, rounding(answer), !expected.whole)
+    // Whoever writes further figures has kept them on the way.
+    let on_the_way = if further > 0 { ROUNDED_ON_THE_WAY / 10.0 } else { ROUNDED_ON_THE_WAY };
+    chosen(&near, &limit, rounding(answer), Some(on_the_way).filter(|_| !expected.whole))
 }
 
 /// The answers that lead to a suspect when they are rounded at the end; nothing where the suspect gives the right answer.
@@ -153,16 +179,19 @@ pub fn matching_vectors(expected: &ExpectedVector, answer: &[f64], suspects: &[V
         .map(|(place, own)| Suspect { place, size: size(own), away: distance(own, answer) })
         .filter(|own| distance(&suspects[own.place], &right) > limits[own.place]);
     let own_rounding = answer.iter().map(|value| rounding(*value, figures)).sum();
-    chosen(&near.collect::<Vec<_>>(), &|own| limits[own.place], own_rounding, true)
+    chosen(&near.collect::<Vec<_>>(), &|own| limits[own.place], own_rounding, Some(ROUNDED_ON_THE_WAY))
 }
 
 /// Those within their limit; else, where values on the way may have been rounded, the nearest with what is beside it.
-fn chosen(near: &[Suspect], limit: &dyn Fn(&Suspect) -> f64, own_rounding: f64, on_the_way: bool) -> Vec<usize> {
+fn chosen(
+    near: &[Suspect],
+    limit: &dyn Fn(&Suspect) -> f64,
+    own_rounding: f64,
+    on_the_way: Option<f64>,
+) -> Vec<usize> {
     let exact: Vec<usize> = near.iter().filter(|own| own.away <= limit(own)).map(|own| own.place).collect();
-    if !exact.is_empty() || !on_the_way {
-        return exact;
-    }
-    let loose = || near.iter().filter(|own| own.away <= ROUNDED_ON_THE_WAY * own.size);
+    let Some(on_the_way) = on_the_way.filter(|_| exact.is_empty()) else { return exact };
+    let loose = || near.iter().filter(|own| own.away <= on_the_way * own.size);
     let nearest = loose().map(|own| own.away).fold(f64::INFINITY, f64::min);
     loose().filter(|own| own.away <= nearest + own_rounding).map(|own| own.place).collect()
 }

@@ -91,6 +91,8 @@ pub struct Called {
     pub name: String,
     /// The axis along which it is counted, of a component: `-x` says its direction then, and `-y` does not.
     pub axis: Option<char>,
+    /// The directions in space, positive first, of what hangs on a string along which it is counted: `downwards`, `upwards`.
+    pub hangs: Option<[String; 2]>,
     /// The quantity of which it is asked as a multiple.
     pub multiple_of: Option<Multiple>,
 }
@@ -198,6 +200,12 @@ pub struct ExpectedFormula {
     pub multiple_of: Option<Symbol>,
     /// What it measures.
     pub dimension: Dimension,
+    /// Its value with the numbers of the variant, in SI units, where it is a pure number.
+    pub value: Option<f64>,
+    /// Whether it may be negative by its meaning, as a component or a difference.
+    pub signed: bool,
+    /// Whether its sign is a direction.
+    pub directed: bool,
 }
 
 impl ExpectedFormula {
@@ -206,7 +214,19 @@ impl ExpectedFormula {
     pub fn new(formula: Expr, symbols: Arc<SymbolTable>, asked: Symbol, domain: Vec<(Symbol, f64, f64)>) -> Self {
         let dimension = symbols.entry(asked).dimension;
         let samples = Arc::default();
-        Self { formula, symbols, asked, domain, samples, values: Vec::new(), multiple_of: None, dimension }
+        Self {
+            formula,
+            symbols,
+            asked,
+            domain,
+            samples,
+            values: Vec::new(),
+            multiple_of: None,
+            dimension,
+            value: None,
+            signed: true,
+            directed: true,
+        }
     }
 
     /// An answer with everything that stands for something else written out; a bare multiple as what it is a multiple of.
@@ -225,7 +245,10 @@ impl ExpectedFormula {
 
 impl PartialEq for ExpectedFormula {
     fn eq(&self, other: &Self) -> bool {
-        self.formula == other.formula && self.asked == other.asked && self.domain == other.domain
+        self.formula == other.formula
+            && self.asked == other.asked
+            && self.domain == other.domain
+            && self.value == other.value
     }
 }
 

@@ -35,6 +35,8 @@ pub enum Message {
     NoValue,
     /// A formula of which it can be found neither that it is right nor that it is wrong.
     CannotBeJudged,
+    /// A number where its formula is asked.
+    ValueForFormula,
     /// Another unit than the question fixes; that one.
     UnitNotAsked(String),
     /// Rounded too early.

@@ -38,7 +38,7 @@ pub use messages::Message;
 pub use number::Number;
 pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
 pub use reading::{Reading, Readings};
-pub use report::{Entry, InputFault, PartReport, Report, grade, grade_read, some_values};
+pub use report::{Entry, InputFault, PartReport, Report, grade, grade_read, not_right, some_values};
 pub use rows::RowCounts;
 pub use rubric::{Attempts, FeedbackTime, Keep, Rubric, Seen};
 pub use sitting::Sitting;

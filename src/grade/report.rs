@@ -143,7 +143,9 @@ pub fn grade_read(
     if parts.iter().filter(|part| !part.verdict.is_right()).count() > 1 {
         let not_right = parts.iter().zip(readings).enumerate().filter_map(|(position, (part, reading))| {
             let answer = reading.as_ref()?.answer.as_ref().ok()?;
-            (!part.verdict.is_right()).then_some((position, answer))
+            // What is right but for its sign has a sign that is wrong.
+            let is_signed = matches!(part.verdict, Verdict::Sense | Verdict::SenseReversed);
+            (!part.verdict.is_right() && !is_signed).then_some((position, answer))
         });
         for position in swapped::find(expected, &not_right.collect::<Vec<_>>()) {
             if let Some(part) = parts.get_mut(position) {
@@ -163,6 +165,12 @@ pub fn grade_read(
 #[must_use]
 pub fn some_values() -> (Verdict, Cow<'static, str>) {
     (Verdict::SomeValues, English.message(&Message::SomeValues))
+}
+
+/// What is said of what is wrong, where nothing more is known of it.
+#[must_use]
+pub fn not_right() -> Cow<'static, str> {
+    English.message(&Message::Wrong)
 }
 
 /// The report on a part.

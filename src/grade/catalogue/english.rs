@@ -19,6 +19,7 @@ impl Catalogue for English {
             Message::Right => "Right.",
             Message::RightRounded => "Right within the rounding of intermediate values.",
             Message::Agrees => "Right: it agrees numerically with the expected formula (not proven).",
+            Message::ValueForFormula => "The value is right, but the question asks for a formula.",
             Message::RoundedNumber => "A number in it is rounded.",
             Message::NoValue => "This formula has no value: check its roots, divisions and functions.",
             Message::CannotBeJudged => {

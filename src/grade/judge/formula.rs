@@ -64,12 +64,23 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
         Compared::Factor(ratio) if (ratio - 1.0).abs() <= TOLERANCE && !answer.shifted.is_empty() => rounded(),
         Compared::Different if is_rounded(expected, answer) => rounded(),
         Compared::Factor(ratio) if (ratio + 1.0).abs() < REVERSED => {
-            Judgement::of(Verdict::SenseReversed, Message::SenseReversed)
+            match (expected.signed, expected.directed) {
+                (false, _) => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
+                (true, false) => Judgement::of(Verdict::SenseReversed, Message::SignReversed),
+                (true, true) => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
+            }
         }
         Compared::Factor(_) => Judgement::of(Verdict::FormulaFactor, Message::Slip(Verdict::FormulaFactor)),
+        Compared::Different if is_value(expected, given) => Judgement::of(Verdict::Wrong, Message::ValueForFormula),
         Compared::Different => Judgement::of(Verdict::Wrong, Message::Wrong),
         Compared::Open => Judgement::of(Verdict::Unreadable, Message::CannotBeJudged),
     }
+}
+
+/// Whether a number stands in the place of the formula whose value it is.
+fn is_value(expected: &ExpectedFormula, given: &Expr) -> bool {
+    let own = given.evaluate(&|_| f64::NAN);
+    given.symbols().is_empty() && expected.value.is_some_and(|value| (own - value).abs() <= TOLERANCE * value.abs())
 }
 
 /// What is known of two formulas.

@@ -111,8 +111,10 @@ fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
     if near(&right, 4.0 * limit) {
         return None;
     }
+    // Whatever turns an arrow and leaves its length changes at least two components.
+    let turned = right.iter().zip(given).filter(|(right, given)| (given.to_f64() - *right).abs() > limit).count() > 1;
     let given = size(&given.iter().map(Number::to_f64).collect::<Vec<_>>());
-    ((given - size(&right)).abs() <= limit && given > 0.0).then_some(Verdict::DirectionWrong)
+    (turned && (given - size(&right)).abs() <= limit && given > 0.0).then_some(Verdict::DirectionWrong)
 }
 
 fn tolerance(expected: &ExpectedVector, right: &[f64]) -> f64 {

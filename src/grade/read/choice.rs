@@ -27,6 +27,32 @@ pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unr
         UnreadableKind::NoOption(_) => meant(&same(normal(answer)), options, &|option| same(normal(option))),
         _ => Err(fault),
     })
+    .or_else(|fault| in_letters(answer, options).ok_or(fault))
+}
+
+/// The option that has the same letters and signs, where one alone does: as it is printed, or with other spaces.
+fn in_letters(answer: &str, options: &[String]) -> Option<ChoiceAnswer> {
+    let written = letters(answer);
+    let mut same = options.iter().enumerate().filter(|(_, text)| letters(text) == written);
+    match (same.next(), same.next()) {
+        (Some((option, text)), None) if !written.is_empty() => Some(ChoiceAnswer { option, text: text.clone() }),
+        _ => None,
+    }
+}
+
+/// The letters, digits and signs of a text, without the stages in brackets.
+fn letters(text: &str) -> String {
+    let mut depth = 0_usize;
+    let mut all = String::new();
+    for next in normal(text).chars() {
+        match next {
+            '[' => depth += 1,
+            ']' => depth = depth.saturating_sub(1),
+            _ if depth == 0 && (next.is_alphanumeric() || "<>=+-*/".contains(next)) => all.push(next),
+            _ => {}
+        }
+    }
+    all
 }
 
 fn meant(written: &str, options: &[String], plain: &dyn Fn(&str) -> String) -> Result<ChoiceAnswer, Unreadable> {

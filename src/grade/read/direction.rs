@@ -55,6 +55,16 @@ pub(super) enum Phrase {
     Other,
 }
 
+impl Phrase {
+    /// Whether it says the positive direction of the question, or the negative one.
+    pub(super) fn declared(&self) -> Option<bool> {
+        match self {
+            Self::Declared(sense) => Some(sense.positive),
+            Self::None | Self::Other => None,
+        }
+    }
+}
+
 /// Reads a phrase, in the directions that the question declares for a component along that axis.
 pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>, axis: Option<char>) -> Phrase {
     let bare = bare(phrase);

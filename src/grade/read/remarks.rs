@@ -6,7 +6,7 @@ use crate::quantity::Rational;
 use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};
 use super::calculation;
-use super::direction::{self, Phrase};
+use super::direction::Phrase;
 use super::numeral::DecimalMark;
 use super::plain::ENDS;
 use super::unit_vectors::unit_vectors;
@@ -143,7 +143,7 @@ pub(super) fn read(
 fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
     let (at, word) = EXPLAINING.iter().find_map(|word| Some((text.find(word)?, word)))?;
     let phrase = text[at + word.len()..].trim_matches([' ', ',', '.', ':', ')']);
-    let Phrase::Declared(sense) = direction::read(phrase, asked.senses, asked.axis) else { return None };
+    let Phrase::Declared(sense) = asked.direction(phrase) else { return None };
     let value = text[..at].trim_end_matches([' ', ',', ';', '(', ':']);
     let found = match value::read(value, asked, mark) {
         Ok(found) if found.sense.is_none() => found,

@@ -5,7 +5,7 @@ use crate::quantity::Unit;
 
 use super::super::expected::ExpectedNumber;
 use super::super::number::Number;
-use super::answer::{NumberAnswer, Sense};
+use super::answer::{NumberAnswer, Sense, Written};
 use super::arithmetic::{self, Form, Term};
 use super::direction::{self, Phrase};
 use super::numeral::DecimalMark;
@@ -30,6 +30,8 @@ pub(super) struct Asked<'a> {
     pub(super) senses: Option<&'a [String; 2]>,
     /// The axis along which it is counted.
     pub(super) axis: Option<char>,
+    /// The same two directions in space, where the axis follows a string.
+    hangs: Option<&'a [String; 2]>,
     pub(super) name: &'a str,
 }
 
@@ -38,12 +40,26 @@ impl<'a> Asked<'a> {
     pub(super) fn of(number: &'a ExpectedNumber) -> Self {
         let called = number.called.as_ref();
         let name = called.map_or("", |called| &called.name);
-        Self { unit: &number.unit, senses: number.senses.as_ref(), axis: called.and_then(|called| called.axis), name }
+        let axis = called.and_then(|called| called.axis);
+        let hangs = called.and_then(|called| called.hangs.as_ref());
+        Self { unit: &number.unit, senses: number.senses.as_ref(), axis, hangs, name }
     }
 
     /// Nothing but a unit.
     pub(super) fn in_unit(unit: &'a Unit) -> Self {
-        Self { unit, senses: None, axis: None, name: "" }
+        Self { unit, senses: None, axis: None, hangs: None, name: "" }
+    }
+
+    /// What a phrase says about direction.
+    pub(super) fn direction(&self, phrase: &str) -> Phrase {
+        let said = direction::read(phrase, self.senses, self.axis);
+        let in_space = || self.hangs.and_then(|hangs| direction::read(phrase, Some(hangs), None).declared());
+        match (&said, self.senses) {
+            (Phrase::Other, Some([plus, minus])) => in_space().map_or(said, |positive| {
+                Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() })
+            }),
+            _ => said,
+        }
     }
 }
 
@@ -57,6 +73,12 @@ pub(super) fn read(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Result<Nu
     }
     if let Some(at) = text.find(NOT_ONE_VALUE) {
         return Err((at, UnreadableKind::NotOneValue));
+    }
+    if asked.unit.is_none()
+        && let Some((first, second)) = text.split_once(':')
+        && let Some(ratio) = ratio(first, second, mark)
+    {
+        return Ok(ratio);
     }
     let text = text.trim_end();
     let (before, start) = leading_direction(text, asked)?;
@@ -87,6 +109,20 @@ pub(super) fn read(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Result<Nu
         sense,
         heading: None,
     })
+}
+
+/// A ratio of two plain numbers: `8:1`.
+fn ratio(first: &str, second: &str, mark: DecimalMark) -> Option<NumberAnswer> {
+    let number = |text: &str| {
+        let text = text.trim_matches([' ', '=']);
+        let (term, length) = arithmetic::read(text, mark).ok()?;
+        (length == text.len()).then_some(term.number)
+    };
+    let number = number(first)?.over(&number(second)?)?;
+    check_size(&number).ok()?;
+    let signed = number.is_negative();
+    let written = Written::Computed;
+    Some(NumberAnswer { number, written, signed, unit: None, pounds_as_mass: false, sense: None, heading: None })
 }
 
 /// A pound is a force, unless only a mass makes sense of it.
@@ -190,7 +226,7 @@ fn before_unit(text: &str, end: usize, asked: Asked<'_>) -> Option<(Sense, usize
 /// The declared sense that a phrase says; a direction that is not declared is a fault.
 fn declared(phrase: &str, at: usize, asked: Asked<'_>) -> Result<Option<Sense>, (usize, UnreadableKind)> {
     let word = || phrase.to_owned();
-    match (direction::read(phrase, asked.senses, asked.axis), asked.senses) {
+    match (asked.direction(phrase), asked.senses) {
         (Phrase::Declared(sense), _) => Ok(Some(sense)),
         // A letter that is no direction here is left to the units.
         (Phrase::Other, _) if direction::is_compass_letter(phrase) => Ok(None),

@@ -10,7 +10,6 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
-use super::energy::HALF;
 use super::force::ENDS_AVERAGED;
 use super::force::VALUE_TIMES_TIME;
 use super::mass_centre::SOME_FORCES;
@@ -40,7 +39,7 @@ pub const DISTANCE: Misconception = Misconception {
 pub const MOMENTS_ADDED: Misconception = Misconception {
     id: "moments-added",
     does: "adds the moments of both components regardless of their sense",
-    ask: "In which sense does each component of the momentum turn about the point?",
+    ask: "In which sense does each component turn about the point?",
     hint: "One of the two moments may be negative: draw both components.",
 };
 /// Components with the wrong arms.
@@ -109,6 +108,14 @@ pub const ROTOR_FORGOTTEN: Misconception = Misconception {
     hint: "A body that turns has an angular momentum of its own: its moment of inertia times its angular velocity.",
 };
 
+/// The area of a rectangle for that of a triangle.
+pub const TRIANGLE: Misconception = Misconception {
+    id: "triangle-as-rectangle",
+    does: "leaves out the factor of one half of the area of a triangle",
+    ask: "Which shape does the radius sweep in a short time, and what is its area?",
+    hint: "The area of a triangle is half the product of its base and its height.",
+};
+
 /// Wrong forms of angular momentum.
 pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &RADIUS_FORGOTTEN, write: radius_forgotten },
@@ -121,7 +128,7 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
 /// Wrong forms of the moment of a force.
 pub const MOMENT: &[WrongForm] = &[
     WrongForm { of: &MOMENTS_ADDED, write: signs_lost },
-    WrongForm { of: &FACTORS_EXCHANGED, write: |law| one((law.left(), -law.right())) },
+    WrongForm { of: &FACTORS_EXCHANGED, write: moment_reversed },
     WrongForm { of: &SOME_FORCES, write: one_force },
 ];
 /// Wrong forms of the moment equation.
@@ -151,7 +158,7 @@ pub const CENTRAL: &[WrongForm] = &[
 ];
 /// Wrong forms of the areal rate.
 pub const AREAL: &[WrongForm] =
-    &[WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) }];
+    &[WrongForm { of: &TRIANGLE, write: |law| one((law.left(), Expr::integer(2) * law.right())) }];
 
 /// The terms of moments of inertia left out: those with an angular velocity of their own.
 fn rotor_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
@@ -205,10 +212,14 @@ fn one_force(law: &Taught<'_>) -> Vec<Wrong> {
     if forces.len() > 1 { alone.collect() } else { Vec::new() }
 }
 
-/// The moment with the other sign, where it is a difference.
+/// The moment with the other sign, where it is the vector product of a position and a momentum.
 fn reversed(law: &Taught<'_>) -> Vec<Wrong> {
-    let is_difference = factors(&law.sides.1).iter().any(|part| matches!(part, Expr::Sum(_)));
-    if is_difference { one((law.left(), -law.right())) } else { Vec::new() }
+    moment(law, |[x, y], [u, v]| y * u - x * v)
+}
+
+/// The same of a force.
+fn moment_reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    if terms(&law.sides.1).len() > 1 { one((law.left(), -law.right())) } else { Vec::new() }
 }
 
 fn distance([x, y]: [Expr; 2], [u, v]: [Expr; 2]) -> Expr {

@@ -97,12 +97,21 @@ pub const LOWER_FIXED: Misconception = Misconception {
     hint: "Friction speeds the lower body up, so both still have kinetic energy when they move together.",
 };
 
+/// A way over the ground for the way that one body slides on the other.
+pub const OVER_GROUND: Misconception = Misconception {
+    id: "distance-over-the-ground",
+    does: "gives how far a body moves over the ground for how far one slides on the other",
+    ask: "Relative to what is this distance counted: to the ground, or to the other body, which moves as well?",
+    hint: "The distance of sliding is the difference of the distances that both bodies move over the ground.",
+};
+
 /// Wrong forms of the work of friction between two bodies.
 pub const RUBBING: &[WrongForm] = &[
     WrongForm { of: &LOWER_FIXED, write: lower_fixed },
     WrongForm { of: &OTHER_WEIGHT, write: other_weight },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &ONE_BODY, write: upper_body },
+    WrongForm { of: &OVER_GROUND, write: over_ground },
 ];
 /// Wrong forms of the heat of friction.
 pub const HEAT: &[WrongForm] = &[WrongForm { of: &OTHER_WEIGHT, write: other_weight }];
@@ -173,6 +182,18 @@ fn upper_body(law: &Taught<'_>) -> Vec<Wrong> {
 fn lower_fixed(law: &Taught<'_>) -> Vec<Wrong> {
     let upper = upper_body(law).into_iter().flat_map(|wrong| wrong.equations);
     upper.map(|(start, _)| Wrong::from((start, Expr::zero()))).collect()
+}
+
+/// Work and energy of one body, for its distance over the ground: friction takes energy from the body on top and gives it to the other.
+fn over_ground(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(upper) = rubbing_mass(law) else { return Vec::new() };
+    let of_lower = |term: Expr| match (rubs(law, &term), term.contains(upper)) {
+        (true, _) => Some(-term),
+        (false, true) => None,
+        (false, false) => Some(term),
+    };
+    let lower = law.both(|side| Expr::sum(terms(side).into_iter().filter_map(of_lower)));
+    [upper_body(law), lower].concat()
 }
 
 /// The mass in the term of friction.

@@ -19,9 +19,9 @@ use super::rewrite::value_times_time;
 /// One value of a changing force.
 pub const VALUE_TIMES_TIME: Misconception = Misconception {
     id: "value-times-time",
-    does: "multiplies one value of a changing force by the whole time",
-    ask: "Does the force have this value all the time? What does its graph against time look like?",
-    hint: "The impulse is the area under the curve: a rectangle only if the force is constant.",
+    does: "multiplies one value of what changes with time by the whole time",
+    ask: "Does it have this value all the time? What does the graph against time look like?",
+    hint: "The integral is the area under the curve: a rectangle only if the curve is level.",
 };
 /// A value times the distance.
 pub const VALUE_TIMES_DISTANCE: Misconception = Misconception {
@@ -33,8 +33,8 @@ pub const VALUE_TIMES_DISTANCE: Misconception = Misconception {
 /// The mean of first and last.
 pub const ENDS_AVERAGED: Misconception = Misconception {
     id: "ends-averaged",
-    does: "takes the mean of the first and the last value as the average force",
-    ask: "Is the graph of the force over time a straight line?",
+    does: "takes the mean of the first and the last value as the average over time",
+    ask: "Is the graph against time a straight line?",
     hint: "The mean of the two end values is the average over time only for a straight line.",
 };
 /// The mean of zero and the peak.

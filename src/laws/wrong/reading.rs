@@ -70,7 +70,7 @@ pub const OUNCES: Misconception = Misconception {
 pub const DIRECTION: Misconception = Misconception {
     id: "direction-reversed",
     does: "gives the answer the opposite sign",
-    ask: "Which direction does your sign mean? Does it agree with the picture?",
+    ask: "Which direction does your sign mean, and which direction is positive here?",
     hint: "Draw the axis and the arrow of your answer next to each other.",
 };
 /// `180 deg - x`.
@@ -79,6 +79,13 @@ pub const SUPPLEMENT: Misconception = Misconception {
     does: "measures the angle from the other end of the line",
     ask: "From which end of the axis is the angle measured?",
     hint: "Draw the direction and the axis with its arrow, then measure the angle between the arrows.",
+};
+/// `180 deg - x`, of two arrows.
+pub const BETWEEN: Misconception = Misconception {
+    id: "angle-between-supplement",
+    does: "measures the angle between one arrow and the other turned round",
+    ask: "Do both arrows start from the point at which the angle between them is measured?",
+    hint: "Draw both arrows from one point: the angle between them is the one that they enclose there.",
 };
 /// One more or less.
 pub const COUNT: Misconception = Misconception {
@@ -136,8 +143,10 @@ pub struct Slip {
 pub enum SlipOf {
     /// To every signed component.
     Signed,
-    /// To every direction.
+    /// To every angle in the plane but that between two arrows.
     Angle,
+    /// To the angle between two arrows.
+    Between,
     /// To every number that is counted.
     Count,
 }
@@ -147,6 +156,7 @@ pub const SLIPS: &[Slip] = &[
     Slip { of: &DIRECTION, to: SlipOf::Signed, written: |value| -value },
     Slip { of: &SUPPLEMENT, to: SlipOf::Angle, written: |value| std::f64::consts::PI - value },
     Slip { of: &OTHER_AXIS, to: SlipOf::Angle, written: |value| std::f64::consts::FRAC_PI_2 - value },
+    Slip { of: &BETWEEN, to: SlipOf::Between, written: |value| std::f64::consts::PI - value },
     Slip { of: &COUNT, to: SlipOf::Count, written: |value| value + 1.0 },
     Slip { of: &COUNT, to: SlipOf::Count, written: |value| value - 1.0 },
 ];

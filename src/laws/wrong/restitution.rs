@@ -49,6 +49,13 @@ pub const ELASTIC: Misconception = Misconception {
     ask: "Is the impact elastic? Where does the coefficient of restitution enter?",
     hint: "Bodies separate as fast as they approached only where no energy is lost.",
 };
+/// Bodies that stay together.
+pub const AS_PLASTIC: Misconception = Misconception {
+    id: "impact-as-plastic",
+    does: "treats the impact as perfectly plastic",
+    ask: "Do the bodies stay together after the impact? What does the coefficient of restitution say of that?",
+    hint: "Bodies move on together only where the coefficient of restitution is zero.",
+};
 /// Velocities exchanged, as of equal masses in an elastic impact.
 pub const EXCHANGED: Misconception = Misconception {
     id: "velocities-exchanged",
@@ -96,6 +103,7 @@ pub const BODIES: &[WrongForm] = &[
     WrongForm { of: &ADDED, write: added },
     WrongForm { of: &ONE_BODY, write: one_body },
     WrongForm { of: &ELASTIC, write: elastic },
+    WrongForm { of: &AS_PLASTIC, write: |law| with_coefficient(law, |_| Expr::zero()) },
     WrongForm { of: &EXCHANGED, write: exchanged },
     WrongForm { of: &AS_ENERGY, write: as_energy },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::sync::RwLock;
 
 use crate::expr::Expr;
+use crate::expr::Function;
 use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::laws::energy;
@@ -38,8 +39,12 @@ use super::restricted::Restricted;
 const MOST_WAYS: usize = 64;
 /// Energy created up to this share of what was there may come of rounding.
 const ROUNDING: (i64, u32) = (102, 100);
+/// Velocities that differ by no more than this share may be the same, as they are rounded.
+const ROUNDED: (i64, u32) = (6, 1000);
 /// A formula and a program give the same within this share.
 const SAME: f64 = 1e-9;
+/// Roots are told apart where they differ by more than this share: a wrong answer is rounded.
+const ROOT: f64 = 0.006;
 
 /// The ways in which a form's answers follow from each other, as far as somebody has asked: by the way the scene goes, the
 /// quantity that is asked, and the earlier quantities that are known.
@@ -53,6 +58,8 @@ type Key = (usize, Symbol, BTreeSet<Symbol>);
 pub struct Following {
     /// The laws that the answer then satisfies together with the earlier ones.
     pub by: Vec<&'static Law>,
+    /// Whether what comes before an earlier answer is found from it, so that it need not be wrong in itself.
+    backwards: bool,
     solver: Solver,
     /// Judges whether the values can be, with what each condition that it judges by says where it is broken.
     judge: Option<(Program, Vec<Reason>)>,
@@ -80,6 +87,12 @@ pub struct Candidate<'a> {
 }
 
 impl Candidate<'_> {
+    /// Whether something that comes before an earlier answer is found from it: a step before it is taken to be wrong.
+    #[must_use]
+    pub fn is_backwards(&self) -> bool {
+        self.way.backwards
+    }
+
     /// The formulas, in what is given and the earlier quantities, that have this value.
     #[must_use]
     pub fn formulas(&self) -> Vec<Expr> {
@@ -116,9 +129,7 @@ impl Worked<'_> {
         };
         let mut consequences = Vec::new();
         for way in ways.iter() {
-            let mut values = Vec::new();
-            way.solver.values(asked, &input, &mut |value| values.push(value));
-            for value in values {
+            for value in self.consistent(&way.solver, asked, &input) {
                 let candidate = Candidate { value, asked, worked: *self, way, input: &input };
                 // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
                 if value != 0.0 && value.is_finite() && accept(&candidate) {
@@ -128,6 +139,21 @@ impl Worked<'_> {
             }
         }
         consequences
+    }
+
+    /// The values by a solver. Of several roots only one that is possible follows, and only one that the right values do not have
+    /// as well: a square hides a wrong sign.
+    fn consistent(&self, solver: &Solver, asked: Symbol, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Vec<f64> {
+        let mut values = Vec::new();
+        if !solver.chooses() {
+            solver.values(asked, input, &mut |value| values.push(value));
+            return values;
+        }
+        let mut roots = Vec::new();
+        solver.roots(asked, &|symbol| self.variant.value(symbol), &mut |value| roots.push(value));
+        solver.possible(asked, input, &mut |value| values.push(value));
+        values.retain(|value| roots.iter().all(|root| (root - value).abs() > ROOT * value.abs()));
+        values
     }
 }
 
@@ -151,6 +177,8 @@ impl Following {
 fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BTreeSet<Symbol>) -> Vec<Following> {
     let used: BTreeSet<usize> = leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect();
     let known: BTreeSet<Symbol> = form.told.union(from).copied().collect();
+    let finding = leaf.answer_steps().iter().filter(|step| step.unknowns.iter().any(|own| from.contains(own)));
+    let own: BTreeSet<usize> = finding.flat_map(|step| step.equations.iter().copied()).collect();
     let mut ways: Vec<(Vec<usize>, Following)> = Vec::new();
     for aside in left_aside(leaf, from).into_iter().take(MOST_WAYS) {
         let kept = Restricted::new(&leaf.system, used.difference(&aside).copied());
@@ -168,8 +196,9 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
             continue;
         };
         let by = laws(problem.model(), &leaf.system, &places, from);
-        let judge = judge(problem.model(), leaf, &kept, found, &known);
-        ways.push((places, Following { by, solver, judge }));
+        let judge = judge(problem.model(), leaf, &kept, &aside, found, &known);
+        let backwards = !aside.is_subset(&own);
+        ways.push((places, Following { by, backwards, solver, judge }));
     }
     ways.into_iter().map(|(_, way)| way).collect()
 }
@@ -209,15 +238,31 @@ fn determining(leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
     found
 }
 
-/// The laws in which an earlier answer stands.
+/// The laws in which an earlier answer stands, under its own name or under another; where it only gets another name, that law.
 fn laws(model: &Model, system: &System, places: &[usize], from: &BTreeSet<Symbol>) -> Vec<&'static Law> {
+    let equations = || places.iter().filter_map(|place| system.equations.get(*place));
+    let mut meant = from.clone();
+    let names: Vec<&Equation> = equations().filter(|equation| is_name(equation)).collect();
+    for equation in names.iter().filter(|equation| !equation.symbols().is_disjoint(from)) {
+        meant.extend(equation.symbols());
+    }
+    let mut stating: Vec<&Equation> = equations()
+        .filter(|equation| !is_name(equation) && !equation.symbols().is_disjoint(&meant))
+        .collect();
+    if stating.is_empty() {
+        stating = names;
+    }
     let mut laws: Vec<&'static Law> = Vec::new();
-    let equations = places.iter().filter_map(|place| system.equations.get(*place));
-    for equation in equations.filter(|equation| !equation.symbols().is_disjoint(from)) {
+    for equation in stating {
         let law = model.instances.get(equation.tag).map(|own| own.law);
         laws.extend(law.filter(|law| !laws.contains(law)));
     }
     laws
+}
+
+/// Whether an equation says no more than that two quantities are the same.
+fn is_name(equation: &Equation) -> bool {
+    matches!(&equation.statement, Statement::Equal { left: Expr::Symbol(_), right: Expr::Symbol(_) })
 }
 
 /// The program that solves the rest of the scene from the same values and judges it.
@@ -225,19 +270,30 @@ fn judge(
     model: &Model,
     leaf: &Leaf,
     kept: &Restricted,
+    aside: &BTreeSet<usize>,
     mut found: Plan,
     known: &BTreeSet<Symbol>,
 ) -> Option<(Program, Vec<Reason>)> {
+    // What was left aside is not true of the student's values: the rest of the scene does not follow from it.
+    let rest = Restricted::new(&leaf.system, (0..leaf.system.equations.len()).filter(|own| !aside.contains(own)));
     for step in &mut found.steps {
-        step.equations = step.equations.iter().filter_map(|own| kept.places.get(*own).copied()).collect();
+        let place = |own: &usize| rest.places.binary_search(kept.places.get(*own)?).ok();
+        step.equations = step.equations.iter().filter_map(place).collect();
         step.moves.clear();
     }
-    let mut system = leaf.system.clone();
+    let mut system = rest.system;
     let judged = leaf.system.conditions.iter().filter_map(|condition| {
         let reason = model.reasons.get(condition.tag)?;
         let warning = reason.warning()?;
         let serves = matches!(warning, Warning::PassesThrough | Warning::EnergyCreated | Warning::NoImpact);
-        serves.then(|| (condition.clone(), reason.clone()))
+        let mut condition = condition.clone();
+        if warning == Warning::PassesThrough && condition.relation == Relation::AtLeast {
+            // Velocities that are equal as they are rounded do not pass through.
+            let size = |side: &Expr| Expr::apply(Function::Abs, side.clone());
+            let sizes = size(&condition.left) + size(&condition.right);
+            condition.left = condition.left + Expr::ratio(ROUNDED.0, ROUNDED.1) * sizes;
+        }
+        serves.then(|| (condition, reason.clone()))
     });
     let lost = leaf.system.equations.iter().filter_map(|equation| {
         let law = model.instances.get(equation.tag)?.law;

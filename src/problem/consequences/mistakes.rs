@@ -55,6 +55,14 @@ pub struct Mistake {
     pub(super) made: Made,
 }
 
+impl Mistake {
+    /// Whether a given is taken in another unit.
+    #[must_use]
+    pub fn is_misreading(&self) -> bool {
+        matches!(self.made, Made::Misread(..))
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(super) enum Made {
     /// The system has a wrong equation.
@@ -204,6 +212,11 @@ impl Solver {
         &self.inputs
     }
 
+    /// Whether there are several roots, among which the conditions of a true solution choose.
+    pub(super) fn chooses(&self) -> bool {
+        self.strict.is_some()
+    }
+
     /// Gives `add` the values of a quantity in every solution: those that can be, or where none can, all.
     pub(in crate::problem) fn values(
         &self,
@@ -211,28 +224,56 @@ impl Solver {
         input: &dyn Fn(Symbol) -> Option<Bounded>,
         add: &mut dyn FnMut(f64),
     ) {
+        if !self.possible(symbol, input, add) {
+            self.roots(symbol, input, add);
+        }
+    }
+
+    /// Those that can be, where there is something to choose; whether there are any.
+    pub(super) fn possible(
+        &self,
+        symbol: Symbol,
+        input: &dyn Fn(Symbol) -> Option<Bounded>,
+        add: &mut dyn FnMut(f64),
+    ) -> bool {
+        self.strict.as_ref().is_some_and(|program| self.run(program, symbol, input, add))
+    }
+
+    /// Those of every root, possible or not.
+    pub(super) fn roots(
+        &self,
+        symbol: Symbol,
+        input: &dyn Fn(Symbol) -> Option<Bounded>,
+        add: &mut dyn FnMut(f64),
+    ) -> bool {
+        self.run(&self.loose, symbol, input, add)
+    }
+
+    fn run(
+        &self,
+        program: &Program,
+        symbol: Symbol,
+        input: &dyn Fn(Symbol) -> Option<Bounded>,
+        add: &mut dyn FnMut(f64),
+    ) -> bool {
         if !self.wanted.contains(&symbol) {
-            return;
+            return false;
         }
         MEMORY.with_borrow_mut(|(inputs, workspace)| {
             inputs.clear();
             inputs.extend(self.inputs.iter().map_while(|own| input(*own)));
             if inputs.len() < self.inputs.len() {
-                return;
+                return false;
             }
-            for program in self.strict.iter().chain([&self.loose]) {
-                let outcome = program.run(inputs, workspace);
-                let all = outcome.value(symbol).into_iter().chain(outcome.other_values(symbol));
-                let mut found = false;
-                for value in all.map(|own| own.value).filter(|value| value.is_finite()) {
-                    found = true;
-                    add(value);
-                }
-                if found {
-                    return;
-                }
+            let outcome = program.run(inputs, workspace);
+            let all = outcome.value(symbol).into_iter().chain(outcome.other_values(symbol));
+            let mut found = false;
+            for value in all.map(|own| own.value).filter(|value| value.is_finite()) {
+                found = true;
+                add(value);
             }
-        });
+            found
+        })
     }
 }
 

@@ -2,7 +2,9 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::laws::wrong::reading::DEGREES;
 use crate::laws::wrong::reading::SlipOf;
+use crate::model::QuantityKind;
 use crate::quantity::Tolerance;
 use crate::quantity::half_unit;
 use crate::solve::BatchValues;
@@ -18,6 +20,10 @@ use super::mistakes::Mistake;
 
 /// A formula and a program give the same within this share.
 const SAME: f64 = 1e-9;
+/// An angle that is misread is turned on by so much, in radians, to see whether anything hangs on it.
+const TURNED: f64 = 0.05;
+/// What changes by less than this share does not hang on it.
+const UNMOVED: f64 = 0.01;
 
 /// What comes of every common mistake with the numbers of a variant.
 #[derive(Debug)]
@@ -45,7 +51,7 @@ impl Simulated<'_> {
     ) {
         let unit = self.worked.unit_of(number);
         let told = |symbol: Symbol| self.worked.variant.value(symbol);
-        let mut add = |value: f64| {
+        let mut keep = |value: f64| {
             let value = value / unit;
             if value.is_finite() && is_wanted(value) {
                 add(value);
@@ -56,32 +62,78 @@ impl Simulated<'_> {
             Made::Solved(ways) => {
                 for way in ways {
                     match way.batched {
-                        Some(place) => batched(place).into_iter().for_each(&mut add),
-                        None => way.solver.values(number.symbol, &told, &mut add),
+                        Some(place) => batched(place).into_iter().for_each(&mut keep),
+                        None => way.solver.values(number.symbol, &told, &mut keep),
                     }
                 }
             }
-            Made::Misread(_, _, Some(place)) => batched(*place).into_iter().for_each(&mut add),
-            Made::Misread(right, read, None) => {
-                let misread = |symbol: Symbol| {
-                    let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
-                    told(symbol).map(|own| Bounded { value: own.value * factor, error: own.error * factor })
+            Made::Misread(right, read, place) => {
+                // An inverse function of the same calculator gives its angles in radians, too.
+                let unit = if *mistake.of == DEGREES && is_in_degrees(number) { 1.0 } else { unit };
+                let mut values = Vec::new();
+                let mut wanted = |value: f64| {
+                    if is_wanted(value / unit) {
+                        values.push(value);
+                    }
                 };
-                right.values(number.symbol, &misread, &mut add);
+                match place {
+                    Some(place) => {
+                        let batch = self.batch.as_ref();
+                        let is_near = |value| is_wanted(value / unit);
+                        let value = batch.and_then(|batch| batch.value(*place, number.symbol, &is_near));
+                        value.into_iter().for_each(&mut wanted);
+                    }
+                    None => right.values(number.symbol, &self.misread(read, 1.0, 0.0), &mut wanted),
+                }
+                values.retain(|value| self.hangs_on(mistake, number.symbol, *value));
+                values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).for_each(add);
             }
             Made::Written(to, written) => {
                 let fits = match to {
                     SlipOf::Signed => {
                         self.worked.planned().is_some_and(|planned| planned.directed.contains(&number.symbol))
                     }
-                    SlipOf::Angle => {
-                        matches!(&number.unit, AskedUnit::Unit(unit) if unit.is_plain_angle() && unit.has_pi())
-                    }
+                    SlipOf::Angle => is_in_degrees(number) && !self.is_between(number),
+                    SlipOf::Between => is_in_degrees(number) && self.is_between(number),
                     SlipOf::Count => number.whole,
                 };
-                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut add);
+                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut keep);
             }
         }
+    }
+
+    /// Whether a number is the angle between two arrows.
+    fn is_between(&self, number: &NumberPart) -> bool {
+        matches!(self.worked.problem.model().name(number.symbol).kind, QuantityKind::AngleBetween(_))
+    }
+
+    /// What is given, with some of it misread, by a somewhat other factor and something added.
+    fn misread<'m>(
+        &'m self,
+        read: &'m [(Symbol, f64)],
+        times: f64,
+        plus: f64,
+    ) -> impl Fn(Symbol) -> Option<Bounded> + 'm {
+        move |symbol| {
+            let own = self.worked.variant.value(symbol)?;
+            let factor = read.iter().find(|(misread, _)| *misread == symbol).map(|(_, factor)| *factor * times);
+            let Some(factor) = factor else { return Some(own) };
+            Some(Bounded { value: own.value * factor + plus, error: own.error * factor })
+        }
+    }
+
+    /// Whether what comes of a misreading hangs on by how much the given is misread. Where it does not, it is what comes of
+    /// leaving the given out, or of making it as large as can be, and nothing says that a unit was misread.
+    fn hangs_on(&self, mistake: &Mistake, symbol: Symbol, value: f64) -> bool {
+        let Made::Misread(right, read, _) = &mistake.made else { return true };
+        let others = if *mistake.of == DEGREES { [(1.0, -TURNED), (1.0, TURNED)] } else { [(0.5, 0.0), (2.0, 0.0)] };
+        others.into_iter().all(|(times, plus)| {
+            let mut is_other = true;
+            right.values(symbol, &self.misread(read, times, plus), &mut |other| {
+                is_other &= (other - value).abs() > UNMOVED * value.abs();
+            });
+            is_other
+        })
     }
 
     /// What a mistake makes of a vector: its components in the unit of the question.
@@ -91,6 +143,11 @@ impl Simulated<'_> {
         let count = each.iter().map(Vec::len).min().unwrap_or(0);
         (0..count).map(|place| each.iter().filter_map(|values| values.get(place).copied()).collect()).collect()
     }
+}
+
+/// Whether a number is an angle in degrees, or in turns.
+fn is_in_degrees(number: &NumberPart) -> bool {
+    matches!(&number.unit, AskedUnit::Unit(unit) if unit.is_plain_angle() && unit.has_pi())
 }
 
 impl<'a> Worked<'a> {

@@ -210,16 +210,29 @@ impl Problem {
         let name = Some(self.model().name(symbol)).filter(|name| !name.is_plain())?;
         let is_directed = match name.kind {
             ref kind if kind.is_velocity() => true,
-            QuantityKind::Momentum
-            | QuantityKind::Impulse
-            | QuantityKind::DeformationImpulse
-            | QuantityKind::RestitutionImpulse
-            | QuantityKind::MeanForce => true,
+            QuantityKind::Momentum | QuantityKind::Impulse | QuantityKind::MeanForce => true,
             // The direction of a strength is given separately.
             QuantityKind::Force => scene.bodies.contains_key(&name.subject) && !has_thrust(scene, &name.subject),
             _ => false,
         };
         senses_of(scene, &self.model().symbols.entry(symbol).name).filter(|_| is_directed)
+    }
+
+    /// The directions in space of what is counted along a string and belongs to a body that hangs on it.
+    #[must_use]
+    pub fn hanging(&self, symbol: Symbol) -> Option<Senses> {
+        self.senses(symbol)?;
+        let body = &self.model().name(symbol).subject;
+        let [down, up] = ["downwards", "upwards"].map(str::to_owned);
+        self.loaded().draft.scene.stages.iter().find_map(|stage| match stage {
+            Stage::Connected(own) if own.leading.hangs() && own.leading.body == *body => {
+                Some(Senses { positive: down.clone(), negative: up.clone() })
+            }
+            Stage::Connected(own) if own.trailing.hangs() && own.trailing.body == *body => {
+                Some(Senses { positive: up.clone(), negative: down.clone() })
+            }
+            _ => None,
+        })
     }
 
     /// The letter of the axis along which a component is counted.
@@ -230,7 +243,7 @@ impl Problem {
     }
 }
 
-fn has_thrust(scene: &Scene, body: &str) -> bool {
+pub(super) fn has_thrust(scene: &Scene, body: &str) -> bool {
     scene.stages.iter().any(|stage| matches!(stage, Stage::Thrust(thrust) if thrust.body == body))
 }
 
