@@ -258,7 +258,8 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
 fn is_direction(rules: Rules<'_>, part: &Part, number: &NumberPart) -> bool {
     let name = &rules.problem.model().symbols.entry(number.symbol).name;
     // The angle of a cord with the vertical is a size.
-    rules.reference(part).is_some() || name.starts_with("angle_") && !rules.problem.model().system.positive.contains(&number.symbol)
+    rules.reference(part).is_some()
+        || name.starts_with("angle_") && !rules.problem.model().system.positive.contains(&number.symbol)
 }
 
 fn filled(blank: &grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) -> grade::ExpectedNumber {

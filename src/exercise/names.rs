@@ -49,6 +49,7 @@ fn printed(problem: &Problem, part: &Part) -> Vec<String> {
 
 /// A name by its letters and digits alone: `(r_A2)_y` and `\text{r}_{A2,y}` are one.
 fn bare(name: &str) -> String {
-    let plain = ["\\text", "\\mathrm", "\\lvert", "\\rvert"].iter().fold(name.to_owned(), |name, word| name.replace(word, ""));
+    let plain =
+        ["\\text", "\\mathrm", "\\lvert", "\\rvert"].iter().fold(name.to_owned(), |name, word| name.replace(word, ""));
     plain.chars().filter(|next| next.is_alphanumeric()).collect()
 }

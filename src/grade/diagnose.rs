@@ -183,12 +183,7 @@ pub fn matching_vectors(expected: &ExpectedVector, answer: &[f64], suspects: &[V
 }
 
 /// Those within their limit; else, where values on the way may have been rounded, the nearest with what is beside it.
-fn chosen(
-    near: &[Suspect],
-    limit: &dyn Fn(&Suspect) -> f64,
-    own_rounding: f64,
-    on_the_way: Option<f64>,
-) -> Vec<usize> {
+fn chosen(near: &[Suspect], limit: &dyn Fn(&Suspect) -> f64, own_rounding: f64, on_the_way: Option<f64>) -> Vec<usize> {
     let exact: Vec<usize> = near.iter().filter(|own| own.away <= limit(own)).map(|own| own.place).collect();
     let Some(on_the_way) = on_the_way.filter(|_| exact.is_empty()) else { return exact };
     let loose = || near.iter().filter(|own| own.away <= on_the_way * own.size);

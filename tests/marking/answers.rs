@@ -22,7 +22,8 @@ fn number(unit: &str, senses: &str) -> ExpectedKind {
         Multiple { name: name.to_owned(), units }
     });
     let unit = if multiple_of.is_some() { "" } else { unit };
-    let called = multiple_of.map(|own| Arc::new(Called { name: String::new(), axis: None, hangs: None, multiple_of: Some(own) }));
+    let called = multiple_of
+        .map(|own| Arc::new(Called { name: String::new(), axis: None, hangs: None, multiple_of: Some(own) }));
     let senses = senses.split_once(" | ").map(|(plus, minus)| [plus.to_owned(), minus.to_owned()]);
     let unit = Unit::parse(unit).unwrap_or_else(|fault| panic!("{unit}: {fault}"));
     ExpectedKind::Number(ExpectedNumber { senses, called, ..ExpectedNumber::new(1.0, unit) })

@@ -16,4 +16,5 @@ mod mistakes_met;
 mod readings;
 mod round_trip;
 mod several_roots;
+mod sheets;
 mod verdicts;

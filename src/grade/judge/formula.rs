@@ -63,13 +63,11 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
         Compared::Agree => Judgement::of(Verdict::RightAgrees, Message::Agrees),
         Compared::Factor(ratio) if (ratio - 1.0).abs() <= TOLERANCE && !answer.shifted.is_empty() => rounded(),
         Compared::Different if is_rounded(expected, answer) => rounded(),
-        Compared::Factor(ratio) if (ratio + 1.0).abs() < REVERSED => {
-            match (expected.signed, expected.directed) {
-                (false, _) => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
-                (true, false) => Judgement::of(Verdict::SenseReversed, Message::SignReversed),
-                (true, true) => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
-            }
-        }
+        Compared::Factor(ratio) if (ratio + 1.0).abs() < REVERSED => match (expected.signed, expected.directed) {
+            (false, _) => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
+            (true, false) => Judgement::of(Verdict::SenseReversed, Message::SignReversed),
+            (true, true) => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
+        },
         Compared::Factor(_) => Judgement::of(Verdict::FormulaFactor, Message::Slip(Verdict::FormulaFactor)),
         Compared::Different if is_value(expected, given) => Judgement::of(Verdict::Wrong, Message::ValueForFormula),
         Compared::Different => Judgement::of(Verdict::Wrong, Message::Wrong),

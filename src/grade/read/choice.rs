@@ -23,11 +23,15 @@ pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unr
     }
     let same = |text: String| SAME.iter().fold(text, |text, (other, word)| text.replace(other, word));
     let found = meant(&normal(answer), options, &normal);
-    found.or_else(|fault| match fault.kind {
-        UnreadableKind::NoOption(_) => meant(&same(normal(answer)), options, &|option| same(normal(option))),
-        _ => Err(fault),
-    })
-    .or_else(|fault| in_letters(answer, options).ok_or(fault))
+    found
+        .or_else(|fault| match fault.kind {
+            UnreadableKind::NoOption(_) => meant(&same(normal(answer)), options, &|option| same(normal(option))),
+            _ => Err(fault),
+        })
+        .or_else(|fault| match fault.kind {
+            UnreadableKind::NoOption(_) => in_letters(answer, options).ok_or(fault),
+            _ => Err(fault),
+        })
 }
 
 /// The option that has the same letters and signs, where one alone does: as it is printed, or with other spaces.

@@ -105,6 +105,12 @@ fn along_axis(bare: &str, phrase: &str) -> Option<(bool, Option<char>)> {
     }
 }
 
+/// Whether a phrase begins with a direction and goes on, perhaps with an axis: `back along the table`.
+pub(super) fn begins(phrase: &str) -> bool {
+    let bare = bare(phrase);
+    bare.split_once(' ').is_some_and(|(first, _)| group(first).is_some() && !is_compass_letter(first))
+}
+
 /// Whether a phrase is a letter of the compass, which may also be a unit.
 pub(super) fn is_compass_letter(phrase: &str) -> bool {
     ["N", "S", "E", "W"].contains(&phrase)

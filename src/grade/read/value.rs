@@ -58,6 +58,7 @@ impl<'a> Asked<'a> {
             (Phrase::Other, Some([plus, minus])) => in_space().map_or(said, |positive| {
                 Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() })
             }),
+            (Phrase::None, None) if direction::begins(phrase) => Phrase::Other,
             _ => said,
         }
     }

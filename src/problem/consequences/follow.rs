@@ -246,9 +246,8 @@ fn laws(model: &Model, system: &System, places: &[usize], from: &BTreeSet<Symbol
     for equation in names.iter().filter(|equation| !equation.symbols().is_disjoint(from)) {
         meant.extend(equation.symbols());
     }
-    let mut stating: Vec<&Equation> = equations()
-        .filter(|equation| !is_name(equation) && !equation.symbols().is_disjoint(&meant))
-        .collect();
+    let mut stating: Vec<&Equation> =
+        equations().filter(|equation| !is_name(equation) && !equation.symbols().is_disjoint(&meant)).collect();
     if stating.is_empty() {
         stating = names;
     }

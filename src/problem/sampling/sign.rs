@@ -44,7 +44,8 @@ impl Problem {
             return Sign::Sense(senses);
         }
         let name = self.model().name(symbol);
-        if name.is_plain() {
+        // Work has no name of its own where there is one stage only.
+        if name.is_plain() && name.kind != QuantityKind::Work {
             return Sign::Nothing;
         }
         let scene = &self.loaded().draft.scene;
