@@ -224,14 +224,11 @@ impl Problem {
         self.senses(symbol)?;
         let body = &self.model().name(symbol).subject;
         let [down, up] = ["downwards", "upwards"].map(str::to_owned);
-        self.loaded().draft.scene.stages.iter().find_map(|stage| match stage {
-            Stage::Connected(own) if own.leading.hangs() && own.leading.body == *body => {
-                Some(Senses { positive: down.clone(), negative: up.clone() })
-            }
-            Stage::Connected(own) if own.trailing.hangs() && own.trailing.body == *body => {
-                Some(Senses { positive: up.clone(), negative: down.clone() })
-            }
-            _ => None,
+        self.loaded().draft.scene.stages.iter().find_map(|stage| {
+            let Stage::Connected(own) = stage else { return None };
+            let [sinks, rises] = [&own.leading, &own.trailing].map(|strand| strand.hangs() && strand.body == *body);
+            let [positive, negative] = if sinks { [&down, &up] } else { [&up, &down] }.map(Clone::clone);
+            (sinks || rises).then_some(Senses { positive, negative })
         })
     }
 
