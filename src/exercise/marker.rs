@@ -236,14 +236,17 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
     let hangs = rules.problem.hanging(number.symbol).map(|senses| [senses.positive, senses.negative]);
     let axis = rules.problem.axis(number.symbol);
     let called = grade::Called { name: part.id.clone(), axis, hangs, multiple_of };
+    let cyclic = is_direction(rules, part, number) && unit.is_plain_angle();
+    let is_positive = rules.reference(part).is_none() && rules.problem.model().system.positive.contains(&number.symbol);
     grade::ExpectedNumber {
-        cyclic: is_direction(rules, part, number) && unit.is_plain_angle(),
+        cyclic,
         tolerance: number.tolerance.clone(),
         units: rules.units(),
         writing: rules.writing(),
         reference: rules.reference(part),
         figures: number.figures,
-        signed: sign != Sign::Nothing,
+        // A direction may be turned either way, but the angle of a cord with the vertical is a size.
+        signed: sign != Sign::Nothing || cyclic && !is_positive,
         senses: match sign {
             Sign::Sense(senses) => Some([senses.positive, senses.negative]),
             Sign::Other | Sign::Nothing => None,
@@ -257,9 +260,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
 /// Whether a quantity is a direction, of which a whole turn is as good as none; an angle turned through is not.
 fn is_direction(rules: Rules<'_>, part: &Part, number: &NumberPart) -> bool {
     let name = &rules.problem.model().symbols.entry(number.symbol).name;
-    // The angle of a cord with the vertical is a size.
-    rules.reference(part).is_some()
-        || name.starts_with("angle_") && !rules.problem.model().system.positive.contains(&number.symbol)
+    rules.reference(part).is_some() || name.starts_with("angle_")
 }
 
 fn filled(blank: &grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) -> grade::ExpectedNumber {

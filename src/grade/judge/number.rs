@@ -90,8 +90,8 @@ fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
         return Found::Rounded;
     }
     let opposite = number.clone().negated();
-    if expected.cyclic || expected.whole || !(target.within_tolerance(&opposite) || target.within_allowance(&opposite))
-    {
+    let turned = expected.cyclic && !expected.is_magnitude();
+    if turned || expected.whole || !(target.within_tolerance(&opposite) || target.within_allowance(&opposite)) {
         return Found::Elsewhere;
     }
     if expected.is_magnitude() {

@@ -63,8 +63,11 @@ pub fn windows(expected: &ExpectedNumber) -> Vec<VerdictWindow> {
         VerdictWindow::around(right, allowance, Verdict::RightRounded),
     ];
     if let Some(turn) = target.turn() {
-        for (verdict, wrong) in angle::slips(&target) {
-            let near = brought_near([wrong - target.tolerance(), wrong + target.tolerance()], right, turn);
+        // The opposite of a size is only written with a minus sign; what is found first decides.
+        let opposite = expected.is_magnitude().then_some((Verdict::RightWithNote, -right));
+        for (verdict, wrong) in opposite.into_iter().chain(angle::slips(&target)) {
+            let reach = if verdict.is_right() { tolerance.max(allowance) } else { target.tolerance() };
+            let near = brought_near([wrong - reach, wrong + reach], right, turn);
             all.extend(near.into_iter().map(|[low, high]| VerdictWindow { low, high, verdict }));
         }
         return all;

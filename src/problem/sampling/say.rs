@@ -240,7 +240,7 @@ impl Problem {
     }
 }
 
-pub(super) fn has_thrust(scene: &Scene, body: &str) -> bool {
+fn has_thrust(scene: &Scene, body: &str) -> bool {
     scene.stages.iter().any(|stage| matches!(stage, Stage::Thrust(thrust) if thrust.body == body))
 }
 

@@ -6,7 +6,6 @@ use crate::model::QuantityKind;
 use crate::scene::Senses;
 
 use super::super::compiling::planned::Problem;
-use super::say::has_thrust;
 use super::say::senses_of;
 
 /// What the sign of a quantity says.
@@ -70,8 +69,6 @@ impl Problem {
             }
             // On a circle a position is the distance from its centre.
             QuantityKind::Position if along.as_ref().is_some_and(|senses| !senses.is_of_a_turn()) => Sign::Other,
-            // A body under thrust moves on, and what it travels is a distance.
-            QuantityKind::Displacement if !has_thrust(scene, &name.subject) => Sign::Other,
             QuantityKind::Coordinate(_) | QuantityKind::Work => Sign::Other,
             kind if kind.is_velocity() => Sign::Other,
             _ => Sign::Nothing,
