@@ -158,6 +158,9 @@ pub enum Reason {
     /// The author asks for the other solution.
     #[error("the problem asks for the other solution")]
     OtherSolutionAsked,
+    /// What would be so in the other solution, in the author's words.
+    #[error("{0}")]
+    Otherwise(String),
     /// It is what a question asks.
     #[error("the question asks for it")]
     Asked,

@@ -156,7 +156,7 @@ impl<'a> Witness<'a> {
     /// The conditions by which the author picks among the solutions of the form.
     pub(super) fn conditions(&self) -> impl Iterator<Item = &str> {
         let form = self.case.problem.forms().get(self.case.variant.form());
-        form.into_iter().flat_map(|form| &form.question.conditions).map(|(_, text)| text.as_str())
+        form.into_iter().flat_map(|form| &form.question.conditions).map(|(_, intended)| intended.text())
     }
 
     fn symbol(&self, name: &str) -> Option<Symbol> {

@@ -107,7 +107,7 @@ impl Builder<'_> {
         self.acts(force.works(Effect::Open, "the forces do work along the way"));
         self.note_impulse_of_all(index, body, vec![impulse]);
         if self.downwards(0).is_none() && !rubs {
-            self.neglect("friction", "the problem gives none");
+            self.neglect("other resistance", "the problem gives none");
         }
     }
 

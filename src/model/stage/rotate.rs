@@ -59,13 +59,12 @@ impl Builder<'_> {
         let because = match (&gained, lone) {
             (Some(_), _) if !forces.is_empty() => {
                 let changing = Self::changing(moment.is_some(), &forces, &centre);
-                format!(
-                    "what holds the arm at {centre} has no moment about it, and only {changing} the angular momentum"
-                )
+                let holds = holding(stage, &centre);
+                format!("{holds} has no moment about it, and only {changing} the angular momentum")
             }
             (Some(_), Some(_)) => {
                 format!(
-                    "the force of the arm passes through {centre}, and only the moment changes the angular momentum"
+                    "the force towards {centre} has no moment about it, and only the moment changes the angular momentum"
                 )
             }
             (Some(_), None) => {
@@ -87,7 +86,6 @@ impl Builder<'_> {
         let [before, after] = momenta;
         let start = Expr::sum([before].into_iter().chain(gained));
         self.law(&angular::ANGULAR_IMPULSE, Some(index), because, (start, after));
-        let changing = held.iter().any(|(_, arm)| matches!(arm, Arm::Changing(_)));
         self.arm_acts(index, stage, &held, moment.as_ref(), path);
         for force in &forces {
             self.along_acts(index, force);
@@ -97,16 +95,7 @@ impl Builder<'_> {
                 stage: index,
                 on: body.to_owned(),
                 by: Agent::Outside,
-                called: match (&moment, changing) {
-                    _ if !forces.is_empty() => acting_words(&centre, stage, &forces),
-                    (Some(_), _) if stage.rotor.is_some() => {
-                        format!("the force at {centre} and the moment about it")
-                    }
-                    (None, _) if stage.rotor.is_some() => format!("the force at {centre}"),
-                    (Some(_), _) => format!("the force of the arm and the moment about {centre}"),
-                    (None, false) => "the force of the arm".into(),
-                    (None, true) => format!("the force towards {centre}"),
-                },
+                called: acting_words(&centre, stage, &forces),
                 components: Vec::new(),
                 impulsive: false,
             });
@@ -128,9 +117,10 @@ impl Builder<'_> {
         }
         for (body, arm) in held {
             let others: Vec<&str> = stage.turning().into_iter().filter(|other| other != body).collect();
-            let called = match arm {
-                Arm::Constant(_) => "the force of the arm".to_owned(),
-                Arm::Changing(_) => format!("the force towards {centre}"),
+            // A rotor also pushes what it carries along the path; only what acts towards the centre is noted of it.
+            let called = match &stage.rotor {
+                Some(_) => format!("the force towards {centre}"),
+                None => holding(stage, &centre),
             };
             let words = format!("{called} does work as the distance changes");
             let own = Influence::outside(index, body, called).through(&stage.about);
@@ -291,15 +281,26 @@ impl Builder<'_> {
     }
 }
 
-/// What acts, where there are forces along the path.
+/// The force with which the point holds what turns about it.
+fn holding(stage: &Rotate, centre: &str) -> String {
+    let changes = stage.held().iter().any(|(_, arm)| matches!(arm, Arm::Changing(_)));
+    match &stage.rotor {
+        Some(_) => format!("the force at {centre}"),
+        None if changes || !stage.is_arm() => format!("the force towards {centre}"),
+        None => "the force of the arm".to_owned(),
+    }
+}
+
+/// What acts on what turns.
 fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
-    let holds =
-        if stage.rotor.is_some() { format!("the force at {centre}") } else { "the force of the arm".to_owned() };
     let moment = stage.moment.iter().map(|_| format!("the moment about {centre}"));
-    let mut all: Vec<String> =
-        [holds].into_iter().chain(forces.iter().map(|force| force.name.clone())).chain(moment).collect();
-    let last = all.pop().unwrap_or_default();
-    format!("{} and {last}", all.join(", "))
+    let others: Vec<String> = forces.iter().map(|force| force.name.clone()).chain(moment).collect();
+    let holds = holding(stage, centre);
+    match others.split_last() {
+        None => holds,
+        Some((last, [])) => format!("{holds} and {last}"),
+        Some((last, others)) => format!("{holds}, {} and {last}", others.join(", ")),
+    }
 }
 
 /// The angular impulse of a moment that stays the same, or of a body that strikes, where somebody asks for it.

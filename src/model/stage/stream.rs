@@ -35,7 +35,7 @@ impl Builder<'_> {
         };
         let Some(speed) = self.stream_speed(index, stage, path) else { return };
         let moves = stage.moves.as_ref().map(|term| {
-            self.read(term, Dimension::VELOCITY, &format!("the speed of {name} along {by}"), &path.key("moves"))
+            self.read(term, Dimension::VELOCITY, &format!("the speed of {name} along the stream"), &path.key("moves"))
         });
         let relative = match &moves {
             Some(moves) => speed.clone() - moves.clone(),
@@ -62,17 +62,22 @@ impl Builder<'_> {
         }
         self.stream_follows(index, stage, &forces, moves.as_ref(), &direction);
         self.stream_support(index, stage, &flow, &forces, path);
+        let rests = speed.is_zero();
         self.flowing.push(Flowing { stage: index, speed, direction, leaving, relative });
         self.acts(Influence::outside(index, body, by).force(forces.clone()));
         // The body keeps its velocity, so something holds it.
         let held = forces.iter().map(|force| -force.clone()).collect();
         self.acts(Influence::outside(index, body, format!("what holds {name}")).force(held));
-        self.note_impulse(index, body, by, Vec::new());
+        let is_vertical = self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some());
+        let is_carried = stage.stays && is_vertical && (stage.during.is_some() || stage.caught.is_some());
+        let acting = if is_carried { format!("{by}, its weight and what carries it") } else { by.to_owned() };
+        self.note_impulse(index, body, acting, Vec::new());
         // Friction may be what carries along a stream that stays.
         if !stage.stays {
             self.neglect("friction between the stream and the body", "the problem gives none");
         }
-        if stage.drop.is_none() && self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some()) {
+        // What lies at rest before it is taken along is carried by what it lies on.
+        if stage.drop.is_none() && !rests && is_vertical {
             self.neglect(
                 format!("the weight of {by} before it arrives"),
                 "it is small compared with the forces of the stream",
@@ -209,7 +214,10 @@ impl Builder<'_> {
             self.law(&geometry::DIRECTION, Some(index), "the components give the direction", sides);
         }
         if let [force] = forces {
-            let meaning = format!("the force that holds {name} against {}, or keeps it going", stage.by);
+            let meaning = match moves {
+                Some(_) => format!("the force that keeps {name} going in spite of {}", stage.by),
+                None => format!("the force that holds {name} against {}", stage.by),
+            };
             let hold = Expr::from(self.symbol(hold, meaning));
             let fact = format!("{name} moves at constant velocity");
             let because = Because::Conclusion(fact, "the forces on it balance".to_owned());
@@ -220,7 +228,7 @@ impl Builder<'_> {
             Expr::sum(self.components(direction).into_iter().zip(forces).map(|(part, force)| part * force.clone()));
         let meaning = format!("the power of the force of {} on {name}", stage.by);
         let power = Expr::from(self.symbol(power, meaning));
-        let because = format!("{name} moves along {}", stage.by);
+        let because = format!("{name} moves along the line of the force of {}", stage.by);
         self.law(&variable_mass::POWER, Some(index), because, (power, along * moves.clone()));
     }
 

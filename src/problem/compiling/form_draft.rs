@@ -79,7 +79,9 @@ impl FormDraft {
         }
         let conditions = question.conditions.iter();
         let conditions = conditions
-            .filter_map(|(path, text)| condition(builder, text, Reason::OtherSolutionAsked, path))
+            .filter_map(|(path, intended)| {
+                condition(builder, intended.text(), intended.reason(), &intended.place(path))
+            })
             .chain(read.conditions)
             .collect();
         Self {

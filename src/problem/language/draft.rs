@@ -9,6 +9,7 @@ use super::ask::Ask;
 use super::course::CourseSymbols;
 use super::entries::Entries;
 use super::given::GivenEntry;
+use super::intended::Intended;
 use super::rubric::Rubric;
 use super::text::Text;
 
@@ -60,7 +61,7 @@ pub struct Draft {
     pub reveal: Vec<String>,
     /// Conditions that choose the intended solution if several are true, in every form.
     #[serde(default, rename = "where")]
-    pub conditions: Vec<String>,
+    pub conditions: Vec<Intended>,
     /// `all` if every true solution is asked for, in every form.
     #[serde(default)]
     pub roots: Option<Roots>,
@@ -129,7 +130,7 @@ pub struct Form {
     pub reveal: Vec<String>,
     /// Conditions that choose the intended solution if several are true.
     #[serde(default, rename = "where")]
-    pub conditions: Vec<String>,
+    pub conditions: Vec<Intended>,
     /// `all` if every true solution is asked for.
     #[serde(default)]
     pub roots: Option<Roots>,

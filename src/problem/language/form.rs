@@ -8,6 +8,7 @@ use super::ask::Ask;
 use super::draft::{Draft, Expect, Form, Roots};
 use super::entries::Entries;
 use super::given::Given;
+use super::intended::Intended;
 use super::text::Text;
 
 /// One way in which a problem is asked, with what the file says for all forms.
@@ -26,7 +27,7 @@ pub struct Question {
     /// Names that are solved first and then given; they stand under `reveal` at the form's path.
     pub reveal: Vec<String>,
     /// Conditions that pick among true solutions, each with its place: those for every form, then the form's own.
-    pub conditions: Vec<(Path, String)>,
+    pub conditions: Vec<(Path, Intended)>,
     /// Whether every true solution is asked for.
     pub roots: Option<Roots>,
     /// Warnings that are meant, by their names, each with its place.

@@ -32,8 +32,8 @@ pub(super) fn yes_or_no((holds, because): Verdict, behind: Option<&'static Misco
 
 /// Forces that never have time to act in a short impact, whatever the scene.
 const ORDINARY: &[(&str, &str)] = &[
-    ("weight", "it hardly changes during the short contact, so its impulse is negligible"),
-    ("gravity", "it hardly changes during the short contact, so its impulse is negligible"),
+    ("weight", "it stays as large as before, so its impulse is negligible in so short a contact"),
+    ("gravity", "it stays as large as before, so its impulse is negligible in so short a contact"),
     ("friction", "it is bounded by the ordinary normal force, so in the short contact its impulse is negligible"),
     ("normal force", "nothing impulsive presses the body into the ground, so it hardly changes"),
     ("spring force", "it depends on the spring's length, which hardly changes during the short contact"),
