@@ -30,18 +30,31 @@ fn led_by_positive(expr: &Expr) -> Expr {
     Expr::sum(parts)
 }
 
-/// `(b - a)/c` for `-(a - b)/c`.
+/// `(b - a)/c` for `-(a - b)/c`, and `c/(a + b)` for `-c/(-a - b)`.
 fn without_outer_minus(expr: Expr) -> Expr {
     let Expr::Product(factors) = &expr else { return expr };
     let mut factors = factors.to_vec();
     let negative = factors.first().and_then(Expr::as_number).is_some_and(|number| *number < Rational::ZERO);
-    let turns = |factor: &Expr| matches!(factor, Expr::Sum(parts) if parts.iter().skip(1).any(Expr::begins_with_minus));
-    let (true, Some(place)) = (negative, factors.iter().position(turns)) else { return expr };
-    let Expr::Sum(parts) = &factors[place] else { return expr };
-    let turned = Expr::sum(parts.iter().map(|part| -part.clone()));
-    factors[place] = positive_first(&turned);
+    let turns = factors.iter().enumerate().find_map(|(place, factor)| Some((place, turned(factor)?)));
+    let (true, Some((place, turned))) = (negative, turns) else { return expr };
+    factors[place] = turned;
     factors[0] = (-factors[0].clone()).simplify();
     Expr::product(factors)
+}
+
+/// A factor with the opposite sign, where it reads better so.
+fn turned(factor: &Expr) -> Option<Expr> {
+    let opposite = |parts: &[Expr]| positive_first(&Expr::sum(parts.iter().map(|part| -part.clone())));
+    match factor {
+        Expr::Sum(parts) => parts.iter().skip(1).any(Expr::begins_with_minus).then(|| opposite(parts)),
+        Expr::Power(pair) => match (&pair.0, pair.1.as_number()) {
+            (Expr::Sum(parts), Some(exponent)) if *exponent == Rational::NEG_ONE => {
+                parts.iter().all(Expr::begins_with_minus).then(|| opposite(parts).power(pair.1.clone()))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// Whether a term holds the angle of a point.
