@@ -61,9 +61,17 @@ fn add_factors(term: &Expr, found: &mut Vec<Expr>) {
     }
 }
 
-/// Those of which it is not plain that they are positive.
+/// Those of which it is not plain that they are positive, or negative.
 pub(super) fn doubtful(factors: Vec<Expr>, positive: &BTreeSet<Symbol>) -> Vec<Expr> {
-    factors.into_iter().filter(|factor| !is_positive(factor, positive)).collect()
+    let is_plain = |factor: &Expr| is_positive(factor, positive) || is_positive(&opposite(factor), positive);
+    factors.into_iter().filter(|factor| !is_plain(factor)).collect()
+}
+
+fn opposite(term: &Expr) -> Expr {
+    match term {
+        Expr::Sum(parts) => Expr::sum(parts.iter().map(|part| (-part.clone()).simplify())),
+        _ => (-term.clone()).simplify(),
+    }
 }
 
 fn is_positive(term: &Expr, positive: &BTreeSet<Symbol>) -> bool {

@@ -7,7 +7,6 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::model::Builder;
 use crate::model::Model;
-use crate::model::Reason;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Planner;
