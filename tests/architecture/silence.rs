@@ -84,7 +84,6 @@ const DEFAULTS: &[(&str, &str)] = &[
     ("src/model/collision.rs", "a name that stands at no place of the file"),
     ("src/model/mod.rs", "a term whose dimension is judged where it is stated"),
     ("src/model/stage/flight.rs", "a slope that has a fault already"),
-    ("src/model/stage/rotate.rs", "the last of what acts, which is never nothing"),
     ("src/problem/compiling/compile.rs", "what may be anything needs no unit"),
     ("src/problem/compiling/planned.rs", "the only form has no name"),
     ("src/problem/compiling/regimes.rs", "numbers without a solution"),
