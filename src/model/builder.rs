@@ -286,9 +286,20 @@ impl<'s> Builder<'s> {
         (left, right): Sides,
         integral: Option<Integral>,
     ) -> Equation {
-        let tag = self.instances.len();
-        self.instances.push(Instance { law, because: because.into(), stage, integral, ends: Vec::new() });
+        let tag = self.instance(law, stage, because, integral);
         Equation { statement: Statement::Equal { left, right }, tag, cost }
+    }
+
+    /// One use of a law, by its position in [`Model::instances`](super::Model::instances).
+    pub(super) fn instance(
+        &mut self,
+        law: &'static Law,
+        stage: Option<usize>,
+        because: impl Into<Because>,
+        integral: Option<Integral>,
+    ) -> usize {
+        self.instances.push(Instance { law, because: because.into(), stage, integral, ends: Vec::new() });
+        self.instances.len() - 1
     }
 
     /// A condition of every admissible solution, with what to say of a root that breaks it.

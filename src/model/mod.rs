@@ -199,16 +199,9 @@ impl<'s> Builder<'s> {
         relation: Relation,
         right: Expr,
     ) -> Equation {
-        let tag = self.instances.len();
         let sought = "find the smallest whole number for which";
         let because = because.map_or_else(|| sought.to_owned(), |because| format!("{because}; {sought}"));
-        self.instances.push(Instance {
-            law: &kinematics::COUNT,
-            because: because.into(),
-            stage: None,
-            integral: None,
-            ends: Vec::new(),
-        });
+        let tag = self.instance(&kinematics::COUNT, None, because, None);
         Equation {
             statement: Statement::FirstInteger { unknown, from, left, relation, right },
             tag,
@@ -218,16 +211,8 @@ impl<'s> Builder<'s> {
 
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
-        let tag = self.instances.len();
-        let because = "the boundary is where both sides are equal".into();
-        self.instances.push(Instance {
-            law: &geometry::BOUNDARY,
-            because,
-            stage: None,
-            integral: None,
-            ends: Vec::new(),
-        });
-        Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
+        let because = "the boundary is where both sides are equal";
+        self.stated(builder::LAW_COST, &geometry::BOUNDARY, None, because, (left, right), None)
     }
 
     /// A direction counted from an axis of the author's choice: the angle itself, or one that follows from it. `None`

@@ -223,8 +223,7 @@ impl Builder<'_> {
             None if STAGED.contains(&name) && self.scene.stages.len() > 1 => {
                 let stages = 0..self.scene.stages.len();
                 let labels = stages.filter_map(|stage| self.stage_label(stage));
-                let each: Vec<String> = labels.map(|label| format!("`{name}[{label}]`")).collect();
-                fault.help(format!("several stages have this quantity: write {}", each.join(" or ")))
+                fault.help(of_several_stages(labels.map(|label| format!("{name}[{label}]"))))
             }
             None if Name::parse(name).is_some_and(|own| self.is_said_by_a_key(&own)) => fault.help(
                 "the stage itself gives it a name, which stands without brackets: `distance: s`, and ask for `s`",
@@ -237,23 +236,29 @@ impl Builder<'_> {
     }
 }
 
+/// What to write for a quantity that several stages have.
+fn of_several_stages(names: impl IntoIterator<Item = String>) -> String {
+    format!("several stages have this quantity: write {}", quoted(names, " or "))
+}
+
+fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(conjunction)
+}
+
 impl Builder<'_> {
     /// What a name lacks that several quantities here have in common: the stage, or the component.
     fn not_alone(&self, name: &str) -> Option<String> {
-        let each = |names: Vec<String>, conjunction: &str| {
-            names.iter().map(|own| format!("`{own}`")).collect::<Vec<_>>().join(conjunction)
-        };
         let own = Name::parse(name)?;
         let in_stages = self.symbols.iter().map(|(symbol, _)| self.name(symbol)).filter(|other| {
             other.stage.is_some() && own.stage.is_none() && Name { stage: None, ..(*other).clone() } == own
         });
         let in_stages: Vec<String> = in_stages.map(ToString::to_string).collect();
         if in_stages.len() > 1 {
-            return Some(format!("several stages have this quantity: write {}", each(in_stages, " or ")));
+            return Some(of_several_stages(in_stages));
         }
         let parts: Vec<String> = self.axes.iter().map(|(axis, _)| format!("{name}.{}", axis.letter())).collect();
         let is_vector = parts.len() > 1 && parts.iter().all(|part| self.symbols.find(part).is_some());
-        is_vector.then(|| format!("it is a vector here, which is named by its components: {}", each(parts, " and ")))
+        is_vector.then(|| format!("it is a vector here, which is named by its components: {}", quoted(parts, " and ")))
     }
 
     /// Whether a name is that of a key of a stage of the scene.

@@ -36,10 +36,9 @@ impl Builder<'_> {
         if contact.include.is_empty() {
             return None;
         }
-        let acts = (0..self.axes.len()).any(|position| self.downwards(position).is_some());
         let wrong = if contact.duration.is_none() {
             Some(("the impulse of weight cannot be found without the duration of the contact", "write `duration: dt`"))
-        } else if !acts {
+        } else if !self.weight_has_a_component() {
             Some(("weight does not act along the axes of this scene", "write `plane: vertical`, or remove `include`"))
         } else if self.guided(body).is_some() {
             Some(("the weight of a guided body is balanced by its guide", "remove `include`"))
@@ -87,7 +86,7 @@ impl Builder<'_> {
     /// Compares the impulse of weight with the change of momentum of each body, by its names before and after the contact, and
     /// requires that it is small where it is left out. `hangs` says that weight acts although no axis points up or down.
     pub(super) fn weigh_contact(&mut self, contact: &Lasting<'_>, bodies: &[(&str, &str)], hangs: bool) {
-        let acts = hangs || (0..self.axes.len()).any(|position| self.downwards(position).is_some());
+        let acts = hangs || self.weight_has_a_component();
         let Some(time) = acts.then(|| self.contact_time(contact)).flatten() else { return };
         let included = !contact.include.is_empty();
         for (before, after) in bodies {

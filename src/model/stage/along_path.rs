@@ -62,6 +62,7 @@ impl Builder<'_> {
         let names: Vec<&str> = forces.iter().map(|force| force.name.as_str()).collect();
         let of_forces = |these: &str| format!("the moment{these} of {}", names.join(" and "));
         match (moment, forces) {
+            (true, []) => "the moment changes".to_owned(),
             (false, [_]) => format!("{} changes", of_forces("")),
             (false, _) => format!("{} change", of_forces("s")),
             (true, [_]) => format!("the moment about {centre} and that of {} change", names.concat()),

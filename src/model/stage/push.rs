@@ -251,6 +251,11 @@ impl Builder<'_> {
         self.axes.get(position)?.1.rise().map(|rise| -rise)
     }
 
+    /// Whether weight has a component along some axis.
+    pub(in crate::model) fn weight_has_a_component(&self) -> bool {
+        (0..self.axes.len()).any(|position| self.downwards(position).is_some())
+    }
+
     /// Start and end of a stage's own clock.
     pub(in crate::model) fn duration(&mut self, index: usize, during: &During, path: &Path) -> (Expr, Expr) {
         let phrase = self.stage_phrase(index);

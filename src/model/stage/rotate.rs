@@ -57,19 +57,11 @@ impl Builder<'_> {
         }
         let lone = held.first().filter(|_| !stage.is_arm());
         let because = match (&gained, lone) {
-            (Some(_), _) if !forces.is_empty() => {
+            (Some(_), _) => {
+                let where_it_acts = if lone.is_some() { "towards" } else { "at" };
                 let changing = Self::changing(moment.is_some(), &forces, &centre);
-                let holds = holding(stage, &centre);
-                format!("{holds} has no moment about it, and only {changing} the angular momentum")
-            }
-            (Some(_), Some(_)) => {
                 format!(
-                    "the force towards {centre} has no moment about it, and only the moment changes the angular momentum"
-                )
-            }
-            (Some(_), None) => {
-                format!(
-                    "the force at {centre} has no moment about it, and only the moment changes the angular momentum"
+                    "the force {where_it_acts} {centre} has no moment about it, and only {changing} the angular momentum"
                 )
             }
             (None, Some((body, _))) => {

@@ -68,16 +68,13 @@ impl Builder<'_> {
         // The body keeps its velocity, so something holds it.
         let held = forces.iter().map(|force| -force.clone()).collect();
         self.acts(Influence::outside(index, body, format!("what holds {name}")).force(held));
-        let is_vertical = self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some());
-        let is_carried = stage.stays && is_vertical && (stage.during.is_some() || stage.caught.is_some());
-        let acting = if is_carried { format!("{by}, its weight and what carries it") } else { by.to_owned() };
-        self.note_impulse(index, body, acting, Vec::new());
+        self.note_impulse(index, body, by, Vec::new());
         // Friction may be what carries along a stream that stays.
         if !stage.stays {
             self.neglect("friction between the stream and the body", "the problem gives none");
         }
         // What lies at rest before it is taken along is carried by what it lies on.
-        if stage.drop.is_none() && !rests && is_vertical {
+        if stage.drop.is_none() && !rests && self.weight_has_a_component() {
             self.neglect(
                 format!("the weight of {by} before it arrives"),
                 "it is small compared with the forces of the stream",
