@@ -178,3 +178,42 @@ fn the_direction_of_a_vector_that_is_zero_is_a_fault() {
         assert!(fault.contains("that vector is zero and has none"), "{fault}");
     }
 }
+
+/// A blow between two speeds whose directions are right angles apart, or opposite: the sine of 180° and the cosine of 90° are nothing.
+#[test]
+fn directions_along_an_axis_leave_nothing_across_it() {
+    for (angles, across, impulse, direction) in
+        [(["0 deg", "180 deg"], "J_A.y", "J_A.x", "180 deg"), (["90 deg", "-90 deg"], "J_A.x", "J_A.y", "-90 deg")]
+    {
+        let [before, after] = angles;
+        let exercise = exercise(&format!(
+            "
+id: impulse/turned-back
+title: A puck is turned back
+level: core
+scene:
+  axes: {{ x: to the east, y: to the north }}
+  bodies:
+    A: {{ name: the puck }}
+  stages:
+    - blow: {{ body: A, by: a stick }}
+given:
+  m_A: 2 kg
+  speed_A1: 3 m/s
+  angle_A1: {before}
+  speed_A2: 4 m/s
+  angle_A2: {after}
+text: >
+  A puck ({{{{ m_A }}}}) moves at {{{{ speed_A1 }}}} ({{{{ angle_A1 }}}} from +x), and after a blow at {{{{ speed_A2 }}}} ({{{{ angle_A2 }}}} from +x).
+ask:
+  - {{ find: J_A.x, unit: N s }}
+  - {{ find: J_A.y, unit: N s }}
+  - {{ find: angle_J_A, unit: deg, from: +x, sense: counter-clockwise }}
+"
+        ));
+        // By hand: 2 kg (-4 m/s - 3 m/s).
+        for (part, answer) in [(across, "0 N s"), (impulse, "-14 N s"), ("angle_J_A", direction)] {
+            assert_eq!(verdict(&exercise, part, answer), Verdict::Right, "{part} from {before} to {after}");
+        }
+    }
+}

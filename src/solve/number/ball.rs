@@ -61,6 +61,16 @@ impl Ball {
         Self::rounded(context().pi::<2>(None).value(), small(0))
     }
 
+    /// That multiple of pi.
+    pub(super) fn from_angle(multiple: &Rational) -> Self {
+        Self::from_rational(multiple).times(Self::pi())
+    }
+
+    pub(super) fn times(self, other: Self) -> Self {
+        let spread = self.size() * other.radius.clone() + other.size() * self.radius.clone();
+        Self::rounded(self.middle * other.middle, spread + self.radius * other.radius)
+    }
+
     pub(in crate::solve) fn size(&self) -> Radius {
         radius_of(&self.middle)
     }

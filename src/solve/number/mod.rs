@@ -6,4 +6,5 @@ pub(super) mod exact;
 pub(super) mod plain;
 pub(super) mod precise;
 pub(super) mod real;
+mod right_angles;
 mod running_error;

@@ -1,4 +1,4 @@
-//! Exact rational arithmetic as long as it lasts, and balls of 77 digits from the first irrational operation on.
+//! Exact arithmetic as long as it lasts, with rational numbers and rational multiples of pi; balls of 77 digits from then on.
 
 use dashu::base::{Abs, Approximation, BitTest, Sign as Parity, SquareRoot};
 use dashu::float::round::mode::HalfEven;
@@ -10,6 +10,7 @@ use super::super::Exact;
 use super::ball::{BITS, Ball, Float, RADIUS_BITS, Radius, divisor, float, radius_of, small};
 use super::bounded::Bounded;
 use super::real::{Real, Sign};
+use super::right_angles::{rational_cosine, rational_sine};
 
 /// Rational numbers with more bits than this go on as balls.
 const LONGEST: usize = 1 << 14;
@@ -18,11 +19,13 @@ const LARGEST_EXPONENT: f64 = 1e6;
 /// Sines of larger arguments are not computed.
 const LARGEST_ANGLE: f64 = 1e18;
 
-/// A rational number; or a middle and a radius within which the true value lies.
+/// A rational number or multiple of pi; or a middle and a radius within which the true value lies.
 #[derive(Clone, Debug)]
 pub enum Precise {
     /// Exactly this.
     Rational(Rational),
+    /// Exactly this multiple of pi, which is not zero: the sine of 180 degrees is zero, not a small number.
+    Angle(Rational),
     /// Within the radius of the middle.
     Ball(Ball),
     /// A value of which nothing is known.
@@ -35,6 +38,7 @@ impl Precise {
     fn ball(&self) -> Option<Ball> {
         match self {
             Self::Rational(value) => Some(Ball::from_rational(value)),
+            Self::Angle(multiple) => Some(Ball::from_angle(multiple)),
             Self::Ball(ball) => Some(ball.clone()),
             Self::Unbounded | Self::NotReal => None,
         }
@@ -43,6 +47,14 @@ impl Precise {
     fn rational(value: Rational) -> Self {
         let bits = value.numerator().bit_len() + value.denominator().bit_len();
         if bits > LONGEST { Self::Ball(Ball::from_rational(&value)) } else { Self::Rational(value) }
+    }
+
+    fn angle(multiple: Rational) -> Self {
+        match Self::rational(multiple) {
+            Self::Rational(multiple) if !multiple.is_zero() => Self::Angle(multiple),
+            Self::Ball(multiple) => Self::Ball(multiple.times(Ball::pi())),
+            zero => zero,
+        }
     }
 
     /// What an operation without two ordinary operands gives.
@@ -67,7 +79,13 @@ impl Precise {
         Some(ball.middle.to_decimal().value().with_precision(digits.max(1)).value().to_string())
     }
 
-    fn wave(&self, function: impl FnOnce(&Float) -> Float) -> Self {
+    /// Sine or cosine: `exact` of a multiple of pi, where it has a value, and `function` of everything else.
+    fn wave(&self, exact: fn(&Rational) -> Option<Rational>, function: impl FnOnce(&Float) -> Float) -> Self {
+        if let Self::Angle(multiple) = self
+            && let Some(value) = exact(multiple)
+        {
+            return Self::Rational(value);
+        }
         let Some(ball) = self.ball() else { return self.clone() };
         if ball.middle.to_f64().value().abs() > LARGEST_ANGLE {
             return Self::Unbounded;
@@ -130,6 +148,7 @@ impl Real for Precise {
         let rational = Self::rational(exact.rational.clone());
         match exact.pi_power {
             0 => rational,
+            1 => Self::angle(exact.rational.clone()),
             power => rational.mul(&Self::Ball(Ball::pi()).powi(i32::from(power))),
         }
     }
@@ -149,6 +168,8 @@ impl Real for Precise {
     fn add(&self, other: &Self) -> Self {
         match (self, other) {
             (Self::Rational(own), Self::Rational(other)) => Self::rational(own + other),
+            (Self::Angle(own), Self::Angle(other)) => Self::angle(own + other),
+            (Self::Rational(zero), other) | (other, Self::Rational(zero)) if zero.is_zero() => other.clone(),
             _ => self.balls(other, |own, other| {
                 Self::Ball(Ball::rounded(own.middle + other.middle, own.radius + other.radius))
             }),
@@ -162,12 +183,12 @@ impl Real for Precise {
     fn mul(&self, other: &Self) -> Self {
         match (self, other) {
             (Self::Rational(own), Self::Rational(other)) => Self::rational(own * other),
+            (Self::Rational(factor), Self::Angle(angle)) | (Self::Angle(angle), Self::Rational(factor)) => {
+                Self::angle(factor * angle)
+            }
             (zero @ Self::Rational(own), Self::Ball(_)) if own.is_zero() => zero.clone(),
             (Self::Ball(_), zero @ Self::Rational(other)) if other.is_zero() => zero.clone(),
-            _ => self.balls(other, |own, other| {
-                let spread = own.size() * other.radius.clone() + other.size() * own.radius.clone();
-                Self::Ball(Ball::rounded(own.middle * other.middle, spread + own.radius * other.radius))
-            }),
+            _ => self.balls(other, |own, other| Self::Ball(own.times(other))),
         }
     }
 
@@ -175,7 +196,11 @@ impl Real for Precise {
         match (self, other) {
             (Self::NotReal, _) => Self::NotReal,
             (_, Self::Rational(other)) if other.is_zero() => Self::NotReal,
-            (Self::Rational(own), Self::Rational(other)) => Self::rational(own / other),
+            (Self::Rational(own), Self::Rational(other)) | (Self::Angle(own), Self::Angle(other)) => {
+                Self::rational(own / other)
+            }
+            (Self::Angle(angle), Self::Rational(other)) => Self::angle(angle / other),
+            (zero @ Self::Rational(own), Self::Angle(_)) if own.is_zero() => zero.clone(),
             (zero @ Self::Rational(own), Self::Ball(ball)) if own.is_zero() && !ball.reaches_zero() => zero.clone(),
             _ => self.balls(other, |own, other| {
                 if other.reaches_zero() {
@@ -193,6 +218,7 @@ impl Real for Precise {
     fn neg(&self) -> Self {
         match self {
             Self::Rational(value) => Self::Rational(-value.clone()),
+            Self::Angle(multiple) => Self::Angle(-multiple.clone()),
             Self::Ball(ball) => Self::Ball(Ball { middle: -ball.middle.clone(), radius: ball.radius.clone() }),
             other => other.clone(),
         }
@@ -227,8 +253,8 @@ impl Real for Precise {
         match function {
             Function::Sin | Function::Tan | Function::Asin if is_zero => self.clone(),
             Function::Cos | Function::Exp if is_zero => Self::integer(1),
-            Function::Sin => self.wave(Float::sin),
-            Function::Cos => self.wave(Float::cos),
+            Function::Sin => self.wave(rational_sine, Float::sin),
+            Function::Cos => self.wave(rational_cosine, Float::cos),
             Function::Tan => self.apply(Function::Sin).div(&self.apply(Function::Cos)),
             Function::Asin => self.arc(Float::asin),
             Function::Acos => self.arc(Float::acos),
@@ -244,7 +270,9 @@ impl Real for Precise {
         match (self.sign(), x.sign()) {
             (Sign::Zero, Sign::Zero) => return Self::NotReal,
             (Sign::Zero, Sign::Positive) => return Self::integer(0),
-            (Sign::Zero, Sign::Negative) => return Self::Ball(Ball::pi()),
+            (Sign::Zero, Sign::Negative) => return Self::Angle(Rational::ONE),
+            (Sign::Positive, Sign::Zero) => return Self::Angle(Rational::ONE / Rational::from(2)),
+            (Sign::Negative, Sign::Zero) => return Self::Angle(-Rational::ONE / Rational::from(2)),
             _ => {}
         }
         let cut = self.sign() == Sign::Unsure && x.sign() != Sign::Positive;
@@ -281,7 +309,7 @@ impl Real for Precise {
         let of = |negative: bool| if negative { Sign::Negative } else { Sign::Positive };
         match self {
             Self::Rational(value) if value.is_zero() => Sign::Zero,
-            Self::Rational(value) => of(value.numerator().sign() == Parity::Negative),
+            Self::Rational(value) | Self::Angle(value) => of(value.numerator().sign() == Parity::Negative),
             Self::Ball(ball) if ball.reaches_zero() => Sign::Unsure,
             Self::Ball(ball) => of(ball.is_negative()),
             Self::Unbounded => Sign::Unsure,
@@ -295,6 +323,7 @@ impl Real for Precise {
                 Approximation::Exact(value) => Bounded::exactly(value),
                 Approximation::Inexact(value, _) => Bounded::rounded(value, 0.0),
             },
+            Self::Angle(multiple) => Self::Ball(Ball::from_angle(multiple)).to_bounded(),
             Self::Ball(ball) => Bounded::rounded(ball.middle.to_f64().value(), ball.radius.to_f64().value()),
             Self::Unbounded => Bounded { value: 0.0, error: f64::INFINITY },
             Self::NotReal => Bounded { value: f64::NAN, error: f64::NAN },
