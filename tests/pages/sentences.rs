@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use momentous::exercise::Exercise;
-use momentous::explain::{Audience, situation};
+use momentous::explain::{Audience, Block, situation};
 use momentous::render::{Format, Renderer, Solution};
 
 use crate::variants;
@@ -84,11 +84,49 @@ fn a_moment_is_drawn_in_a_sense_that_it_keeps() {
     assert!(!driven_arm("c*t - 2 N m").contains("moment"));
 }
 
+/// A variant of a problem of the bank in its first form.
+fn of_the_bank(id: &str) -> Exercise {
+    let path = format!("{}/problem_bank/{id}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let problem = variants::problem(id, &std::fs::read_to_string(path).unwrap());
+    Exercise::draw(&Arc::new(problem), 0, 1).unwrap()
+}
+
+fn drawn(id: &str) -> String {
+    situation(of_the_bank(id).worked()).unwrap().description
+}
+
+fn diagrams(id: &str) -> Vec<String> {
+    let blocks = of_the_bank(id).outline(Audience::Everyone).sections.into_iter().flat_map(|section| section.blocks);
+    let told = |block| if let Block::Figure(drawing) = block { Some(drawing.description) } else { None };
+    blocks.filter_map(told).collect()
+}
+
 #[test]
 fn a_force_is_drawn_although_nobody_may_know_since_when_it_counts() {
-    let path = format!("{}/problem_bank/impulse/crate-ramp-force.yaml", env!("CARGO_MANIFEST_DIR"));
-    let problem = variants::problem("crate.yaml", &std::fs::read_to_string(path).unwrap());
-    let exercise = Exercise::draw(&Arc::new(problem), 0, 1).unwrap();
-    let drawn = situation(exercise.worked()).unwrap().description;
+    let drawn = drawn("impulse/crate-ramp-force");
     assert!(drawn.contains("the force F to the right"), "{drawn}");
+}
+
+#[test]
+fn a_velocity_of_a_stream_is_not_that_of_the_body_it_meets() {
+    let drawn = drawn("streams/fire-hose");
+    assert_eq!(drawn, "The shield. The jet meets the shield with the velocity v to the right.");
+}
+
+#[test]
+fn what_is_written_at_the_exhaust_are_magnitudes_as_in_the_law_of_thrust() {
+    for (id, way) in [("streams/heavy-rocket", "downwards"), ("streams/moon-lander", "ahead")] {
+        let told = diagrams(id).concat();
+        assert!(told.contains(&format!("impulse: F_R \u{394}t, {way}; momentum after: \u{394}m u, {way}")), "{told}");
+    }
+}
+
+#[test]
+fn a_body_on_a_movable_pulley_is_not_on_an_end_of_the_string() {
+    let drawn = drawn("strings/stage-scenery");
+    assert!(
+        drawn.ends_with(
+            "the flat hangs on 2 strands of it, by a movable pulley; the counterweight is on one end of it."
+        )
+    );
 }

@@ -32,8 +32,8 @@ struct Flow<'a> {
     /// What is written at its speeds before and after, and these as vectors along x and y.
     before: (Math, [f64; 2]),
     after: (Math, [f64; 2]),
-    /// What is written at the force on the body.
-    force: Math,
+    /// What is written at its impulse.
+    impulse: Math,
 }
 
 /// The mass of a stream that arrives.
@@ -63,7 +63,11 @@ pub(super) fn arriving(
         does: "arrives",
         before: (label(), times(along, speed)),
         after,
-        force: name_math(&format!("F_{}", stage.body)),
+        // The body's force on it is the reaction of its own on the body, which is counted along the axes.
+        impulse: Math::Row(vec![
+            Math::Operator(Operator::Minus),
+            in_short_time(name_math(&format!("F_{}", stage.body))),
+        ]),
     };
     Some(flow.diagram(quantities, compass))
 }
@@ -81,27 +85,24 @@ pub(super) fn leaving(quantities: &Quantities<'_>, compass: &Compass, stage: &Th
         does: "is expelled",
         before: (Math::subscripted("v", "before"), [0.0, 0.0]),
         after: (factor(&exhaust, quantities.symbolic(&exhaust)), times(along, quantities.evaluate(&exhaust)?)),
-        force: force.map_or_else(
+        // A thrust is a magnitude, as the speed of the exhaust is: the arrows tell which way they point.
+        impulse: in_short_time(force.map_or_else(
             || name_math(&format!("F_{}", stage.body)),
             |force: Expr| factor(&force, quantities.symbolic(&force)),
-        ),
+        )),
     };
     Some(flow.diagram(quantities, compass))
 }
 
 impl Flow<'_> {
     fn diagram(&self, quantities: &Quantities<'_>, compass: &Compass) -> Drawing {
-        let delta =
-            |letter: &str| Math::Row(["\u{394}", letter].map(|letter| Math::Identifier(letter.to_owned())).to_vec());
         let momentum = |(speed, value): &(Math, [f64; 2])| Labelled {
             label: product([delta("m"), speed.clone()]),
             value: Some(*value),
         };
         let (before, after) = (momentum(&self.before), momentum(&self.after));
-        // The body's force on it is the reaction of its own on the body.
-        let reaction = Math::Row(vec![Math::Operator(Operator::Minus), product([self.force.clone(), delta("t")])]);
         let gain = [0, 1].map(|axis| self.after.1[axis] - self.before.1[axis]);
-        let impulse = Labelled { label: reaction, value: Some(gain) };
+        let impulse = Labelled { label: self.impulse.clone(), value: Some(gain) };
         let (what, body) = (self.what, quantities.called(self.body));
         let said =
             [("momentum before", &before), ("impulse", &impulse), ("momentum after", &after)].map(|(name, vector)| {
@@ -128,6 +129,15 @@ impl Flow<'_> {
         };
         MomentumDiagram { wording, bodies: vec![row], axes: compass.marks() }.drawing()
     }
+}
+
+fn delta(letter: &str) -> Math {
+    Math::Row(["\u{394}", letter].map(|letter| Math::Identifier(letter.to_owned())).to_vec())
+}
+
+/// The impulse of a force in the time of the diagram.
+fn in_short_time(force: Math) -> Math {
+    product([force, delta("t")])
 }
 
 fn times([x, y]: [f64; 2], factor: f64) -> [f64; 2] {

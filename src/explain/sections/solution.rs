@@ -1,6 +1,7 @@
 //! The worked solution: five sections for everyone, and one for the instructor.
 
 use crate::problem::Worked;
+use crate::scene::Stage;
 
 use super::super::Audience;
 use super::super::Block;
@@ -81,8 +82,13 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
     // What comes apart belongs to the system as its parts.
     let whole = |body: &String| !scene.division_of(body).is_empty();
-    let names: Vec<String> =
-        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
+    let names: Vec<String> = match &scene.stages[..] {
+        // The balance is that of what flows on.
+        [Stage::Stream(stream)] if !stream.stays => {
+            vec![format!("{} where it meets {}", stream.by, scene.called(&stream.body))]
+        }
+        _ => scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect(),
+    };
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
     let last = worked.problem.model().when(scene, scene.stages.len() + 1);

@@ -223,10 +223,17 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             let held: Vec<String> = rotate.turning().into_iter().map(name).collect();
             during(format!("{} are acted on by {}", list(&held), first.called))
         }
-        (Stage::Stream(stream), _) if scene.plane == Plane::Vertical && stream.stays => {
-            during(format!("{body} {is} acted on by {}, {its} weight and what holds {it}", first.called))
+        (Stage::Stream(stream), _) => {
+            let carries = scene.plane == Plane::Vertical && stream.stays;
+            let weight = carries.then(|| format!("{its} weight"));
+            let holds = match &stream.moves {
+                Some(_) if !carries => format!("what keeps {its} velocity constant"),
+                _ => format!("what holds {it}"),
+            };
+            let called: Vec<String> = [Some(first.called.clone()), weight, Some(holds)].into_iter().flatten().collect();
+            during(format!("{body} {is} acted on by {}", list(&called)))
         }
-        (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Stream(_), _) => {
+        (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_), _) => {
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })

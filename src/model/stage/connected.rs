@@ -111,10 +111,14 @@ impl Builder<'_> {
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         self.require(tension, Relation::AtLeast, Expr::zero(), Reason::StringSlack);
-        self.neglect(
-            format!("the mass and the friction of {pulley}"),
-            "it is light and smooth, so that the tension is the same on both sides",
-        );
+        let many = [&stage.trailing, &stage.leading].iter().any(|strand| strand.strands() > 1);
+        if many {
+            let why = "they are light and smooth, so that the tension is the same in all strands";
+            self.neglect("the masses and the friction of the pulleys", why);
+        } else {
+            let why = "it is light and smooth, so that the tension is the same on both sides";
+            self.neglect(format!("the mass and the friction of {pulley}"), why);
+        }
         self.neglect("the mass of the string", "it is light");
     }
 

@@ -15,6 +15,7 @@ use crate::scene::stage::Taut;
 
 use super::super::quantities::Quantities;
 use super::super::quantities::SKETCHED;
+use super::super::words::sentences;
 use super::super::words::situation_wording;
 
 /// A body on its side of the pulley, as the drawing has it.
@@ -88,7 +89,20 @@ fn situation(quantities: &Quantities<'_>, index: usize, sides: [Side<'_>; 2]) ->
     });
     let bodies = sides.each_ref().map(|(name, side)| (name.clone(), side.body.clone()));
     let mut wording = situation_wording(quantities, &bodies, &quantities.when(index + 1));
-    wording.description.push_str(" They are on the ends of a string that runs over a pulley.");
+    let [trailing, leading] = bodies.each_ref().map(|(name, _)| quantities.called(name));
+    let held = sides.each_ref().map(|(name, side)| match side.strands {
+        1 => format!("{} is on one end of it", quantities.called(name)),
+        many => format!("{} hangs on {many} strands of it, by a movable pulley", quantities.called(name)),
+    });
+    let ends = if sides.iter().all(|(_, side)| side.strands == 1) {
+        "they are on the ends of a string that runs over a pulley".to_owned()
+    } else {
+        format!("a string runs over a pulley; {}", held.join("; "))
+    };
+    wording.description = format!("{} {}", wording.description, sentences([ends]));
+    // No axis of the drawing says so.
+    let counted = format!("velocities are positive while the string runs from {trailing} to {leading}");
+    wording.caption = format!("{} {}", wording.caption, sentences([counted]));
     let pulley = Pulley { sides: sides.map(|(_, side)| side) };
     Situation { wording, layout: Layout::Pulley(pulley), axes: Vec::new() }.drawing()
 }

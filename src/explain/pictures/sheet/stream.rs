@@ -2,6 +2,7 @@
 
 use crate::expr::Expr;
 use crate::expr::name_math;
+use crate::figure::Attach;
 use crate::figure::Drawing;
 use crate::figure::Form;
 use crate::figure::LabelledVector;
@@ -15,11 +16,13 @@ use crate::model::Direction;
 use crate::scene::stage::Stream;
 use crate::scene::stage::Thrust;
 
+use super::super::super::wording::list;
 use super::super::compass::Compass;
 use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
 use super::super::vectors::Labelled;
+use super::super::words::arrows;
 use super::super::words::sentences;
 use super::super::words::situation_wording;
 
@@ -31,28 +34,37 @@ pub(in super::super) fn drawing(
     stage: &Stream,
 ) -> Option<Drawing> {
     let flowing = quantities.model().flowing_in(index)?;
-    let mut vectors = Vec::new();
-    if !flowing.speed.is_zero() {
-        vectors.extend(arrow(quantities, compass, &flowing.speed, &flowing.direction).map(Moving::arriving));
-    }
-    if let Some(leaving) = &flowing.leaving {
-        vectors.extend(arrow(quantities, compass, &flowing.relative, leaving));
-    }
+    let arriving = arrow(quantities, compass, &flowing.speed, &flowing.direction).filter(|_| !flowing.speed.is_zero());
+    let leaving = flowing.leaving.as_ref().and_then(|leaving| arrow(quantities, compass, &flowing.relative, leaving));
     // The body moves along the stream.
     let moves = stage.moves.as_ref().and_then(|moves| quantities.term(moves)).filter(|moves| !moves.is_zero());
-    vectors.extend(moves.and_then(|moves| arrow(quantities, compass, &moves, &flowing.direction)));
-    vectors.extend(force(quantities, compass, &stage.body).map(Moving::force));
+    let moves = moves.and_then(|moves| arrow(quantities, compass, &moves, &flowing.direction));
+    let own: Vec<Moving> =
+        moves.into_iter().chain(force(quantities, compass, &stage.body).map(Moving::force)).collect();
+    let drawn = |vectors| MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
+    let mut wording = body_wording(quantities, index, &stage.body, &drawn(own.clone()));
+    let mut vectors = Vec::new();
+    for (does, vector) in [("meets", arriving.map(Moving::arriving)), ("leaves", leaving)] {
+        let Some(vector) = vector else { continue };
+        let with = list(&arrows(&drawn(vec![vector.clone()]), true));
+        tell(&mut wording.description, format!("{} {does} {} with {with}", stage.by, quantities.called(&stage.body)));
+        if vector.attach == Attach::Arriving {
+            let speed = vector.vector.label.plain();
+            tell(&mut wording.caption, format!("the velocity of {} is {speed}", stage.by));
+        }
+        vectors.push(vector);
+    }
+    vectors.extend(own);
     if vectors.is_empty() && quantities.scope() == Scope::Solved {
         return None;
     }
-    let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
     // What leaves a body that moves is told as seen from it.
-    let relative = flowing.leaving.is_some() && flowing.relative != flowing.speed;
-    let seen = relative.then(|| {
+    if flowing.leaving.is_some() && flowing.relative != flowing.speed {
         let speed = quantities.symbolic(&flowing.relative).plain();
-        format!("the velocity {speed} is relative to {}", quantities.called(&stage.body))
-    });
-    Some(lone(quantities, compass, index, &stage.body, body, seen))
+        let relative = format!("the velocity {speed} is relative to {}", quantities.called(&stage.body));
+        tell(&mut wording.caption, relative);
+    }
+    Some(lone(compass, wording, drawn(vectors)))
 }
 
 fn arrow(quantities: &Quantities<'_>, compass: &Compass, speed: &Expr, direction: &Direction) -> Option<Moving> {
@@ -88,23 +100,19 @@ pub(in super::super) fn rocket(
         return None;
     }
     let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
-    Some(lone(quantities, compass, index, &stage.body, body, None))
+    Some(lone(compass, body_wording(quantities, index, &stage.body, &body), body))
 }
 
-fn lone(
-    quantities: &Quantities<'_>,
-    compass: &Compass,
-    index: usize,
-    name: &str,
-    body: MovingBody,
-    more: Option<String>,
-) -> Drawing {
-    let bodies = [(name.to_owned(), body)];
-    let wording = situation_wording(quantities, &bodies, &quantities.when(index + 1));
-    let told = more.map_or_else(String::new, |more| format!(" {}", sentences([more])));
-    let caption = wording.caption + &told;
-    let wording = Wording { caption, ..wording };
-    let bodies = bodies.into_iter().map(|(_, body)| body).collect();
-    let line = Line { angle: compass.axis_angle(0), bodies, ..Line::default() };
+fn body_wording(quantities: &Quantities<'_>, index: usize, name: &str, body: &MovingBody) -> Wording {
+    situation_wording(quantities, &[(name.to_owned(), body.clone())], &quantities.when(index + 1))
+}
+
+/// Adds a sentence.
+fn tell(text: &mut String, sentence: String) {
+    text.push_str(&format!(" {}", sentences([sentence])));
+}
+
+fn lone(compass: &Compass, wording: Wording, body: MovingBody) -> Drawing {
+    let line = Line { angle: compass.axis_angle(0), bodies: vec![body], ..Line::default() };
     Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()
 }
