@@ -21,7 +21,6 @@ use crate::solve::may_grow;
 
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
-use super::super::questions::formula::symbols_only;
 use super::super::questions::part::AskedUnit;
 use super::super::reading::load::Loaded;
 use super::planned::Form;
@@ -32,6 +31,21 @@ use super::regimes::Regimes;
 pub(in crate::problem) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let any = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
     any.chain(symbols_only(loaded, form, &|name| model.symbol_of(name))).collect()
+}
+
+/// The quantities whose symbols a form's text prints without ever telling their values.
+fn symbols_only(loaded: &Loaded, form: &Form, named: &dyn Fn(&str) -> Option<Symbol>) -> BTreeSet<Symbol> {
+    let mut told = BTreeSet::new();
+    let mut only = BTreeSet::new();
+    for placeholder in loaded.draft.text.placeholders().chain(form.question.text.placeholders()) {
+        let Some(symbol) = named(&placeholder.name) else { continue };
+        if placeholder.filter.tells() {
+            told.insert(symbol)
+        } else {
+            only.insert(symbol)
+        };
+    }
+    only.difference(&told).copied().filter(|symbol| form.told.contains(symbol)).collect()
 }
 
 /// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.

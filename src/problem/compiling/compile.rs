@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::expr::Expr;
-use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -26,19 +25,18 @@ use crate::solve::Planner;
 use crate::solve::Relation;
 
 use super::super::consequences::feedback;
+use super::super::deciding::formula;
+use super::super::deciding::offered;
+use super::super::deciding::roots;
 use super::super::language::condition::condition;
 use super::super::language::declared::declared;
 use super::super::language::declared::unmeasured;
-use super::super::language::draft::Units;
 use super::super::language::given::Fraction;
 use super::super::language::given::Given;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::other_values::known_in;
 use super::super::language::text::Text;
-use super::super::questions::formula;
-use super::super::questions::offered;
-use super::super::questions::roots;
 use super::super::reading::load::Loaded;
 use super::super::reading::mentions::mention_in_texts;
 use super::super::reading::turning;
@@ -49,6 +47,7 @@ use super::super::sampling::stream::Scheme;
 use super::super::sampling::stream::Streams;
 use super::any;
 use super::form_draft::FormDraft;
+use super::planned::Built;
 use super::planned::Form;
 use super::planned::Problem;
 use super::told;
@@ -115,16 +114,6 @@ enum Asked {
     Anew,
 }
 
-/// What compiling makes of a file.
-pub(super) struct Built {
-    pub model: Model,
-    pub known: Vec<Known>,
-    pub forms: Vec<Form>,
-    pub streams: Streams,
-    pub units: UnitSystem,
-    pub notation: Notation,
-}
-
 fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, Vec<Fault>> {
     let draft = &loaded.draft;
     let notation = draft.symbols.notation()?;
@@ -148,7 +137,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     mention_in_texts(loaded, &mut builder);
     let drafts: Vec<FormDraft> =
         loaded.questions.iter().map(|question| FormDraft::read(loaded, question, &mut builder)).collect();
-    let units = unit_system(draft.units);
+    let units = draft.units.system();
     if let Some(gravity) = builder.symbols().find("g")
         && !known.iter().any(|known| known.symbol == gravity)
     {
@@ -280,14 +269,6 @@ fn idle(
         fault.help(help).at_path(Path::root().key("given").name(known.name.as_str()))
     };
     idle.map(fault).collect()
-}
-
-/// The unit system of a file.
-pub(in crate::problem) fn unit_system(units: Units) -> UnitSystem {
-    match units {
-        Units::Si => UnitSystem::Si,
-        Units::Us => UnitSystem::Us,
-    }
 }
 
 /// Every given with its symbol. An expression of other givens becomes a stated relation, and so needs no value here.

@@ -11,24 +11,25 @@ use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Planner;
 
-use super::super::consequences::follow::Followings;
-use super::super::consequences::mistakes::Mistakes;
+use super::super::consequences::following::Followings;
+use super::super::consequences::mistake::Mistakes;
 use super::super::language::allowed::Allowed;
 use super::super::language::condition::condition;
 use super::super::language::form::Question;
 use super::super::language::known::Known;
 use super::super::questions::enough;
 use super::super::questions::enough::Sought;
-use super::super::questions::formula::Formulas;
+use super::super::questions::number::unit_for;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
 use super::super::questions::parts;
 use super::super::questions::range;
 use super::super::reading::load::Loaded;
 use super::super::sampling::neglected;
-use super::super::sampling::rounding::Sensitivities;
-use super::super::sampling::samples::Samples;
 use super::form_cache::FormCache;
+use super::on_demand::Formulas;
+use super::on_demand::Samples;
+use super::on_demand::Sensitivities;
 use super::planned::Form;
 use super::planned::Reveal;
 use super::regimes::Regimes;
@@ -67,7 +68,7 @@ impl FormDraft {
                 }
                 Some(symbol) => {
                     let dimension = builder.symbols().entry(symbol).dimension;
-                    let unit = parts::unit_for(loaded, name, dimension);
+                    let unit = unit_for(loaded, name, dimension);
                     reveal.push(Reveal { name: name.clone(), symbol, unit, figures });
                 }
                 None => {

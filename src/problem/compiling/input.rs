@@ -7,9 +7,6 @@ use crate::solve::Bounded;
 use crate::solve::Exact;
 
 use super::super::language::domain::Domain;
-use super::super::language::known::Origin;
-use super::planned::Form;
-use super::planned::Problem;
 
 /// The value of one symbol; most symbols have none before they are solved.
 #[derive(Clone, Debug, Default)]
@@ -31,29 +28,7 @@ enum Source {
 }
 
 impl Input {
-    /// The inputs of a form by symbol: fixed values are in place, drawn ones follow with each seed.
-    pub(in crate::problem) fn all(problem: &Problem, form: &Form, count: usize) -> Vec<Self> {
-        let mut inputs = vec![Self::default(); count];
-        let mut put = |index: usize, input: Self| {
-            if let Some(place) = inputs.get_mut(index) {
-                *place = input;
-            }
-        };
-        for known in &form.known {
-            let input = match &known.origin {
-                Origin::Fixed(value) => Self::of(value, &known.unit),
-                Origin::Any => Self::of(&Decimal::from(1), &Unit::none()),
-                Origin::Drawn(_) => Self::blank(&known.unit),
-            };
-            put(known.symbol.index(), input);
-        }
-        for (symbol, quantity) in &problem.model().literals {
-            put(symbol.index(), Self::of(&quantity.value, &quantity.unit));
-        }
-        inputs
-    }
-
-    fn blank(unit: &Unit) -> Self {
+    pub(in crate::problem) fn blank(unit: &Unit) -> Self {
         let factor = unit.factor();
         Self { value: None, source: Source::None, size: factor.to_f64(), factor }
     }

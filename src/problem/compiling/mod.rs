@@ -1,12 +1,14 @@
 //! From a draft to a problem that can be drawn: symbols, plans, ways in which a scene can go, and what its texts tell.
+mod graph_told;
 
 pub(super) mod ad_hoc;
 pub(super) mod any;
 pub(super) mod compile;
 pub(super) mod form_cache;
 pub(super) mod form_draft;
-mod graph_told;
 pub(super) mod input;
+pub(super) mod inputs;
+pub(super) mod on_demand;
 pub(super) mod planned;
 pub(super) mod regimes;
 pub(super) mod told;

@@ -18,26 +18,35 @@ use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
 
-use super::super::consequences::follow::Followings;
-use super::super::consequences::mistakes::Mistakes;
+use super::super::consequences::following::Followings;
+use super::super::consequences::mistake::Mistakes;
 use super::super::language::allowed::Meant;
 use super::super::language::form::Question;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
-use super::super::questions::formula::Formulas;
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
-use super::super::questions::vector::VectorPart;
+use super::super::questions::part::VectorPart;
 use super::super::reading::load::Loaded;
-use super::super::sampling::rounding::Sensitivities;
-use super::super::sampling::samples::Samples;
 use super::super::sampling::stream::Streams;
-use super::compile::Built;
 use super::form_cache::FormCache;
+use super::on_demand::Formulas;
+use super::on_demand::Samples;
+use super::on_demand::Sensitivities;
 use super::regimes::Leaf;
 use super::regimes::Regimes;
+
+/// What compiling makes of a file.
+pub(super) struct Built {
+    pub model: Model,
+    pub known: Vec<Known>,
+    pub forms: Vec<Form>,
+    pub streams: Streams,
+    pub units: UnitSystem,
+    pub notation: Notation,
+}
 
 /// A problem that can be drawn and solved; made only by [`super::super::compile`].
 #[derive(Clone, Debug)]

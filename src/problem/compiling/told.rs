@@ -21,7 +21,7 @@ use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::text::Placeholder;
 use super::super::language::text::Text;
-use super::super::questions::decision::ChoicePart;
+use super::super::questions::choices::choice::ChoicePart;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
 use super::super::reading::load::Loaded;

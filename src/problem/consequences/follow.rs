@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::sync::RwLock;
 
 use crate::expr::Expr;
 use crate::expr::Function;
@@ -32,8 +31,9 @@ use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;
 use super::super::compiling::regimes::Leaf;
 use super::super::sampling::variant::Worked;
-use super::mistakes::Solver;
+use super::following::Following;
 use super::restricted::Restricted;
+use super::solver::Solver;
 
 /// At most so many ways of leaving equations aside are tried for one set of earlier answers.
 const MOST_WAYS: usize = 64;
@@ -45,25 +45,6 @@ const ROUNDED: (i64, u32) = (6, 1000);
 const SAME: f64 = 1e-9;
 /// Roots are told apart where they differ by more than this share: a wrong answer is rounded.
 const ROOT: f64 = 0.006;
-
-/// The ways in which a form's answers follow from each other, as far as somebody has asked: by the way the scene goes, the
-/// quantity that is asked, and the earlier quantities that are known.
-#[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Followings(Arc<RwLock<BTreeMap<Key, Arc<[Following]>>>>);
-
-type Key = (usize, Symbol, BTreeSet<Symbol>);
-
-/// One way in which an answer follows from earlier ones.
-#[derive(Clone, Debug)]
-pub struct Following {
-    /// The laws that the answer then satisfies together with the earlier ones.
-    pub by: Vec<&'static Law>,
-    /// Whether what comes before an earlier answer is found from it, so that it need not be wrong in itself.
-    backwards: bool,
-    solver: Solver,
-    /// Judges whether the values can be, with what each condition that it judges by says where it is broken.
-    judge: Option<(Program, Vec<Reason>)>,
-}
 
 /// What follows from earlier answers.
 #[derive(Clone, Debug, PartialEq)]

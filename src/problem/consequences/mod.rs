@@ -2,7 +2,9 @@
 
 pub(super) mod feedback;
 pub(super) mod follow;
-pub(super) mod misjudged;
+pub(super) mod following;
+pub(super) mod mistake;
 pub(super) mod mistakes;
 pub(super) mod restricted;
 pub(super) mod simulated;
+pub(super) mod solver;

@@ -13,10 +13,10 @@ use crate::solve::Bounded;
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
 use super::super::questions::part::PartKind;
-use super::super::questions::vector::VectorPart;
+use super::super::questions::part::VectorPart;
 use super::super::sampling::variant::Worked;
-use super::mistakes::Made;
-use super::mistakes::Mistake;
+use super::mistake::Made;
+use super::mistake::Mistake;
 
 /// A formula and a program give the same within this share.
 const SAME: f64 = 1e-9;

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::quantity::UnitSystem;
 use crate::scene::{Scene, Term};
 
 use super::ask::Ask;
@@ -178,6 +179,17 @@ pub enum Units {
     /// Foot, slug, pound-force, second.
     #[serde(rename = "US")]
     Us,
+}
+
+impl Units {
+    /// The unit system.
+    #[must_use]
+    pub fn system(self) -> UnitSystem {
+        match self {
+            Self::Si => UnitSystem::Si,
+            Self::Us => UnitSystem::Us,
+        }
+    }
 }
 
 /// Which of several true solutions are asked for.

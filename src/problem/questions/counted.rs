@@ -15,9 +15,9 @@ use super::super::language::ask::Count;
 use super::super::language::comparison::split_relation;
 use super::super::language::condition::are_comparable;
 use super::part::AskedUnit;
+use super::part::Named;
 use super::part::NumberPart;
 use super::part::PartKind;
-use super::parts::Named;
 
 /// Which number is counted: the first for which a condition holds, or the last as long as it holds.
 enum End {

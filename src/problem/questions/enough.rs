@@ -25,8 +25,8 @@ use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::text::Text;
 use super::super::reading::load::Loaded;
-use super::concept::join;
-use super::concept::yes_or_no;
+use super::choices::settled::join;
+use super::choices::settled::yes_or_no;
 use super::part::Part;
 
 /// Ways out that are told in a reason.

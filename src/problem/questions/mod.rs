@@ -1,28 +1,14 @@
-//! What is asked, compiled: each kind of question, and how its right answer is settled.
+//! What is asked, compiled: each kind of question, and what it depends on.
 
-pub(super) mod comparing;
-pub(super) mod concept;
-pub(super) mod conserved;
+pub(super) mod choices;
+pub(super) mod conservation;
 pub(super) mod counted;
-pub(super) mod curve;
-pub(super) mod decision;
-pub(super) mod diagram;
 pub(super) mod enough;
 pub(super) mod equality;
-pub(super) mod formula;
-pub(super) mod graph;
-pub(super) mod graph_mistakes;
-pub(super) mod graph_read;
-pub(super) mod impact_kind;
-pub(super) mod judgement;
-pub(super) mod lasting;
-pub(super) mod offered;
-pub(super) mod offered_read;
+pub(super) mod number;
 pub(super) mod part;
 pub(super) mod parts;
-pub(super) mod pictured;
-pub(super) mod pictured_read;
+pub(super) mod pictures;
 pub(super) mod range;
-pub(super) mod roots;
-pub(super) mod sudden;
+pub(super) mod to_solve;
 pub(super) mod vector;

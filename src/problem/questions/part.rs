@@ -5,10 +5,8 @@ use crate::model::component_name;
 use crate::quantity::Tolerance;
 use crate::quantity::Unit;
 
-use super::decision::ChoicePart;
-use super::formula::FormulaPart;
-use super::range::RangePart;
-use super::vector::VectorPart;
+use super::choices::choice::ChoicePart;
+use super::choices::claim::Claim;
 
 /// One part of a question.
 #[derive(Clone, Debug)]
@@ -66,6 +64,39 @@ pub enum AskedUnit {
     InTermsOf(Symbol, Unit),
 }
 
+/// A vector that is asked, by its components along the scene's axes.
+#[derive(Clone, Debug)]
+pub struct VectorPart {
+    /// The components, in one unit and in the order of the axes.
+    pub components: Vec<NumberPart>,
+    /// The letters of the axes.
+    pub axes: Vec<&'static str>,
+}
+
+/// A formula that is asked.
+#[derive(Clone, Debug)]
+pub struct FormulaPart {
+    /// The quantity.
+    pub symbol: Symbol,
+    /// The quantity of which the answer is a multiple, where it is asked in terms of one.
+    pub in_terms_of: Option<Symbol>,
+}
+
+/// The values of a quantity for which something holds are asked.
+#[derive(Clone, Debug)]
+pub struct RangePart {
+    /// The quantity; the variant's value of it is the boundary, at which both sides of the claim are equal.
+    pub number: NumberPart,
+    /// What is to hold.
+    pub claim: Claim,
+}
+
+/// The label and the kind of a part.
+pub(in crate::problem) type Question = (String, PartKind);
+
+/// The name of a part in answers, its label and its kind.
+pub(in crate::problem) type Named = (String, String, PartKind);
+
 impl Part {
     /// The numbers in its answer, each with its name: one, the components of a vector, or none.
     pub fn numbers(&self) -> impl Iterator<Item = (String, &NumberPart)> {
@@ -119,6 +150,17 @@ impl AskedUnit {
     pub(in crate::problem) fn size(&self) -> f64 {
         match self {
             Self::Unit(unit) | Self::InTermsOf(_, unit) => unit.factor().to_f64(),
+        }
+    }
+}
+
+impl VectorPart {
+    /// The axes in words: `x and y`.
+    #[must_use]
+    pub fn axes_in_words(&self) -> String {
+        match &self.axes[..] {
+            [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+            axes => axes.join(", "),
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -10,78 +9,20 @@ use crate::fault::Path;
 use crate::model::Builder;
 use crate::model::Model;
 use crate::model::Warning;
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
-use crate::quantity::round_to_figures;
-use crate::solve::Bounded;
 use crate::solve::Equation;
 use crate::solve::Planner;
 use crate::solve::Relation;
-use crate::solve::Step;
 
-use super::super::compiling::input::Input;
 use super::super::compiling::regimes::Regimes;
-use super::super::compiling::regimes::Scratch;
 use super::super::language::ask::Answered;
 use super::super::language::ask::Find;
 use super::super::language::ask::Range;
 use super::super::reading::load::Loaded;
-use super::super::sampling::variant::Worked;
-use super::comparing;
-use super::decision::Claim;
-use super::part::AskedUnit;
-use super::part::NumberPart;
+use super::choices::comparing;
+use super::number::number_part;
 use super::part::Part;
 use super::part::PartKind;
-use super::parts::number_part;
-
-/// The values of a quantity for which something holds are asked.
-#[derive(Clone, Debug)]
-pub struct RangePart {
-    /// The quantity; the variant's value of it is the boundary, at which both sides of the claim are equal.
-    pub number: NumberPart,
-    /// What is to hold.
-    pub claim: Claim,
-}
-
-/// The values for which the claim of a [`RangePart`] holds: those on one side of the boundary.
-#[derive(Clone, Debug)]
-pub struct Interval {
-    /// The lower end; none where there is no least value.
-    pub low: Option<End>,
-    /// The upper end; none where there is no greatest value.
-    pub high: Option<End>,
-    /// The value on one side with which the model was tried.
-    pub trial: Trial,
-}
-
-/// An end of an interval, in the unit of the question.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
-    /// Where it is.
-    pub value: Bounded,
-    /// Whether it belongs to the interval.
-    pub closed: bool,
-    /// Whether it is a limit of the quantity itself, whatever the claim: `e <= 1`.
-    pub own: bool,
-}
-
-/// What the model gives on the side on which the claim holds.
-#[derive(Clone, Debug)]
-pub struct Trial {
-    /// The value that was tried, in the unit of the question.
-    pub at: Decimal,
-    /// The left side of the claim there, in SI units.
-    pub left: f64,
-    /// The way that the scene goes there.
-    leaf: usize,
-}
-
-/// How far from a limit towards the boundary the model is tried where there is no motion at the limit itself.
-const BESIDE_A_LIMIT: f64 = 0.01;
-
-/// The least and the greatest value of a quantity, in SI units, each with whether it is reached.
-type Limits = [Option<(f64, bool)>; 2];
+use super::part::RangePart;
 
 /// Reads the question: the label, the kind, and the equation of the boundary.
 pub(in crate::problem) fn read(
@@ -151,112 +92,4 @@ pub(in crate::problem) fn trials(
         Ok((symbol, planned))
     };
     ranges.map(trial).collect()
-}
-
-/// The limits of a quantity: what the model requires of it whatever the other values.
-fn limits(model: &Model, symbol: Symbol) -> Limits {
-    let positive = model.system.positive.contains(&symbol).then_some((0.0, false));
-    let mut limits = [positive, None];
-    for condition in &model.system.conditions {
-        let (Expr::Symbol(own), Some(bound)) = (&condition.left, condition.right.as_number()) else { continue };
-        let bound = bound.to_f64().value();
-        match condition.relation {
-            _ if *own != symbol => {}
-            Relation::AtLeast => limits[0] = Some((bound, true)),
-            Relation::Greater => limits[0] = Some((bound, false)),
-            Relation::AtMost => limits[1] = Some((bound, true)),
-            Relation::Less => limits[1] = Some((bound, false)),
-            Relation::Differs => {}
-        }
-    }
-    limits
-}
-
-/// A value between a limit of a quantity and the boundary.
-fn between(limit: Option<(f64, bool)>, boundary: f64, away: f64) -> f64 {
-    match limit {
-        Some((limit, true)) => limit,
-        Some((limit, false)) => f64::midpoint(limit, boundary),
-        None => boundary + away * boundary.abs().max(1.0),
-    }
-}
-
-impl Worked<'_> {
-    /// Whether every range that is asked has one boundary, with a side on which it holds.
-    pub(in crate::problem) fn has_intervals(&self) -> bool {
-        let mut ranges = self.form.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Range(range) => Some(range),
-            _ => None,
-        });
-        ranges.all(|range| self.interval(range).is_some())
-    }
-
-    /// The values for which the claim holds; `None` where it holds on both sides of the boundary, or on neither.
-    #[must_use]
-    pub fn interval(&self, range: &RangePart) -> Option<Interval> {
-        let symbol = range.number.symbol;
-        let regimes = self.form.trials.iter().find(|(own, _)| *own == symbol).map(|(_, regimes)| regimes)?;
-        let AskedUnit::Unit(unit) = &range.number.unit else { return None };
-        let boundary = self.variant.value(symbol)?;
-        let limits = limits(self.problem.model(), symbol);
-        let inside = |(limit, sign): (Option<(f64, bool)>, f64)| {
-            limit.is_none_or(|(limit, _)| sign * (limit - boundary.value) > boundary.error)
-        };
-        if !limits.into_iter().zip([-1.0, 1.0]).all(inside) {
-            return None;
-        }
-        let tried = |at: f64| self.tried(regimes, range, at / unit.factor().to_f64(), unit);
-        let side = |limit: Option<(f64, bool)>, away: f64| {
-            let beside = |limit: f64| {
-                // Just there the motion may be none, as a bounce with e = 0: then what is next to it counts.
-                tried(limit + BESIDE_A_LIMIT * (boundary.value - limit))?;
-                tried(f64::midpoint(limit, boundary.value))
-            };
-            tried(between(limit, boundary.value, away)).or_else(|| beside(limit.filter(|(_, closed)| *closed)?.0))
-        };
-        let (below, above) = (side(limits[0], -0.5)?, side(limits[1], 1.0)?);
-        let reached = matches!(range.claim.relation, Relation::AtMost | Relation::AtLeast);
-        let at_boundary = End { value: self.answer(&range.number), closed: reached, own: false };
-        let own = |limit: Option<(f64, bool)>| {
-            limit.map(|(value, closed)| {
-                let value = Bounded { value: value / unit.factor().to_f64(), error: 0.0 };
-                End { value, closed, own: true }
-            })
-        };
-        match (below, above) {
-            ((true, trial), (false, _)) => Some(Interval { low: own(limits[0]), high: Some(at_boundary), trial }),
-            ((false, _), (true, trial)) => Some(Interval { low: Some(at_boundary), high: own(limits[1]), trial }),
-            _ => None,
-        }
-    }
-
-    /// The steps that give the sides of the claim from a value that was tried.
-    #[must_use]
-    pub fn steps_tried(&self, range: &RangePart, trial: &Trial) -> &[Step] {
-        let mut trials = self.form.trials.iter();
-        let own = trials.find(|(own, _)| *own == range.number.symbol);
-        own.map_or(&[], |(_, regimes)| regimes.leaf(trial.leaf).answer_steps())
-    }
-
-    /// Whether the claim holds with that value of the quantity, in the unit of the question.
-    fn tried(&self, regimes: &Regimes, range: &RangePart, at: f64, unit: &Unit) -> Option<(bool, Trial)> {
-        let at = round_to_figures(at, range.number.figures)?;
-        let mut inputs = Input::all(self.problem, self.form, self.problem.model().symbols.len());
-        let told = self.variant.all_given().iter().map(|(symbol, value, unit)| (*symbol, value, unit));
-        for (symbol, value, unit) in told.chain([(range.number.symbol, &at, unit)]) {
-            if let Some(input) = inputs.get_mut(symbol.index()) {
-                *input = Input::of(value, unit);
-            }
-        }
-        let mut scratch = Scratch::default();
-        if scratch.run(regimes, &inputs, &[]) != 1 {
-            return None;
-        }
-        let value = |symbol: Symbol| {
-            let solved = scratch.value(regimes, symbol);
-            solved.or_else(|| inputs.get(symbol.index()).and_then(Input::bounded)).map_or(f64::NAN, |own| own.value)
-        };
-        let [left, right] = [&range.claim.left, &range.claim.right].map(|side| side.evaluate(&value));
-        Some((range.claim.holds_between(left, right)?, Trial { at, left, leaf: scratch.leaf() }))
-    }
 }

@@ -9,30 +9,10 @@ use crate::model::component_name;
 
 use super::super::language::ask::Find;
 use super::super::reading::load::Loaded;
+use super::number::number_part;
 use super::part::AskedUnit;
-use super::part::NumberPart;
 use super::part::PartKind;
-use super::parts::number_part;
-
-/// A vector that is asked, by its components along the scene's axes.
-#[derive(Clone, Debug)]
-pub struct VectorPart {
-    /// The components, in one unit and in the order of the axes.
-    pub components: Vec<NumberPart>,
-    /// The letters of the axes.
-    pub axes: Vec<&'static str>,
-}
-
-impl VectorPart {
-    /// The axes in words: `x and y`.
-    #[must_use]
-    pub fn axes_in_words(&self) -> String {
-        match &self.axes[..] {
-            [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-            axes => axes.join(", "),
-        }
-    }
-}
+use super::part::VectorPart;
 
 /// The components of a name that is no quantity itself.
 pub(in crate::problem) fn components(vector: &str, builder: &mut Builder<'_>) -> Option<Vec<Symbol>> {

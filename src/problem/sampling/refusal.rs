@@ -4,7 +4,7 @@ use crate::expr::Symbol;
 use crate::solve::Bounded;
 use crate::solve::Cause;
 
-use super::super::questions::decision::ChoicePart;
+use super::super::questions::choices::choice::ChoicePart;
 use super::super::questions::part::PartKind;
 use super::no_variant::Rejection;
 use super::sampler::Sampler;

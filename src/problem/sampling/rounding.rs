@@ -1,8 +1,5 @@
 //! How far honest rounding can move an answer, whether an answer is nothing, and the size against which that is judged.
 
-use std::sync::Arc;
-use std::sync::OnceLock;
-
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Dimension;
@@ -32,10 +29,6 @@ pub struct Judged {
 
 /// Where a value in 77 digits lies so near to nothing, beside what cancels in it, it is nothing.
 const NOTHING: f64 = 1e-40;
-
-/// How the answers of a form move with the values on the way, for each way in which its scene can go; empty until it is asked for.
-#[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Sensitivities(Arc<OnceLock<Vec<Sensitivity>>>);
 
 impl Worked<'_> {
     /// Allowance and scale of an answer.

@@ -10,6 +10,7 @@ use crate::solve::Precision;
 use crate::solve::Real;
 
 use super::super::compiling::input::Input;
+use super::super::compiling::inputs::inputs;
 use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;
 use super::super::compiling::regimes::Scratch;
@@ -70,7 +71,7 @@ impl<'p> Sampler<'p> {
             position: form,
             words: problem.streams().words(),
             drawn: vec![0; own.known.len()],
-            inputs: Input::all(problem, own, count),
+            inputs: inputs(problem, own),
             domains: domains(own, count),
             scratch: Scratch::new(precision),
             forward: Scratch::new(precision),

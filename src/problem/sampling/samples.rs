@@ -1,11 +1,10 @@
 //! Values that the givens of a form have together: formulas are compared near them, where the scene goes the same way.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::sync::RwLock;
 
 use crate::expr::Symbol;
 
+use super::super::compiling::on_demand::Sample;
 use super::super::language::known::Origin;
 use super::sampler::Sampler;
 use super::variant::Worked;
@@ -14,15 +13,6 @@ use super::variant::Worked;
 const WANTED: usize = 16;
 /// So many seeds are tried, for some variants go another way.
 const TRIED: u64 = 64;
-
-/// The values of some givens in variants of a form, in the order of the givens; none for what may be anything.
-pub type Sample = Vec<Option<f64>>;
-
-/// The samples of a form, as far as somebody has asked: by the way the scene goes, the roots that are taken, and the givens.
-#[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Samples(Arc<RwLock<BTreeMap<Key, Arc<[Sample]>>>>);
-
-type Key = (usize, Vec<usize>, Vec<Symbol>);
 
 impl Worked<'_> {
     /// Values that these givens have together in variants that go the way of this one.

@@ -89,6 +89,31 @@ pub(in crate::problem) fn fill_and_mark(text: &Text, problem: &Problem, variant:
 }
 
 impl Variant {
+    /// The story and the question of its form, placeholders filled in.
+    #[must_use]
+    pub fn text(&self, problem: &Problem) -> String {
+        let story = fill(&problem.loaded().draft.text, problem, self);
+        let question = problem.forms().get(self.form).map(|form| fill(&form.question.text, problem, self));
+        match question.filter(|question| !question.trim().is_empty()) {
+            Some(question) => format!("{}\n\n{}", story.trim_end(), question.trim()),
+            None => story.trim_end().to_owned(),
+        }
+    }
+
+    /// What the author says to a student who made the mistake of that name, placeholders filled in.
+    #[must_use]
+    pub fn feedback(&self, problem: &Problem, mistake: &str) -> Option<String> {
+        let text = problem.loaded().draft.feedback.get(mistake)?;
+        Some(fill(text, problem, self).trim().to_owned())
+    }
+
+    /// The hints of its form, placeholders filled in.
+    #[must_use]
+    pub fn hints(&self, problem: &Problem) -> Vec<String> {
+        let hints = problem.forms().get(self.form).into_iter().flat_map(|form| &form.question.hints);
+        hints.map(|(_, hint)| fill(hint, problem, self)).collect()
+    }
+
     /// The numbers that the story and the question of its form print, each once by the name of its quantity, as they would be
     /// typed: what is written as a calculation is left out.
     #[must_use]

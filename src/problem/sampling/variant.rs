@@ -10,9 +10,9 @@ use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;
 use super::super::compiling::regimes::Dead;
 use super::super::compiling::regimes::Leaf;
+use super::super::questions::number::unit_for;
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
-use super::say;
 
 /// The numbers of one variant. Made only by [`super::super::Sampler`]: its givens satisfy what the problem requires, and exactly
 /// one admissible solution belongs to them.
@@ -96,7 +96,7 @@ impl Variant {
     #[must_use]
     pub fn unit(&self, problem: &Problem, symbol: Symbol) -> Unit {
         let entry = problem.model().symbols.entry(symbol);
-        let coherent = || super::super::questions::parts::unit_for(problem.loaded(), &entry.name, entry.dimension);
+        let coherent = || unit_for(problem.loaded(), &entry.name, entry.dimension);
         self.given(symbol).map_or_else(coherent, |(_, unit)| unit)
     }
 
@@ -111,31 +111,6 @@ impl Variant {
         let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten())?;
         let size = factor(self.unit(problem, symbol).factor().to_f64());
         crate::quantity::round_to_figures(solved.div(&size).for_print(), figures)
-    }
-
-    /// The story and the question of its form, placeholders filled in.
-    #[must_use]
-    pub fn text(&self, problem: &Problem) -> String {
-        let story = say::fill(&problem.loaded().draft.text, problem, self);
-        let question = problem.forms().get(self.form).map(|form| say::fill(&form.question.text, problem, self));
-        match question.filter(|question| !question.trim().is_empty()) {
-            Some(question) => format!("{}\n\n{}", story.trim_end(), question.trim()),
-            None => story.trim_end().to_owned(),
-        }
-    }
-
-    /// What the author says to a student who made the mistake of that name, placeholders filled in.
-    #[must_use]
-    pub fn feedback(&self, problem: &Problem, mistake: &str) -> Option<String> {
-        let text = problem.loaded().draft.feedback.get(mistake)?;
-        Some(say::fill(text, problem, self).trim().to_owned())
-    }
-
-    /// The hints of its form, placeholders filled in.
-    #[must_use]
-    pub fn hints(&self, problem: &Problem) -> Vec<String> {
-        let hints = problem.forms().get(self.form).into_iter().flat_map(|form| &form.question.hints);
-        hints.map(|(_, hint)| say::fill(hint, problem, self)).collect()
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) fn is_exact(value: &Decimal, unit: &Unit) -> bool {
 
 /// By how much a told value may differ from the true one, in SI units: half a unit of its last printed place, with at least so many
 /// significant figures; nothing where it is exact.
-pub(super) fn half_of_last_place(value: &Decimal, unit: &Unit, name: &str, figures: usize) -> f64 {
+pub(in crate::problem) fn half_of_last_place(value: &Decimal, unit: &Unit, name: &str, figures: usize) -> f64 {
     if is_exact(value, unit) || name == GRAVITY {
         return 0.0;
     }

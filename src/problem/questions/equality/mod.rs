@@ -2,7 +2,6 @@
 
 mod data;
 mod difference;
-mod judged;
 mod nonzero;
 
 use std::collections::BTreeSet;
@@ -16,10 +15,9 @@ use crate::model::Builder;
 
 use super::super::language::given::Given;
 use super::super::reading::load::Loaded;
-use super::comparing::to_solve;
+use super::to_solve::to_solve;
 
-pub use judged::Closeness;
-pub(super) use judged::in_unit;
+pub(in crate::problem) use data::half_of_last_place;
 
 use difference::difference;
 use nonzero::Ranges;

@@ -1,0 +1,70 @@
+//! Whether a claim holds of the numbers of a variant.
+
+use std::cmp::Ordering;
+
+use crate::expr::Expr;
+use crate::quantity::coherent_unit;
+use crate::solve::Bounded;
+use crate::solve::Real;
+use crate::solve::evaluate;
+
+use super::super::questions::choices::claim::Claim;
+use super::super::questions::choices::decision::Decision;
+use super::super::sampling::variant::Worked;
+use super::closeness::in_unit;
+
+/// What has no value where two sides cannot be compared.
+const SIDE: &str = "a side of a comparison";
+
+impl Claim {
+    /// Whether it holds of the numbers of a variant; `None` where a side has no value.
+    pub(in crate::problem) fn holds(&self, worked: &Worked<'_>) -> Option<bool> {
+        exactly_compared(worked, &self.left, &self.right).map(|order| self.allows(order))
+    }
+
+    /// Why it cannot be judged with the numbers of a variant.
+    pub(super) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+        self.holds(worked).is_none().then(|| no_value(SIDE))
+    }
+
+    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+        let Some(order) = exactly_compared(worked, &self.left, &self.right) else {
+            return Decision::yes_or_no(false, no_value(SIDE));
+        };
+        let holds = self.allows(order);
+        let is = match order {
+            Ordering::Less => "less than",
+            Ordering::Equal => "equal to",
+            Ordering::Greater => "greater than",
+        };
+        let said = |words: &String, side: &Expr| {
+            // A single quantity has its value where it is found, and what hangs on open letters has none.
+            let is_single = matches!(side, Expr::Symbol(_) | Expr::Number(_)) || !worked.form.free.is_empty();
+            let value = (!is_single).then(|| printed(worked, side)).flatten();
+            value.map_or_else(|| words.clone(), |value| format!("{words} ({value})"))
+        };
+        let [left, right] = &self.words;
+        Decision::yes_or_no(holds, format!("{} is {is} {}", said(left, &self.left), said(right, &self.right)))
+    }
+}
+
+/// How two terms compare with the numbers of a variant: equal where their difference is no more than its error bound, which is
+/// so only where it is exactly zero. `None` where a side has no value, as where it is divided by zero.
+pub(super) fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Option<Ordering> {
+    let number = |symbol| worked.variant.value(symbol).unwrap_or_else(Bounded::not_real);
+    let Bounded { value, error } = evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number));
+    if !error.is_finite() {
+        return None;
+    }
+    if value.abs() <= error { Some(Ordering::Equal) } else { value.partial_cmp(&0.0) }
+}
+
+/// The value of a term in its usual unit.
+fn printed(worked: &Worked<'_>, term: &Expr) -> Option<String> {
+    let dimension = term.dimension(&worked.problem.model().symbols).ok()?;
+    in_unit(worked, term, &coherent_unit(dimension, worked.problem.units()))
+}
+
+pub(super) fn no_value(of: &str) -> String {
+    format!("{of} has no value with these numbers, as where something is divided by zero")
+}

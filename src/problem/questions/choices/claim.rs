@@ -1,0 +1,69 @@
+//! Claims about the numbers of a variant.
+
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::solve::Relation;
+
+/// A claim about the numbers of a variant.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The left side.
+    pub left: Expr,
+    /// How the sides are said to compare.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Expr,
+    /// The sides in words.
+    pub words: [String; 2],
+    /// The quantities that are compared, to be solved; numbers with units are none.
+    pub quantities: Vec<Symbol>,
+}
+
+/// The share of its terms below which a difference is zero.
+const EQUAL: f64 = 1e-12;
+
+/// How two numbers compare; `None` where one of them is none.
+fn compared(left: f64, right: f64) -> Option<Ordering> {
+    let is_near = (left - right).abs() <= EQUAL * left.abs().max(right.abs());
+    if is_near { Some(Ordering::Equal) } else { left.partial_cmp(&right) }
+}
+
+impl Claim {
+    /// Everything that its sides contain.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        self.left.symbols().union(&self.right.symbols()).copied().collect()
+    }
+
+    /// Whether it holds where its sides have these values; `None` where one of them is no number.
+    pub(in crate::problem) fn holds_between(&self, left: f64, right: f64) -> Option<bool> {
+        compared(left, right).map(|order| self.allows(order))
+    }
+
+    /// Whether it holds where its sides compare so.
+    pub(in crate::problem) fn allows(&self, order: Ordering) -> bool {
+        match self.relation {
+            Relation::Less => order.is_lt(),
+            Relation::AtMost => order.is_le(),
+            Relation::Greater => order.is_gt(),
+            Relation::AtLeast => order.is_ge(),
+            Relation::Differs => order.is_ne(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearly_equal_is_equal() {
+        assert_eq!(compared(1.0, 1.0 + 1e-15), Some(Ordering::Equal));
+        assert_eq!(compared(1.0, 1.0 + 1e-9), Some(Ordering::Less));
+        assert_eq!(compared(0.0, 0.0), Some(Ordering::Equal));
+        assert_eq!(compared(f64::NAN, 0.0), None);
+    }
+}

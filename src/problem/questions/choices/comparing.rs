@@ -1,0 +1,104 @@
+//! Questions that compare quantities: whether one is greater than another, and in which order several are.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Builder;
+use crate::model::Reason;
+use crate::quantity::dimension_name;
+use crate::solve::Relation;
+
+use super::super::super::language::ask::Holds;
+use super::super::super::language::ask::Order;
+use super::super::super::language::comparison::split_relation;
+use super::super::super::language::condition::condition;
+use super::super::super::reading::load::Loaded;
+use super::super::part::PartKind;
+use super::super::part::Question;
+use super::super::to_solve::to_solve;
+use super::choice::ChoicePart;
+use super::choice::MOST_ORDERED;
+use super::claim::Claim;
+
+/// Whether something holds of the numbers.
+pub(in crate::problem) fn holds(
+    loaded: &Loaded,
+    ask: &Holds,
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<Question> {
+    let (words, claim) = claim(loaded, &ask.holds, builder, &path.key("holds"))?;
+    Some((format!("Is {words}?"), PartKind::Choice(ChoicePart::Holds(claim))))
+}
+
+/// A comparison in words, and what it claims.
+pub(in crate::problem) fn claim(
+    loaded: &Loaded,
+    text: &str,
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<(String, Claim)> {
+    let condition = condition(builder, text, Reason::Asked, path)?;
+    let (left, relation, right) = (condition.left, condition.relation, condition.right);
+    let written = split_relation(text).map_or(["", ""], |(left, _, right)| [left, right]);
+    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
+    let than = match relation {
+        Relation::Less => "less than",
+        Relation::AtMost => "at most",
+        Relation::Greater => "greater than",
+        Relation::AtLeast => "at least",
+        Relation::Differs => "different from",
+    };
+    let said = format!("{} {than} {}", words[0], words[1]);
+    let mut quantities = left.symbols();
+    quantities.extend(right.symbols());
+    let quantities = to_solve(loaded, builder, quantities);
+    Some((said, Claim { left, relation, right, words, quantities }))
+}
+
+/// In which order some quantities are.
+pub(in crate::problem) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
+    let path = path.key("order");
+    if !(2..=MOST_ORDERED).contains(&ask.order.len()) {
+        let fault = Fault::new(Code::Value, format!("{} quantities cannot be put in order", ask.order.len()));
+        builder.fault(fault.help(format!("name two to {MOST_ORDERED} quantities")).at_path(path));
+        return None;
+    }
+    let mut symbols: Vec<Symbol> = Vec::new();
+    for (index, name) in ask.order.iter().enumerate() {
+        let path = path.index(index);
+        let Some(symbol) = builder.mention(name) else {
+            let fault = builder.unknown(name).at_path(path);
+            builder.fault(fault);
+            return None;
+        };
+        if symbols.contains(&symbol) {
+            let fault = Fault::new(Code::Duplicate, format!("`{name}` is listed twice"));
+            builder.fault(fault.help("name each quantity once").at_path(path));
+            return None;
+        }
+        let dimension = |symbol: Symbol| builder.symbols().entry(symbol).dimension;
+        if let Some(first) = symbols.first().copied().filter(|first| dimension(*first) != dimension(symbol)) {
+            let [one, other] = [first, symbol].map(|symbol| dimension_name(dimension(symbol)));
+            let fault = Fault::new(Code::Dimension, format!("`{name}` is {other}, `{}` is {one}", ask.order[0]));
+            builder.fault(fault.help("only quantities of the same kind can be put in order").at_path(path));
+            return None;
+        }
+        symbols.push(symbol);
+    }
+    let label = "In which order are these, from the least to the greatest?".to_owned();
+    Some((label, PartKind::Choice(ChoicePart::Order(symbols))))
+}
+
+/// A side of a comparison as a noun phrase: the meaning of a quantity, or what the author wrote.
+fn in_words(builder: &Builder<'_>, side: &Expr, written: &str) -> String {
+    match side {
+        Expr::Symbol(symbol) => {
+            let entry = builder.symbols().entry(*symbol);
+            if entry.meaning.is_empty() { entry.name.clone() } else { entry.meaning.clone() }
+        }
+        _ => written.to_owned(),
+    }
+}

@@ -1,0 +1,100 @@
+//! Whether a force is impulsive, answered from the scene.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::fault::did_you_mean;
+use crate::laws::wrong::concept;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::ContactWeight;
+use crate::model::Impulse;
+use crate::model::Reason;
+use crate::solve::Condition;
+use crate::solve::Relation;
+
+use super::super::super::language::ask::Impulsive;
+use super::super::part::Question;
+use super::settled::stage;
+use super::settled::yes_or_no;
+
+/// Forces that never have time to act in a short impact, whatever the scene.
+const ORDINARY: &[(&str, &str)] = &[
+    ("weight", "it stays as large as before, so its impulse is negligible in so short a contact"),
+    ("gravity", "it stays as large as before, so its impulse is negligible in so short a contact"),
+    ("friction", "it is bounded by the ordinary normal force, so in the short contact its impulse is negligible"),
+    ("normal force", "nothing impulsive presses the body into the ground, so it hardly changes"),
+    ("spring force", "it depends on the spring's length, which hardly changes during the short contact"),
+    ("air resistance", "it stays small during the short contact, so its impulse is negligible"),
+];
+
+/// Whether a force is impulsive in a stage.
+pub(in crate::problem) fn impulsive(
+    ask: &Impulsive,
+    builder: &mut Builder<'_>,
+    path: &Path,
+    conditions: &mut Vec<Condition>,
+) -> Option<Question> {
+    let stage = stage(ask.stage.as_deref(), builder, path)?;
+    conditions.extend(is_weak(ask, builder, stage));
+    let force = ask.impulsive.trim();
+    let phrase = builder.phrase_of(stage);
+    let bare = force.trim_start_matches("the ");
+    let acts = |impulse: &&Impulse| {
+        let named = impulse.called.trim_start_matches("the ");
+        let touches = matches!(&impulse.by, Agent::Body(other) if builder.name_of(other) == bare);
+        impulse.stage == stage && (named == bare || touches || bare == "contact force")
+    };
+    let from_scene = builder.impulses().iter().find(acts).map(|impulse| impulse.impulsive);
+    let ordinary = ORDINARY.iter().find(|(name, _)| *name == bare);
+    let verdict = match (ordinary, from_scene) {
+        (Some((_, why)), _) => (false, (*why).to_owned()),
+        (None, Some(true)) => {
+            (true, "it becomes very large for a very short time, so its impulse is not negligible".into())
+        }
+        (None, Some(false)) => (false, "it stays of ordinary size for an ordinary time".into()),
+        (None, None) => {
+            let known: Vec<&str> =
+                builder.impulses().iter().filter(|own| own.stage == stage).map(|own| own.called.as_str()).collect();
+            let all: Vec<&str> = ORDINARY.iter().map(|row| row.0).chain(known).collect();
+            let help = did_you_mean(bare, all.iter().copied()).map(|near| format!("did you mean `{near}`?"));
+            let help = help.unwrap_or_else(|| format!("the forces here are: {}", all.join(", ")));
+            let fault = Fault::new(Code::UnknownName, format!("no force called `{force}` acts in {phrase}"));
+            builder.fault(fault.help(help).at_path(path.key("impulsive")));
+            return None;
+        }
+    };
+    let behind = Some(if verdict.0 { &concept::IMPULSIVE_AS_ORDINARY } else { &concept::ORDINARY_AS_IMPULSIVE });
+    let owner = ask.on.as_ref().map(|body| builder.name_of(body));
+    let named = impulsive_force(force, from_scene == Some(true), owner.as_deref());
+    Some((format!("Is {named} impulsive during {phrase}?"), yes_or_no(verdict, behind)))
+}
+
+/// What must hold for a force to be too weak to be impulsive: the impulse of weight is small where it is given how long the
+/// contact lasts.
+fn is_weak(ask: &Impulsive, builder: &mut Builder<'_>, stage: usize) -> Vec<Condition> {
+    if !["weight", "gravity"].contains(&ask.impulsive.trim().trim_start_matches("the ")) {
+        return Vec::new();
+    }
+    let meant =
+        |weight: &&ContactWeight| weight.stage == stage && ask.on.as_ref().is_none_or(|body| *body == weight.on);
+    let weights: Vec<ContactWeight> = builder.weights().iter().filter(meant).cloned().collect();
+    let weak = |weight: ContactWeight| {
+        let [weight, change] = weight.squares();
+        builder.compare(weight, Relation::Less, change, Reason::WeightNotSmall)
+    };
+    weights.into_iter().map(weak).collect()
+}
+
+/// A force as the subject of a sentence: what gives an impulse, such as a bat, is not itself a force.
+fn impulsive_force(force: &str, is_giver: bool, owner: Option<&str>) -> String {
+    let bare = ["gravity", "friction", "air resistance"].contains(&force) || force.starts_with("the ");
+    let named = if bare { force.to_owned() } else { format!("the {force}") };
+    let is_giver = is_giver && !force.contains("force") && !force.contains("contact");
+    let named = if is_giver { format!("the force of {named}") } else { named };
+    match owner {
+        Some(owner) if force == "weight" => format!("{named} of {owner}"),
+        Some(owner) => format!("{named} on {owner}"),
+        None => named,
+    }
+}

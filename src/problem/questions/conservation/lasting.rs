@@ -1,0 +1,210 @@
+//! What is conserved in a stage that lasts: what acts from outside decides, at every moment.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::model::Builder;
+use crate::model::Effect;
+use crate::model::Influence;
+use crate::model::Moment;
+use crate::model::Work;
+
+use super::super::super::language::ask::Conservable;
+use super::super::super::reading::load::Loaded;
+use super::super::choices::judgement::Case;
+use super::super::choices::judgement::Test;
+use super::super::choices::settled::join;
+use super::super::equality::Equality;
+use super::super::equality::Place;
+use super::balance::Balance;
+use super::balance::Verdict;
+
+/// The time that a stage counts from its own start.
+const CLOCK: &str = "t";
+
+pub(in crate::problem) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+    let outside = from_outside(balance, builder);
+    let mut tests = Vec::new();
+    // Polar axes have no fixed directions: along some, whatever acts from outside gives an impulse.
+    let axes = if balance.axes.is_empty() { &[0][..] } else { &balance.axes };
+    for position in axes {
+        let acting = outside.iter().map(|own| (own.along(*position), impulse(own, builder)));
+        tests.extend(net(loaded, balance, builder, acting));
+    }
+    let because = if tests.is_empty() {
+        "the impulses within the system cancel in pairs, and no external impulse acts along the axis"
+    } else {
+        "the external forces along the axis cancel at every moment"
+    };
+    Verdict { tests, because: because.into() }
+}
+
+pub(in crate::problem) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+    let acting = on_system(balance, builder);
+    let mut tests = Vec::new();
+    let by_force: Vec<&Influence> = (acting.iter().copied())
+        .filter(|own| matches!(own.work, Work::OfForce) && !own.is_within(&balance.ask.of))
+        .collect();
+    for position in 0..builder.axis_letters().len() {
+        let acting = by_force.iter().map(|own| (own.along(position), work(own, builder)));
+        tests.extend(net(loaded, balance, builder, acting));
+    }
+    for own in &acting {
+        if let Work::Where(effect, words) = &own.work {
+            let words = if words.is_empty() { work(own, builder) } else { words.clone() };
+            tests.extend(net(loaded, balance, builder, std::iter::once((effect, words))));
+        }
+    }
+    let mut round = None;
+    for own in &acting {
+        if let Work::UnlessRound(gaps) = &own.work {
+            let words = work(own, builder);
+            let test =
+                |gap: &Expr| net(loaded, balance, builder, std::iter::once((&Effect::Of(gap.clone()), words.clone())));
+            let [radii, rest @ ..] = gaps.each_ref().map(test);
+            // Where the distance changes, nothing else need be known.
+            let changes = radii.as_ref().is_some_and(|own| matches!(own.equality, Equality::Never));
+            tests.extend(rest.into_iter().flatten().filter(|_| !changes));
+            tests.extend(radii.filter(|own| own.equality.quantities().is_empty()));
+            round = Some(format!(
+                "the path is a circle: {} is perpendicular to it at every moment and does no work",
+                own.called
+            ));
+        }
+    }
+    let mut within: Vec<&str> = (acting.iter())
+        .filter(|own| matches!(own.work, Work::OfForce) && own.is_within(&balance.ask.of))
+        .map(|own| own.called.as_str())
+        .collect();
+    within.dedup();
+    if let ([link], Some(first)) = (&within[..], tests.first().map(|test| test.otherwise.clone())) {
+        for test in tests.iter_mut().filter(|test| test.otherwise == first) {
+            test.otherwise = format!("the work of {link} on one body cancels that on the other, but {first}");
+        }
+    }
+    let across: Vec<String> = (acting.iter())
+        .filter(|own| matches!(own.work, Work::Nothing) && !own.is_within(&balance.ask.of))
+        .map(|own| own.called.clone())
+        .collect();
+    let straight = || match (&across[..], tests.is_empty()) {
+        ([], true) => "no force does work".to_owned(),
+        ([], false) => "the total power of the forces is zero at every moment".to_owned(),
+        ([one], _) => format!("{one} acts at right angles to the motion, and no force does work"),
+        _ => format!("{} act at right angles to the motion, and no force does work", join(&across)),
+    };
+    let because = round.unwrap_or_else(straight);
+    Verdict { tests, because }
+}
+
+pub(in crate::problem) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+    let outside = from_outside(balance, builder);
+    let mut tests = Vec::new();
+    let mut passing: Vec<String> = Vec::new();
+    let named = builder.scene().points.get(balance.about);
+    let point = named.map_or("the point", |entry| entry.name.as_str());
+    for own in &outside {
+        let words = || format!("{} has a moment about {point}", own.called);
+        match &own.moment {
+            Moment::Through(through) if through == balance.about => passing.push(own.called.clone()),
+            Moment::About(moments) => {
+                for moment in moments {
+                    let effect = Effect::Of(moment.clone());
+                    tests.extend(net(loaded, balance, builder, std::iter::once((&effect, words()))));
+                }
+            }
+            Moment::Through(_) | Moment::OfForce => {
+                for position in 0..builder.axis_letters().len().max(1) {
+                    tests.extend(net(loaded, balance, builder, std::iter::once((own.along(position), words()))));
+                }
+            }
+        }
+    }
+    passing.dedup();
+    let because = match &passing[..] {
+        [] => format!("no force has a moment about {point}"),
+        [one] => format!("{one} has no moment about {point} at any time"),
+        _ => format!("{} have no moment about {point} at any time", join(&passing)),
+    };
+    Verdict { tests, because }
+}
+
+/// Whether what changes on the way has its value again at the end.
+pub(in crate::problem) fn returns(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Vec<Equality> {
+    let (of, stage) = (&balance.ask.of, balance.stage);
+    let pairs: Vec<[Expr; 2]> = match balance.ask.conserved {
+        Conservable::Momentum => {
+            let ends = |position: &usize| {
+                let [before, after] = [1, 2].map(|side| builder.total_momentum(of, stage + side, *position));
+                Some([before?, after?])
+            };
+            balance.axes.iter().filter_map(ends).collect()
+        }
+        Conservable::Energy => vec![[0, 1].map(|side| builder.total_kinetic(of, stage, side))],
+        Conservable::AngularMomentum => {
+            let [before, after] = [1, 2].map(|side| builder.total_moment(of, balance.about, stage, side));
+            before.into_iter().flatten().zip(after.into_iter().flatten()).map(|(from, to)| [from, to]).collect()
+        }
+    };
+    pairs.into_iter().map(|sides| Equality::at_the_end(loaded, builder, stage, sides)).collect()
+}
+
+/// The case in which nothing of the system moves all the way, where the scene may go so.
+pub(in crate::problem) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case> {
+    let stage = balance.stage;
+    let moving: Vec<&String> = balance.ask.of.iter().filter(|body| builder.is_changed_in(body, stage)).collect();
+    let ways = moving.iter().map(|body| builder.stands_still(body, stage));
+    let ways: Vec<(usize, String)> =
+        ways.map(|way| way.map(|(choice, what)| (choice, what.to_owned()))).collect::<Option<_>>()?;
+    let because = join(&ways.iter().map(|(_, what)| what.clone()).collect::<Vec<_>>());
+    let because = format!("{because}: the external forces cancel, and nothing moves");
+    (!ways.is_empty()).then(|| Case::new(0, Vec::new(), because).only(ways))
+}
+
+/// What acts on bodies of the system.
+fn on_system<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b Influence> {
+    let scene = builder.scene();
+    let is_in = |own: &Influence| {
+        let of = &balance.ask.of;
+        of.contains(&own.on) || scene.members(&own.on).iter().any(|member| of.iter().any(|body| body == member))
+    };
+    builder.influences().iter().filter(|own| own.stage == balance.stage && is_in(own)).collect()
+}
+
+fn from_outside<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b Influence> {
+    on_system(balance, builder).into_iter().filter(|own| !own.is_within(&balance.ask.of)).collect()
+}
+
+/// What has to hold so that effects have nothing to do together: none is there, or they cancel at every moment.
+fn net<'e>(
+    loaded: &Loaded,
+    balance: &Balance<'_>,
+    builder: &Builder<'_>,
+    effects: impl Iterator<Item = (&'e Effect, String)>,
+) -> Option<Test> {
+    let (mut terms, mut words, mut is_open) = (Vec::new(), Vec::new(), false);
+    for (effect, said) in effects {
+        match effect {
+            Effect::Of(term) if term.is_zero() => continue,
+            Effect::Of(term) => terms.push(term.clone()),
+            Effect::Open => is_open = true,
+        }
+        if !words.contains(&said) {
+            words.push(said);
+        }
+    }
+    let words = words.join(", and ");
+    if is_open {
+        return Some(Test::new(Equality::Never, words));
+    }
+    let clock: Option<Symbol> = builder.symbols().find(CLOCK);
+    let place = Place { stage: balance.stage, clock };
+    (!terms.is_empty())
+        .then(|| Test::new(Equality::of(loaded, builder, place, [Expr::sum(terms), Expr::zero()]), words))
+}
+
+fn impulse(own: &Influence, builder: &Builder<'_>) -> String {
+    format!("{} exerts an external impulse on {}", own.called, builder.name_of(&own.on))
+}
+
+fn work(own: &Influence, builder: &Builder<'_>) -> String {
+    format!("{} does work on {}", own.called, builder.name_of(&own.on))
+}

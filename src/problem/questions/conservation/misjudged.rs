@@ -1,0 +1,49 @@
+//! Which common mistake is behind a wrong yes or no about a scene.
+
+use crate::laws::wrong::concept;
+use crate::model::Agent;
+use crate::model::Builder;
+
+use super::super::super::language::ask::Conservable;
+use super::super::super::reading::load::Loaded;
+use super::super::choices::judgement::Behind;
+use super::balance::Balance;
+use super::verdict::verdict;
+
+/// The positions of yes and no.
+const YES: usize = 0;
+const NO: usize = 1;
+
+/// What leads to the wrong answer on whether a quantity is conserved in a stage.
+pub(in crate::problem) fn conserved(
+    loaded: &Loaded,
+    balance: &Balance<'_>,
+    builder: &mut Builder<'_>,
+) -> Option<Behind> {
+    let of = &balance.ask.of;
+    let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if of.contains(other));
+    let on_it: Vec<Agent> = (builder.impulses().iter())
+        .filter(|own| own.stage == balance.stage && of.contains(&own.on))
+        .map(|own| own.by.clone())
+        .collect();
+    let from_outside: Vec<&Agent> = on_it.iter().filter(|own| !inner(own)).collect();
+    let behind = |mistake, right, unless| Some(Behind { mistake, right, unless });
+    match balance.ask.conserved {
+        Conservable::Momentum if from_outside.is_empty() => {
+            let energy = verdict(loaded, balance, Conservable::Energy, builder)?;
+            let loses = !energy.tests.is_empty();
+            loses.then_some(())?;
+            behind(&concept::MOMENTUM_BY_ENERGY, YES, energy.tests)
+        }
+        Conservable::Momentum => {
+            let by_bodies = from_outside.iter().all(|own| matches!(own, Agent::Body(_)));
+            let mistake = if by_bodies { &concept::PART_FOR_SYSTEM } else { &concept::OUTSIDE_OVERLOOKED };
+            behind(mistake, NO, Vec::new())
+        }
+        Conservable::Energy if !on_it.is_empty() && from_outside.is_empty() => {
+            behind(&concept::ENERGY_BY_MOMENTUM, NO, Vec::new())
+        }
+        Conservable::Energy => None,
+        Conservable::AngularMomentum => behind(&concept::ANGULAR_BY_LINEAR, YES, Vec::new()),
+    }
+}

@@ -1,0 +1,216 @@
+//! What usual mistakes make of a graph.
+
+use crate::laws::wrong::Misconception;
+use crate::laws::wrong::concept;
+use crate::laws::wrong::momentum;
+use crate::laws::wrong::reading;
+
+use super::curve::Curve;
+
+/// A part of a stage in which a state neither jumps nor changes its sign.
+#[derive(Clone, Debug)]
+pub(in crate::problem) struct Run {
+    /// To which stage of the graph it belongs.
+    pub stretch: usize,
+    pub points: Vec<Point>,
+}
+
+/// A state and its rate at a time.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::problem) struct Point {
+    pub time: f64,
+    pub state: f64,
+    pub rate: f64,
+}
+
+/// The heights of a curve, run by run.
+type Heights = Vec<Vec<f64>>;
+
+/// A mistake, and what it makes of the right curve; none where it cannot be made.
+type Wrong = (&'static Misconception, fn(&[Run]) -> Option<Heights>);
+
+/// Mistakes about a velocity or a momentum, those that teach most first.
+const OF_STATES: [Wrong; 9] = [
+    (&momentum::SIGN_LOST, |runs| Some(mapped(runs, |own| own.state.abs()))),
+    (&concept::STATE_AS_FORCE, |runs| scaled(mapped(runs, |own| own.rate), largest(&mapped(runs, |own| own.state)))),
+    (&concept::FORCE_AS_CONSTANT, |runs| Some(by_stretch(runs, |[from, to], own| from.state_towards(to, own.time)))),
+    (&concept::REBOUND_OVERLOOKED, rebound_overlooked),
+    (&momentum::IMPULSE_REVERSED, reversed),
+    (&concept::MOMENTUM_KEPT, |runs| {
+        let first = start(runs)?;
+        is_level(runs).then(|| mapped(runs, |_| first))
+    }),
+    (&concept::PLACE_DRAWN, |runs| scaled(added_up(runs), largest(&mapped(runs, |own| own.state)))),
+    (&momentum::START_FORGOTTEN, |runs| {
+        let first = start(runs)?;
+        Some(mapped(runs, |own| own.state - first))
+    }),
+    (&reading::DIRECTION, |runs| Some(mapped(runs, |own| -own.state))),
+];
+
+/// Mistakes about a force.
+const OF_RATES: [Wrong; 4] = [
+    (&concept::FORCE_AS_STATE, |runs| scaled(mapped(runs, |own| own.state), largest(&mapped(runs, |own| own.rate)))),
+    (&concept::FORCE_AS_CONSTANT, |runs| Some(by_stretch(runs, |[from, to], _| from.mean_rate_to(to)))),
+    (&concept::FORCE_FADES, |runs| {
+        let is_even = |run: &Run| run.points.windows(2).all(|pair| pair[0].rate.total_cmp(&pair[1].rate).is_eq());
+        let fades = |[from, to]: [Point; 2], own: Point| own.rate * (to.time - own.time) / (to.time - from.time);
+        runs.iter().all(is_even).then(|| by_stretch(runs, fades))
+    }),
+    (&momentum::IMPULSE_REVERSED, |runs| Some(mapped(runs, |own| -own.rate))),
+];
+
+/// How many times as high as the right curve a wrong one may go: where it needs more, the others are hard to tell apart.
+const HIGHEST: f64 = 2.2;
+
+/// The right curve and those of the mistakes: of the states, or of their rates.
+pub(in crate::problem) fn curves(runs: &[Run], of_rates: bool) -> Vec<(Option<&'static Misconception>, Curve)> {
+    let wrong = if of_rates { &OF_RATES[..] } else { &OF_STATES[..] };
+    let right = curve(runs, &mapped(runs, |own| if of_rates { own.rate } else { own.state }));
+    let highest = HIGHEST * right.largest();
+    let mistaken = wrong.iter().filter_map(|(mistake, heights)| Some((Some(*mistake), curve(runs, &heights(runs)?))));
+    let mistaken: Vec<_> = mistaken.filter(|(_, own)| own.largest() <= highest).collect();
+    std::iter::once((None, right)).chain(mistaken).collect()
+}
+
+impl Run {
+    /// Nothing happens.
+    pub fn idle(stretch: usize, times: [f64; 2], state: f64) -> Self {
+        Self { stretch, points: times.map(|time| Point { time, state, rate: 0.0 }).to_vec() }
+    }
+
+    /// The same in parts that meet where the state is zero.
+    pub fn at_zeros(self) -> Vec<Self> {
+        let of = |points| Self { stretch: self.stretch, points };
+        let (mut parts, mut own): (_, Vec<Point>) = (Vec::new(), Vec::new());
+        for point in self.points {
+            let zero = match own.last() {
+                Some(before) if before.state * point.state < 0.0 => Some(before.at_zero_towards(point)),
+                Some(before) if before.state == 0.0 && own.len() > 1 => Some(*before),
+                _ => None,
+            };
+            if let Some(zero) = zero {
+                own.extend((own.last().is_some_and(|last| last.time < zero.time)).then_some(zero));
+                parts.push(of(std::mem::replace(&mut own, vec![zero])));
+            }
+            own.push(point);
+        }
+        parts.push(of(own));
+        parts
+    }
+}
+
+impl Point {
+    fn at_zero_towards(self, to: Self) -> Self {
+        let share = self.state / (self.state - to.state);
+        let between = |from: f64, to: f64| from + share * (to - from);
+        Self { time: between(self.time, to.time), state: 0.0, rate: between(self.rate, to.rate) }
+    }
+
+    fn mean_rate_to(self, to: Self) -> f64 {
+        (to.state - self.state) / (to.time - self.time)
+    }
+
+    /// The state at a time on the straight line to another point.
+    fn state_towards(self, to: Self, time: f64) -> f64 {
+        self.state + self.mean_rate_to(to) * (time - self.time)
+    }
+}
+
+fn points(runs: &[Run]) -> impl Iterator<Item = &Point> {
+    runs.iter().flat_map(|run| &run.points)
+}
+
+/// The state at the start.
+fn start(runs: &[Run]) -> Option<f64> {
+    points(runs).next().map(|own| own.state)
+}
+
+/// Whether nothing changes but in jumps.
+fn is_level(runs: &[Run]) -> bool {
+    points(runs).all(|own| own.rate == 0.0)
+}
+
+fn mapped(runs: &[Run], height: impl Fn(Point) -> f64) -> Heights {
+    runs.iter().map(|run| run.points.iter().map(|own| height(*own)).collect()).collect()
+}
+
+/// Heights by the ends of the stage to which a point belongs.
+fn by_stretch(runs: &[Run], height: impl Fn([Point; 2], Point) -> f64) -> Heights {
+    let heights = |run: &Run| {
+        let own = || runs.iter().filter(|other| other.stretch == run.stretch).flat_map(|other| &other.points);
+        let ends = own().next().zip(own().next_back());
+        let height = |point: &Point| ends.map_or(f64::NAN, |(first, last)| height([*first, *last], *point));
+        run.points.iter().map(height).collect()
+    };
+    runs.iter().map(heights).collect()
+}
+
+/// What acts has the opposite direction: each stage changes the state by as much the other way, and a jump by the same factor.
+fn reversed(runs: &[Run]) -> Option<Heights> {
+    if is_level(runs) {
+        return None;
+    }
+    let mut heights: Heights = Vec::new();
+    // A state of the right curve, and what is drawn in its place.
+    let mut drawn: Option<[f64; 2]> = None;
+    for run in runs {
+        let (first, last) = (run.points.first()?.state, run.points.last()?.state);
+        let from = drawn.map_or(first, |[state, own]| match first - state {
+            0.0 => own,
+            _ if state == 0.0 => first,
+            _ => own * first / state,
+        });
+        let turned = |state: f64| from - (state - first);
+        heights.push(run.points.iter().map(|own| turned(own.state)).collect());
+        drawn = Some([last, turned(last)]);
+    }
+    Some(heights)
+}
+
+/// After each jump that turns the state round, it keeps its sign.
+fn rebound_overlooked(runs: &[Run]) -> Option<Heights> {
+    let mut shift = 0.0;
+    let mut before: Option<f64> = None;
+    let mut is_overlooked = false;
+    let mut heights: Heights = Vec::new();
+    for run in runs {
+        let (first, last) = (run.points.first()?.state, run.points.last()?.state);
+        if let Some(state) = before.filter(|state| state * first < 0.0) {
+            shift = f64::copysign(first, state + shift) - first;
+            is_overlooked = true;
+        }
+        heights.push(run.points.iter().map(|own| own.state + shift).collect());
+        before = Some(last);
+    }
+    is_overlooked.then_some(heights)
+}
+
+/// The areas under the states so far.
+fn added_up(runs: &[Run]) -> Heights {
+    let mut area = 0.0;
+    let mut before: Option<Point> = None;
+    let mut add = |own: &Point| {
+        area += before.map_or(0.0, |before| (own.time - before.time) * f64::midpoint(own.state, before.state));
+        before = Some(*own);
+        area
+    };
+    runs.iter().map(|run| run.points.iter().map(&mut add).collect()).collect()
+}
+
+fn largest(heights: &[Vec<f64>]) -> f64 {
+    heights.iter().flatten().fold(0.0, |largest, own| own.abs().max(largest))
+}
+
+/// The heights to another scale; none where all are zero.
+fn scaled(heights: Heights, to: f64) -> Option<Heights> {
+    let size = largest(&heights);
+    (size > 0.0).then(|| heights.into_iter().map(|run| run.into_iter().map(|own| own * to / size).collect()).collect())
+}
+
+fn curve(runs: &[Run], heights: &[Vec<f64>]) -> Curve {
+    let piece = |(run, heights): (&Run, &Vec<f64>)| {
+        run.points.iter().zip(heights).map(|(own, height)| [own.time, *height]).collect()
+    };
+    Curve { pieces: runs.iter().zip(heights).map(piece).collect() }
+}
