@@ -20,12 +20,13 @@ impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
     pub(super) fn diagnose(&self, report: &mut grade::Report) {
         let mut changed = false;
+        let right: Vec<bool> = report.parts.iter().map(|own| own.verdict.is_right() && own.follows.is_none()).collect();
         for (place, own) in report.parts.iter_mut().enumerate() {
             if !diagnose::is_open(own.verdict) || own.follows.is_some() {
                 continue;
             }
             let exactly = own.verdict == Verdict::RoundingSlip;
-            let found = self.misjudged(place).or_else(|| self.diagnosis(self.suspects(place, exactly)?));
+            let found = self.misjudged(place).or_else(|| self.diagnosis(self.possible(self.suspects(place, exactly)?, &right)));
             let Some(diagnosis) = found else { continue };
             if exactly {
                 // A mistake that gives exactly this value says where it comes from; nothing was rounded.
@@ -87,6 +88,25 @@ impl Marking<'_> {
             }
             _ => None,
         }
+    }
+
+    /// Of some mistakes those that leave the right answers right: who made one of the others has wrong numbers elsewhere, too.
+    fn possible<'m>(&self, mut mistakes: Vec<&'m Mistake>, right: &[bool]) -> Vec<&'m Mistake> {
+        let places = right.iter().enumerate().filter(|(_, is_right)| **is_right);
+        for (place, _) in places {
+            let Some((PartKind::Number(number), grade::ExpectedKind::Number(expected), _)) = self.answered(place) else {
+                continue;
+            };
+            let simulated = self.simulated.get_or_init(|| self.worked.simulated());
+            let keeps = |mistake: &&Mistake| {
+                // What is only written down wrongly is so in one place.
+                let is_written = mistake.instance.is_none() && !mistake.is_misreading();
+                let values = simulated.answers(mistake, number);
+                is_written || values.is_empty() || values.iter().any(|value| diagnose::is_near(expected, expected.value, *value))
+            };
+            mistakes.retain(keeps);
+        }
+        mistakes
     }
 
     /// The mistakes that lead to exactly this formula, and to no right one.

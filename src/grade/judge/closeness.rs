@@ -92,6 +92,18 @@ impl<'a> Target<'a> {
         self.allowance + self.expected.error
     }
 
+    /// How far an answer may lie from the right one and still have its digits: no further than rounding leads, at the end or on the
+    /// way. What is merely near has other digits.
+    pub(super) fn reach_of_digits(&self) -> f64 {
+        self.tolerance.min(self.allowance.max(half_unit(self.value, self.expected))) + self.expected.error
+    }
+
+    /// Whether a number has the digits of the right one.
+    pub(super) fn has_digits(&self, number: &Number) -> bool {
+        let reach = self.reach_of_digits();
+        (number.to_f64() - self.value).abs() <= reach + UNSURE * (self.value.abs() + reach)
+    }
+
     /// Whether the tolerance alone accepts the number.
     pub(super) fn within_tolerance(&self, number: &Number) -> bool {
         self.is_within(number, Limit::Tolerance)

@@ -19,7 +19,7 @@ pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
     if target.expected.cyclic || target.expected.whole || number.is_zero() || target.value() == 0.0 {
         return None;
     }
-    let (given, value, reach) = (number.to_f64(), target.value(), 2.0 * target.reach());
+    let (given, value, reach) = (number.to_f64(), target.value(), 2.0 * target.reach_of_digits());
     let is_near = |power: isize| {
         let size = POWERS[power.unsigned_abs().min(POWERS.len() - 1)];
         let scaled = if power > 0 { given / size } else { given * size };
@@ -30,7 +30,7 @@ pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
             return false;
         }
         let scale = Number::exact(Rational::from(10).pow(-power));
-        number.times(&scale).is_some_and(|scaled| target.within_tolerance(&scaled))
+        number.times(&scale).is_some_and(|scaled| target.has_digits(&scaled))
     };
     if reach > NARROW * value.abs() {
         return (1..=LARGEST).flat_map(|power| [power, -power]).find(is_right);

@@ -84,7 +84,7 @@ pub fn windows(expected: &ExpectedNumber) -> Vec<VerdictWindow> {
     all.push(VerdictWindow::around(-right, tolerance.max(allowance), opposite));
     all.extend(slip::shifted(&target).map(|(power, verdict)| {
         let scale = libm::pow(10.0, f64::from(power));
-        VerdictWindow::around(right * scale, tolerance * scale, verdict)
+        VerdictWindow::around(right * scale, target.reach_of_digits() * scale, verdict)
     }));
     all
 }

@@ -10,6 +10,7 @@ use crate::expr::Function;
 use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::laws::energy;
+use crate::laws::force;
 use crate::model::Model;
 use crate::model::Reason;
 use crate::model::Warning;
@@ -161,7 +162,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
     let finding = leaf.answer_steps().iter().filter(|step| step.unknowns.iter().any(|own| from.contains(own)));
     let own: BTreeSet<usize> = finding.flat_map(|step| step.equations.iter().copied()).collect();
     let mut ways: Vec<(Vec<usize>, Following)> = Vec::new();
-    for aside in left_aside(leaf, from).into_iter().take(MOST_WAYS) {
+    for aside in left_aside(problem.model(), leaf, from).into_iter().take(MOST_WAYS) {
         let kept = Restricted::new(&leaf.system, used.difference(&aside).copied());
         let Ok(found) = plan(&kept.system, &known, &[asked]) else { continue };
         let mut equations: Vec<usize> = found.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
@@ -186,10 +187,10 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
 
 /// The sets of equations that can be left aside so that what remains says no more than it must: one for each earlier answer,
 /// of the block that found it first, then of the blocks before that.
-fn left_aside(leaf: &Leaf, from: &BTreeSet<Symbol>) -> Vec<BTreeSet<usize>> {
+fn left_aside(model: &Model, leaf: &Leaf, from: &BTreeSet<Symbol>) -> Vec<BTreeSet<usize>> {
     let mut sets: Vec<BTreeSet<usize>> = vec![BTreeSet::new()];
     for symbol in from {
-        let candidates = determining(leaf, *symbol);
+        let candidates = determining(model, leaf, *symbol);
         let larger = sets.iter().flat_map(|set| {
             let fresh = candidates.iter().filter(|equation| !set.contains(equation));
             fresh
@@ -204,19 +205,26 @@ fn left_aside(leaf: &Leaf, from: &BTreeSet<Symbol>) -> Vec<BTreeSet<usize>> {
     sets
 }
 
-/// The equations on which a quantity depends, those of its own block first.
-fn determining(leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
+/// The equations on which a quantity depends, those of its own block first. That a weight is told in place of a mass is no step that a
+/// student may have got wrong in one place and right in another.
+fn determining(model: &Model, leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
     let mut wanted = BTreeSet::from([symbol]);
     let mut found = Vec::new();
     for step in leaf.answer_steps().iter().rev() {
         if !step.unknowns.iter().any(|unknown| wanted.contains(unknown)) {
             continue;
         }
-        found.extend(&step.equations);
+        found.extend(step.equations.iter().filter(|place| !is_weight(model, leaf, **place)));
         let equations = step.equations.iter().filter_map(|place| leaf.system.equations.get(*place));
         wanted.extend(equations.flat_map(Equation::symbols));
     }
     found
+}
+
+fn is_weight(model: &Model, leaf: &Leaf, place: usize) -> bool {
+    let equation = leaf.system.equations.get(place);
+    let instance = equation.and_then(|equation| model.instances.get(equation.tag));
+    instance.is_some_and(|own| *own.law == force::WEIGHT)
 }
 
 /// The laws in which an earlier answer stands, under its own name or under another; where it only gets another name, that law.

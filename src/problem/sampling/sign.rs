@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::model::QuantityKind;
+use crate::quantity::Dimension;
 use crate::scene::Senses;
 
 use super::super::compiling::planned::Problem;
@@ -43,6 +44,11 @@ impl Problem {
             return Sign::Sense(senses);
         }
         let name = self.model().name(symbol);
+        // A coefficient or a ratio below zero is no size with a slip of the pen: something was subtracted the wrong way round.
+        let is_pure = self.model().symbols.entry(symbol).dimension == Dimension::NONE;
+        if is_pure && matches!(name.kind, QuantityKind::Value(_) | QuantityKind::Own(_)) {
+            return Sign::Other;
+        }
         // Work has no name of its own where there is one stage only.
         if name.is_plain() && name.kind != QuantityKind::Work {
             return Sign::Nothing;
