@@ -26,7 +26,8 @@ impl Marking<'_> {
                 continue;
             }
             let exactly = own.verdict == Verdict::RoundingSlip;
-            let found = self.misjudged(place).or_else(|| self.diagnosis(self.possible(self.suspects(place, exactly)?, &right)));
+            let found =
+                self.misjudged(place).or_else(|| self.diagnosis(self.possible(self.suspects(place, exactly)?, &right)));
             let Some(diagnosis) = found else { continue };
             if exactly {
                 // A mistake that gives exactly this value says where it comes from; nothing was rounded.
@@ -94,7 +95,8 @@ impl Marking<'_> {
     fn possible<'m>(&self, mut mistakes: Vec<&'m Mistake>, right: &[bool]) -> Vec<&'m Mistake> {
         let places = right.iter().enumerate().filter(|(_, is_right)| **is_right);
         for (place, _) in places {
-            let Some((PartKind::Number(number), grade::ExpectedKind::Number(expected), _)) = self.answered(place) else {
+            let Some((PartKind::Number(number), grade::ExpectedKind::Number(expected), _)) = self.answered(place)
+            else {
                 continue;
             };
             let simulated = self.simulated.get_or_init(|| self.worked.simulated());
@@ -102,7 +104,9 @@ impl Marking<'_> {
                 // What is only written down wrongly is so in one place.
                 let is_written = mistake.instance.is_none() && !mistake.is_misreading();
                 let values = simulated.answers(mistake, number);
-                is_written || values.is_empty() || values.iter().any(|value| diagnose::is_near(expected, expected.value, *value))
+                is_written
+                    || values.is_empty()
+                    || values.iter().any(|value| diagnose::is_near(expected, expected.value, *value))
             };
             mistakes.retain(keeps);
         }

@@ -75,7 +75,9 @@ fn filled(kind: &UnreadableKind) -> String {
         UnreadableKind::UnitOrDirection(letter) => {
             format!("`{letter}` could be a unit or a direction: write the direction as a word.")
         }
-        UnreadableKind::NoDirection(word) => format!("\"{word}\" is a direction, but only a size is asked for: leave it out."),
+        UnreadableKind::NoDirection(word) => {
+            format!("\"{word}\" is a direction, but only a size is asked for: leave it out.")
+        }
         UnreadableKind::OtherDirection { word, senses: [plus, minus] } => {
             format!("\"{word}\" is not one of the directions here: \"{plus}\" or \"{minus}\".")
         }
