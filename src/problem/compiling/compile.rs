@@ -164,7 +164,8 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
         }
     }
     faults.extend(forms.iter().flat_map(|form| any::check(&model, form)));
-    faults.extend(forms.iter().flat_map(|form| formula::check(&model.literals, form)));
+    let name = |symbol| model.symbols.entry(symbol).name.clone();
+    faults.extend(forms.iter().flat_map(|form| formula::check(&model.literals, form, &name)));
     faults.extend(forms.iter().flat_map(roots::check));
     faults.extend(forms.iter().flat_map(|form| offered::check(&model, form)));
     if !faults.is_empty() {

@@ -117,7 +117,11 @@ fn zeros(known: &[Known]) -> impl Iterator<Item = (Symbol, Expr)> {
 }
 
 /// A fault for each formula that is asked and cannot be written in what the form tells.
-pub(in crate::problem) fn check(literals: &[(Symbol, crate::quantity::Quantity)], form: &Form) -> Vec<Fault> {
+pub(in crate::problem) fn check(
+    literals: &[(Symbol, crate::quantity::Quantity)],
+    form: &Form,
+    name: &dyn Fn(Symbol) -> String,
+) -> Vec<Fault> {
     let mut faults = Vec::new();
     for (index, part) in form.parts.iter().enumerate() {
         let PartKind::Formula(formula) = &part.kind else { continue };
@@ -132,8 +136,7 @@ pub(in crate::problem) fn check(literals: &[(Symbol, crate::quantity::Quantity)]
             let found = Composer::new(leaf, start).composed(formula.symbol, &|_| 0);
             let strange = |symbol: &Symbol| literals.iter().any(|(own, _)| own == symbol);
             let fault = match found {
-                None => Fault::new(Code::Stuck, format!("no single formula gives `{}`", part.id))
-                    .help("ask for a number, or for another quantity"),
+                None => unwritten(leaf.answer_steps(), formula.symbol, &part.id, name),
                 Some(found) if found.symbols().iter().any(strange) => {
                     let message = format!("the formula for `{}` contains a value that has no symbol", part.id);
                     Fault::new(Code::Value, message).help("give that value a name under `given`")
@@ -145,6 +148,30 @@ pub(in crate::problem) fn check(literals: &[(Symbol, crate::quantity::Quantity)]
         }
     }
     faults
+}
+
+/// Why no formula is written for a quantity: the step on the way to it that has none.
+fn unwritten(steps: &[Step], asked: Symbol, id: &str, name: &dyn Fn(Symbol) -> String) -> Fault {
+    let mut needed = BTreeSet::from([asked]);
+    let how = |closed: &Closed| match closed {
+        Closed::Formula(_) => None,
+        Closed::FirstInteger { .. } => Some("by counting"),
+        Closed::BracketedRoot { .. } => Some("in numbers, as the root of an equation"),
+    };
+    let without = steps.iter().rev().find_map(|step| {
+        let values = step.roots.iter().flat_map(|root| &root.values).filter(|(own, _)| needed.contains(own));
+        let values: Vec<_> = values.collect();
+        needed.extend(values.iter().flat_map(|(_, closed)| closed.symbols()));
+        values.into_iter().find_map(|(own, closed)| Some((name(*own), how(closed)?)))
+    });
+    let (why, help) = match without {
+        Some((own, how)) => (
+            format!("`{own}` is found {how}"),
+            format!("ask for a number, or give `{own}` and ask for another quantity"),
+        ),
+        None => ("it is put together from several pieces".to_owned(), "ask for a number".to_owned()),
+    };
+    Fault::new(Code::Stuck, format!("the program writes no formula for `{id}`: {why}")).help(help)
 }
 
 /// Values without a dimension that an author wrote into a term, and zeros.
