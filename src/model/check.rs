@@ -135,7 +135,11 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             Stage::Fall(fall) => upright::falling(scene, index, &fall.body, &at),
             Stage::Swing(_) => upright::not_vertical(scene, "a swing", &at),
             Stage::Taut(taut) => upright::over_a_pulley(scene, taut, &at),
-            Stage::Connected(_) => in_a_row(scene, stage, ["bodies on a string over a pulley", "along the string"], at),
+            Stage::Connected(string) => {
+                let mut faults = super::tied::jerked(scene, index, string, &at);
+                faults.extend(in_a_row(scene, stage, ["bodies on a string over a pulley", "along the string"], at));
+                faults
+            }
             Stage::Tow(_) => in_a_row(scene, stage, ["bodies in a row", "ahead"], at),
             Stage::Flight(stage) if stage.flying().next().is_none() => {
                 let fault = Fault::new(Code::MissingKey, "a flight needs a body");

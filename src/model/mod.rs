@@ -36,6 +36,7 @@ mod speeds;
 mod stage;
 mod stored;
 mod strength;
+mod tied;
 mod timeline;
 mod total;
 mod turned;
