@@ -122,8 +122,15 @@ fn draws(samples: &Samples) -> Outcome {
         [] => Outcome::Kept,
         [first, ..] => {
             let why = samples.reason.as_ref().map_or_else(String::new, |reason| format!(" ({reason})"));
-            let allowed = samples.reason.as_ref().and_then(NoVariant::allowed_by);
-            let out = allowed.map_or_else(String::new, |name| format!("; if that is meant, write `allow: [{name}]`"));
+            let reason = samples.reason.as_ref();
+            let out = match (reason.and_then(NoVariant::settled_by), reason.and_then(NoVariant::allowed_by)) {
+                (Some(key), Some(name)) => {
+                    format!("; if that is meant, write `{key}` in that stage, or `allow: [{name}]`")
+                }
+                (Some(key), None) => format!("; if that is meant, write `{key}` in that stage"),
+                (None, Some(name)) => format!("; if that is meant, write `allow: [{name}]`"),
+                (None, None) => String::new(),
+            };
             Outcome::Broken(format!(
                 "{} seeds give no variant, seed {first} among them{why}{out}",
                 samples.failed.len()

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -67,6 +68,7 @@ pub struct Builder<'s> {
     pub(super) vectors: BTreeMap<Symbol, Meaning>,
     pub(super) instances: Vec<Instance>,
     pub(super) reasons: Vec<Reason>,
+    pub(super) reasons_of_stages: Vec<Range<usize>>,
     pub(super) system: System,
     pub(super) choices: Vec<Vec<Alternative>>,
     pub(super) omissions: Vec<Omission>,
@@ -129,6 +131,7 @@ impl<'s> Builder<'s> {
             vectors: BTreeMap::new(),
             instances: Vec::new(),
             reasons: Vec::new(),
+            reasons_of_stages: Vec::new(),
             system: System::default(),
             choices: Vec::new(),
             omissions: Vec::new(),

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -42,6 +43,8 @@ pub struct Model {
     pub instances: Vec<Instance>,
     /// What to say where a condition is broken; conditions' tags count these.
     pub reasons: Vec<Reason>,
+    /// Which of the reasons belong to each stage.
+    pub(super) reasons_of_stages: Vec<Range<usize>>,
     /// What was left out on purpose.
     pub omissions: Vec<Omission>,
     /// The impulses of each stage.
@@ -108,6 +111,12 @@ impl Model {
     #[must_use]
     pub fn flowing_in(&self, stage: usize) -> Option<&Flowing> {
         self.flowing.iter().find(|own| own.stage == stage)
+    }
+
+    /// The stage to which the condition with that tag belongs; none where it belongs to the problem as a whole.
+    #[must_use]
+    pub fn stage_of_condition(&self, tag: usize) -> Option<usize> {
+        self.reasons_of_stages.iter().position(|own| own.contains(&tag))
     }
 
     /// When an instant of the scene is, as an adverbial phrase: `just after the impact`.

@@ -281,6 +281,7 @@ impl<'s> Builder<'s> {
             choices: self.choices,
             instances: self.instances,
             reasons: self.reasons,
+            reasons_of_stages: self.reasons_of_stages,
             omissions: self.omissions,
             impulses: self.impulses,
             weights: self.weights,

@@ -227,6 +227,35 @@ impl Reason {
         })
     }
 
+    /// Whether it says in which stage it is so.
+    #[must_use]
+    pub fn names_its_stage(&self) -> bool {
+        matches!(
+            self,
+            Self::MovesBackAt(..)
+                | Self::Downwards(..)
+                | Self::CordSlack(..)
+                | Self::LeavesTrack(..)
+                | Self::WeightNotNegligible(..)
+                | Self::TakesTime(_)
+                | Self::EndsEarly(_)
+        )
+    }
+
+    /// Whether it is so because the motion goes the other way than its stage says.
+    #[must_use]
+    pub fn is_of_direction(&self) -> bool {
+        matches!(
+            self,
+            Self::MovesBack(_)
+                | Self::MovesBackAt(..)
+                | Self::SlidesBackwards(_)
+                | Self::SlidesOtherWay(..)
+                | Self::SwingsBack(_)
+                | Self::AlreadySwingsBack(_)
+        )
+    }
+
     /// What a check says where the condition holds; none where that is not worth a word.
     #[must_use]
     pub fn what_holds(&self) -> Option<String> {

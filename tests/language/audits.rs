@@ -59,6 +59,27 @@ text: A bat strikes a ball ({{ m_A }}) straight up; it {{ v_A1 | motion }}, and 
 ask: [{ find: F_avg_A, unit: N }]
 ";
 
+/// A crate that rebounds to the left, and is said to slide to the right then.
+const REBOUNDING: &str = "\
+id: a/e
+title: E
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: the crate }, B: { name: the block } }
+  stages:
+    - impact: { between: [A, B], restitution: 0.8 }
+    - push: { body: A, during: dt, forces: [{ friction: { kinetic: 0.2 } }] }
+given:
+  m_A: 2 kg
+  m_B: 8 kg
+  v_A1: { min: 5, max: 7, step: 0.1, unit: m/s }
+  v_B1: 0 m/s
+  dt: 0.2 s
+text: A crate ({{ m_A }}) slides {{ v_A1 | motion }} into a block ({{ m_B }}) that {{ v_B1 | motion }}, and slides on for {{ dt }}.
+ask: [{ find: v_A3, unit: m/s }]
+";
+
 /// One component of the vector that is asked stays as it is given; the vector does not.
 const TURNED: &str = include_str!("../fixtures/problems/torque_on_all.yaml");
 
@@ -75,6 +96,8 @@ const FOUND: &[(&str, &str, Promise, &str, &str)] = &[
     (KINDS, "allow: [one-answer]\n", Promise::Variety, "kept", ""),
     (KINDS, "allow: [one-sheet]\n", Promise::Variety, "noted", "the same answers"),
     (ONE_CONSTANT, "", Promise::Varies, "kept", ""),
+    (REBOUNDING, "", Promise::Draws, "broken", "attempts: in the push, the crate would have to slide"),
+    (REBOUNDING, "", Promise::Draws, "broken", "write `direction` in that stage, or `allow: [reverses]`"),
     (THROWN, "", Promise::Neglected, "noted", "% of the change of momentum of the ball"),
 ];
 

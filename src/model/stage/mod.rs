@@ -72,6 +72,7 @@ impl Builder<'_> {
         for (index, stage) in scene.stages.iter().enumerate() {
             let path = Path::root().key("scene").key("stages").index(index).key(stage.key());
             self.begins = index + 1;
+            let first = self.reasons.len();
             match stage {
                 Stage::Impact(stage) => self.impact(index, stage, &path),
                 Stage::Push(stage) => self.push(index, stage, &path),
@@ -100,6 +101,7 @@ impl Builder<'_> {
                 Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }
+            self.reasons_of_stages.push(first..self.reasons.len());
         }
     }
 }

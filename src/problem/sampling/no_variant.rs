@@ -37,8 +37,15 @@ pub enum Rejection {
         names: String,
     },
     /// They break a condition of the scene or of the problem.
-    #[error("{0}")]
-    Condition(Reason),
+    #[error("{}{reason}", within(stage.as_deref()))]
+    Condition {
+        /// Why it does not hold.
+        reason: Reason,
+        /// The stage to which it belongs, where there are several and the reason does not say so.
+        stage: Option<String>,
+        /// The key of that stage which settles it, where there is one.
+        key: Option<&'static str>,
+    },
     /// The boundary of a range that is asked is beyond what can be.
     #[error(
         "where the condition on `{name}` begins to hold, {reason}: within the possible range, the condition always holds or never holds"
@@ -88,10 +95,16 @@ impl NoVariant {
         }
     }
 
+    /// The key of the stage by which an author may settle what numbers were rejected for, where there is one.
+    #[must_use]
+    pub fn settled_by(&self) -> Option<&'static str> {
+        if let Some(Rejection::Condition { key, .. }) = self.rejection() { *key } else { None }
+    }
+
     /// The name under which an author may allow what numbers were rejected for, where there is one.
     #[must_use]
     pub fn allowed_by(&self) -> Option<&'static str> {
-        let Rejection::Condition(reason) = self.rejection()? else { return None };
+        let Rejection::Condition { reason, .. } = self.rejection()? else { return None };
         let warning = reason.warning()?;
         Warning::NAMES.iter().find(|(_, own)| *own == warning).map(|(name, _)| *name)
     }
@@ -99,4 +112,8 @@ impl NoVariant {
 
 fn because(reason: Option<&Rejection>) -> String {
     reason.map_or_else(String::new, |reason| format!(": {reason}"))
+}
+
+fn within(stage: Option<&str>) -> String {
+    stage.map_or_else(String::new, |stage| format!("in {stage}, "))
 }

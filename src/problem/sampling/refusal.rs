@@ -1,6 +1,8 @@
 //! Why numbers are refused: they have no solution, or several, or one in which what is asked has no meaning.
 
 use crate::expr::Symbol;
+use crate::model::Reason;
+use crate::scene::Stage;
 use crate::solve::Bounded;
 use crate::solve::Cause;
 
@@ -42,7 +44,7 @@ impl Sampler<'_> {
         let reason = match furthest?.cause {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position)?;
-                Rejection::Condition(model.reasons.get(condition.tag)?.clone())
+                self.broken(model.reasons.get(condition.tag)?.clone(), model.stage_of_condition(condition.tag))
             }
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position)?;
@@ -65,6 +67,19 @@ impl Sampler<'_> {
         })
     }
 
+    /// A condition that is broken, and what its stage can do about it.
+    fn broken(&self, reason: Reason, stage: Option<usize>) -> Rejection {
+        let scene = &self.problem.loaded().draft.scene;
+        let is_told = scene.stages.len() < 2 || reason.names_its_stage();
+        let own = stage.and_then(|stage| scene.stages.get(stage));
+        let has_direction = matches!(own, Some(Stage::Slide(_) | Stage::Push(_) | Stage::Swing(_)));
+        Rejection::Condition {
+            key: (has_direction && reason.is_of_direction()).then_some("direction"),
+            stage: stage.filter(|_| !is_told).map(|stage| self.problem.model().phrase(scene, stage)),
+            reason,
+        }
+    }
+
     /// One solution, or any number of them where every one is asked for; and nothing that is asked is without a meaning there.
     pub(super) fn is_admissible(&self, solutions: usize) -> bool {
         self.form.accepts(solutions) && self.has_intervals() && self.refused().is_none()
@@ -78,7 +93,7 @@ impl Sampler<'_> {
         let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
         let unprinted = || self.unprinted().map(|printed| Rejection::Unprinted(name(printed)));
         let misfit = || self.misfit().map(Rejection::Options);
-        let turned = || self.turned_back().cloned().map(Rejection::Condition);
+        let turned = || self.turned_back().map(|reason| self.broken(reason.clone(), None));
         zero_unit().or_else(lost).or_else(undefined).or_else(unprinted).or_else(turned).or_else(misfit)
     }
 
