@@ -62,8 +62,19 @@ pub const QUADRATIC_TIME: Law = Law {
     wrong: &[],
 };
 
+/// The ratio that shrinks exponentially while other forces drive a body on.
+pub const SPEED_RATIO: Law = Law {
+    id: "speed-ratio",
+    name: "the definition of f as the ratio of w - v to w + v",
+    statement: "f is the ratio of w - v to w + v, where w is the speed at which the resistance is as large as the other forces.",
+    signs: "The speed is positive in the direction of motion.",
+    when: "Always, by definition.",
+    source: "The logarithm of this ratio is the integral of dv/(w^2 - v^2), times -2 w.",
+    wrong: &[],
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&TERMINAL, &LINEAR, &EVEN, &QUADRATIC_WAY, &QUADRATIC_TIME];
+pub const LAWS: &[&Law] = &[&TERMINAL, &LINEAR, &EVEN, &QUADRATIC_WAY, &QUADRATIC_TIME, &SPEED_RATIO];
 
 /// The share that is left after a time of what decreases exponentially: `exp(-b t / m)`.
 #[must_use]

@@ -262,6 +262,7 @@ impl Reason {
         match self {
             Self::PassesThrough(name, other) => Some(format!("{name} does not pass through {other}")),
             Self::NotPushedApart(first, second) => Some(format!("{first} and {second} are pushed apart")),
+            Self::NeverBeyond(_) => Some("the push exceeds static friction before it ends".to_owned()),
             _ => None,
         }
     }

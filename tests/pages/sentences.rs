@@ -130,3 +130,15 @@ fn a_body_on_a_movable_pulley_is_not_on_an_end_of_the_string() {
         )
     );
 }
+
+#[test]
+fn a_coupling_that_pushes_is_drawn_with_the_size_of_its_force() {
+    let told = diagrams("strings/lorry-and-trailer").concat();
+    assert!(told.contains("\u{2212}F_T \u{394}t") && !told.contains(" F_T \u{394}t"), "{told}");
+}
+
+#[test]
+fn a_displacement_is_answered_with_its_direction() {
+    let said = page_of(&of_the_bank("mass-centre/walk-along-barge"));
+    assert!(said.contains("ft away from the quay."), "{said}");
+}

@@ -6,18 +6,22 @@ use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::laws::angular;
 use crate::laws::bouncing;
+use crate::laws::force;
 use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::laws::orbit;
 use crate::laws::restitution;
 use crate::laws::variable_mass;
+use crate::quantity::Dimension;
 use crate::solve;
 use crate::solve::Equation;
+use crate::solve::Relation;
 use crate::solve::Statement;
 
 use super::super::Block;
 use super::super::Inline;
 use super::super::terms::display::Display;
+use super::super::terms::display::has_pieces;
 use super::super::terms::ledger::Item;
 use super::super::terms::ledger::Ledger;
 use super::super::terms::term::Measured;
@@ -35,6 +39,7 @@ const MOST: usize = 4;
 const BALANCES: &[(&str, &str)] = &[
     (momentum::CONSERVATION.id, "Momentum before and after:"),
     (momentum::IMPULSE_MOMENTUM.id, "Initial momentum plus impulse, and final momentum:"),
+    (force::IMPULSE.id, "Impulse, and the integral of the force over time:"),
     (variable_mass::GAINING.id, "Initial momentum plus impulse, and final momentum with the load:"),
     (mass_centre::MOTION.id, "Initial momentum plus impulse, and final momentum:"),
     (restitution::RESTITUTION.id, "Velocity of separation, and e times the velocity of approach:"),
@@ -63,6 +68,7 @@ struct Balance {
 struct Condition {
     words: String,
     sides: [Term; 2],
+    relation: Relation,
     /// The unit in which both are printed.
     unit: Measured,
 }
@@ -166,7 +172,9 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
         // A side that is nothing tells nothing.
         let is_nothing = left.is_zero() || right.is_zero();
         let computes = !is_nothing && [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
-        let is_shown = told(left) && told(right) && computes && !is_read_off(place, left, right);
+        // Which piece of a force counts is settled in the steps.
+        let in_pieces = has_pieces(left) || has_pieces(right);
+        let is_shown = told(left) && told(right) && computes && !in_pieces && !is_read_off(place, left, right);
         let sides = || [left, right].map(|side| display.term(side.clone()));
         is_shown.then(|| Balance { words: Block::text(words), sides: sides() })
     };
@@ -206,9 +214,11 @@ fn means(display: Display<'_>) -> impl Iterator<Item = [Symbol; 3]> {
 
 fn lies_between(display: Display<'_>, [least, centre, greatest]: [Symbol; 3]) -> Vec<Inline> {
     let shown = |symbol: Symbol| Inline::Math(display.quantity(symbol));
+    let is_place = display.worked.problem.model().symbols.entry(centre).dimension == Dimension::LENGTH;
+    let what = if is_place { "position" } else { "velocity" };
     vec![
         Inline::Math(display.name(centre)),
-        Inline::Text(" lies between the least, ".into()),
+        Inline::Text(format!(" lies between the least {what}, ")),
         shown(least),
         Inline::Text(", and the greatest, ".into()),
         shown(greatest),
@@ -253,6 +263,7 @@ fn conditions(display: Display<'_>) -> Vec<Condition> {
         let (unit, _) = display.measure(&(condition.left.clone() - condition.right.clone()));
         Some(Condition {
             unit,
+            relation: condition.relation,
             words: format!("{}: ", capitalised(&kept)),
             sides: [&condition.left, &condition.right].map(|side| display.term(side.clone())),
         })
@@ -266,12 +277,12 @@ impl Condition {
         let in_symbols = self.sides.each_ref().map(|side| side.symbols.clone());
         let number = |side: usize| display.evaluated(&self.sides[side].expr, &self.unit, Item::Side(place, side));
         let in_numbers = [number(0), number(1)];
-        let at_least = |[left, right]: [Math; 2]| Inline::Math(Math::relation(left, Operator::AtLeast, right));
+        let holds = |[left, right]: [Math; 2]| Inline::Math(Math::relation(left, self.relation.operator(), right));
         Block::Paragraph(vec![
             Inline::Text(self.words.clone()),
-            at_least(in_symbols),
+            holds(in_symbols),
             Inline::Text(", since ".into()),
-            at_least(in_numbers),
+            holds(in_numbers),
             Inline::Text(".".into()),
         ])
     }

@@ -25,7 +25,7 @@ use super::super::wording::join;
 
 /// The two extremes, and what happens there: in one dimension, and in two.
 const EXTREMES: [(i64, [&str; 2]); 2] = [
-    (0, ["they would move on together", "they would keep the same velocity along the line of impact"]),
+    (0, ["they would move on together", "they would have the same velocity along the line of impact"]),
     (1, ["no energy would be lost"; 2]),
 ];
 

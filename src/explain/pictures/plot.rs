@@ -113,7 +113,15 @@ pub(super) fn wording(force: &ActingForce, marks: &[Mark], shaded: bool) -> Word
 }
 
 impl Quantities<'_> {
-    /// A time in a text without mathematics: what it means, where its name has a whole word as `t_start` has.
+    /// What a time is, for a text without mathematics.
+    pub(super) fn what_time(&self, time: &Expr) -> String {
+        match time {
+            Expr::Symbol(symbol) if !self.is_literal(*symbol) => self.model().symbols.entry(*symbol).meaning.clone(),
+            other => self.symbolic(other).plain(),
+        }
+    }
+
+    /// A time that is marked, in such a text: what it is, where its name has a whole word as `t_start` has.
     pub(super) fn time_in_words(&self, time: &Expr) -> String {
         let plain = || self.symbolic(time).plain();
         let Expr::Symbol(symbol) = time else { return plain() };

@@ -125,11 +125,20 @@ impl Quantities<'_> {
         } else {
             let strength = match force.kind {
                 ForceKind::Weight => self.weight_math(&force.on, force.stage),
-                _ => factor(&force.strength, self.unsigned(&force.strength)),
+                _ => self.size_of(&force.strength),
             };
             product([strength, self.duration(start, end)])
         };
         Labelled { label, value: value.map(|(size, [x, y])| [size * x, size * y]) }
+    }
+
+    /// What is written at an arrow that shows the sense of a force: its size, `-F` where `F` is negative.
+    fn size_of(&self, strength: &Expr) -> Math {
+        match self.evaluate(strength) {
+            Some(value) if value < 0.0 => factor(strength, self.symbolic(&-strength.clone())),
+            Some(_) => factor(strength, self.symbolic(strength)),
+            None => factor(strength, self.unsigned(strength)),
+        }
     }
 
     /// The impulse of weight over a fall; its value follows from the momenta.

@@ -150,7 +150,7 @@ impl Quantities<'_> {
             let [start, end] = &force.during;
             let moving =
                 self.evaluate(start).is_some_and(|start| start != 0.0) && force.stage == stage && force.on == body;
-            moving.then(|| (self.time_in_words(start), self.time_in_words(end)))
+            moving.then(|| (self.what_time(start), self.what_time(end)))
         };
         let (start, end) = self.model().forces.iter().find_map(|force| nameless(&force))?;
         Some(format!("\u{394}t runs from {start} to {end}; meanwhile the momentum of {} changes", self.called(body)))

@@ -78,7 +78,8 @@ fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
             vec![[vec![words("The ")], all, vec![words(".")]].concat()]
         }
     };
-    if axes.len() > 1 {
+    // Where nothing is worked out, nothing is counted along n and t.
+    if axes.len() > 1 && display.worked.form.wanted().next().is_some() {
         let frames = display.worked.problem.model().frames.iter().zip(&scene.stages);
         sentences.extend(frames.filter_map(|(frame, stage)| contact(display, scene, frame.as_ref()?, stage)));
     }

@@ -118,7 +118,14 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{} {} {how}", list(&bodies), if several { "move" } else { "moves" })
         }
         Stage::Separate(separate) => {
-            format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
+            let parts: Vec<String> = separate.into.iter().map(|part| name(part)).collect();
+            // A part that is named by its own parts is set off by a comma.
+            match &parts[..] {
+                [one, other] if separate.into.iter().any(|part| scene.members(part).len() > 1) => {
+                    format!("{phrase} of {one}, and {other}")
+                }
+                _ => format!("{phrase} of {}", list(&parts)),
+            }
         }
     }
 }

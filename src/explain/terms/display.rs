@@ -144,7 +144,7 @@ impl<'a> Display<'a> {
             Manner {
                 measured,
                 name: (!is_literal).then(|| problem.math_of(symbol)),
-                senses: problem.hanging(symbol).or_else(|| problem.senses(symbol)),
+                senses: problem.directions_told(symbol),
                 is_whole: numbers.any(|number| number.whole && number.symbol == symbol),
                 equals: self.equal(symbol),
                 constant: self.constant(symbol),

@@ -135,7 +135,7 @@ impl Node {
                 let rows = pieces.iter().map(|(until, value)| {
                     let condition = match until {
                         Some(until) => Math::relation(variable.clone(), Operator::AtMost, until.put(leaf).0),
-                        None => Math::Text("afterwards".to_owned()),
+                        None => Math::Text("otherwise".to_owned()),
                     };
                     (condition, value.put(leaf).0)
                 });

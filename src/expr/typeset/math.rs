@@ -86,6 +86,16 @@ impl Math {
         Self::Sub(Arc::new(Self::Identifier(base.to_owned())), Arc::new(Self::Text(subscript.to_owned())))
     }
 
+    /// The name of a vector: its letter set bold.
+    #[must_use]
+    pub fn bold(self) -> Self {
+        match self {
+            Self::Identifier(letter) => Self::Vector(letter),
+            Self::Sub(base, below) => Self::Sub(Arc::new((*base).clone().bold()), below),
+            other => other,
+        }
+    }
+
     /// `left relation right`.
     #[must_use]
     pub fn relation(left: Self, relation: Operator, right: Self) -> Self {

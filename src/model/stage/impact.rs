@@ -324,12 +324,10 @@ impl Builder<'_> {
             self.require(a, Relation::Differs, b, Reason::NotMet(name_a.clone(), name_b.clone()));
         }
         self.not_needed("the forces between the bodies", "their impulses cancel in pairs within the system");
-        if self.scene.plane == Plane::Horizontal {
-            self.neglect(
-                "friction and other resistance from outside",
-                "they are not impulsive: their impulse during the short impact is negligible",
-            );
-        }
+        self.neglect(
+            "friction and other resistance from outside",
+            "they are not impulsive: their impulse during the short impact is negligible",
+        );
     }
 
     /// The coefficient of restitution: between 0 and 1.

@@ -60,8 +60,10 @@ impl Builder<'_> {
             });
             self.law(&energy::LOSS, Some(index), because, (start - loss, end));
         }
+        self.neglect("friction and other resistance from outside", "the problem gives none");
         self.not_needed("the forces between the bodies", "within the system they cancel in pairs");
     }
+
     /// Where the bodies get to together: their centre of mass keeps its velocity.
     fn displacements(&mut self, index: usize, stage: &Interact, bodies: &[&str], path: &Path) {
         let meaning = format!("the duration of {}", self.stage_phrase(index));

@@ -199,7 +199,7 @@ impl Builder<'_> {
         }
         if self.scene.plane == Plane::Horizontal && !on_slope {
             self.leave_out_what_acts_across();
-            self.neglect("friction", "the problem gives none");
+            self.neglect("friction and other resistance", "the problem gives none");
         }
     }
 

@@ -7,6 +7,7 @@ use crate::fault::Path;
 use crate::laws::kinematics;
 use crate::laws::resistance;
 use crate::model::Alternative;
+use crate::model::Because;
 use crate::model::Builder;
 use crate::model::QuantityKind;
 use crate::model::Reason;
@@ -118,8 +119,7 @@ impl Builder<'_> {
         let because = format!("the other forces drive {} on", own.name);
         let index = Some(own.index);
         let shrunk = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, index, because, shrunk, None);
-        let because = "the ratio of w - v to w + v at the end is called f";
-        let gives = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, index, because, gives, None);
+        let gives = self.stated(LAW_COST, &resistance::SPEED_RATIO, index, Because::Definition, gives, None);
         let reason = Reason::HeldBack(own.name.clone());
         Alternative {
             what: format!("the forces drive {} on", own.name),
@@ -157,7 +157,7 @@ impl Builder<'_> {
     fn even(&mut self, own: &Counted<'_>, size: Expr) -> (Expr, Equation) {
         let meaning = "the speed at which the resistance is as large as the other forces";
         let even = Expr::from(self.positive(self.in_stage(QuantityKind::TerminalSpeed, "", own.index), meaning));
-        let because = format!("the forces on {} besides the resistance do not change", own.name);
+        let because = format!("at the speed w the resistance is as large as the other forces on {}", own.name);
         let sides = (own.resists.clone() * even.clone().powi(2), size);
         (even, self.stated(LAW_COST, &resistance::EVEN, Some(own.index), because, sides, None))
     }

@@ -122,8 +122,8 @@ impl Builder<'_> {
         let at = path.key("exhaust");
         let jets = match &stage.exhaust {
             Exhaust::Speed(term) => {
-                let meaning = "the speed of the exhaust relative to the body";
-                let speed = self.read_positive(term, Dimension::VELOCITY, meaning, &at);
+                let meaning = format!("the speed of the exhaust relative to {name}");
+                let speed = self.read_positive(term, Dimension::VELOCITY, &meaning, &at);
                 let because = format!("the exhaust that {name} expels gives it an opposite momentum");
                 let sides = (thrust.clone(), flow.clone() * speed.clone());
                 self.law(&variable_mass::THRUST, Some(index), because, sides);

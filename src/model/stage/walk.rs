@@ -50,6 +50,6 @@ impl Builder<'_> {
             "the speed of the walk, and its changes",
             "the centre of mass stays where it is at every instant",
         );
-        self.neglect("the resistance of what it floats on", "the problem gives none");
+        self.neglect(format!("the resistance to the motion of {other}"), "the problem gives none");
     }
 }

@@ -341,7 +341,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
                     let meaning = "the value given for it";
                     builder.declare(name, text, meaning, &path);
                 }
-                builder.relation(&format!("{name} = {text}"), "this is given", &path);
+                builder.relation(&format!("{name} = {text}"), "", &path);
             }
         }
     }

@@ -269,10 +269,11 @@ impl Problem {
     /// The name of a vector that is asked, typeset.
     #[must_use]
     pub fn math_of_vector(&self, id: &str, vector: &VectorPart) -> Math {
-        match vector.components.first().and_then(|first| self.stage_shown(first.symbol)) {
+        let name = match vector.components.first().and_then(|first| self.stage_shown(first.symbol)) {
             Some(stage) => self.notation.math(&format!("{}@{stage}", id.split_once('[').map_or(id, |(name, _)| name))),
             None => self.notation.math(id),
-        }
+        };
+        name.bold()
     }
 
     /// The stage of a quantity that has to be told apart from the same one of another stage: some form speaks of both.

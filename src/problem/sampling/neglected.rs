@@ -13,8 +13,8 @@ use super::super::compiling::regimes::Leaf;
 use super::super::compiling::regimes::Regimes;
 use super::variant::Worked;
 
-/// From this share on, what is left out is worth a word.
-const WORTH_SAYING: f64 = 0.02;
+/// From this share on, what is left out is worth a word: answers may be off by as much.
+const WORTH_SAYING: f64 = 0.01;
 
 /// A plan of what weight does in short contacts from what a form tells; none where the form's own plan finds it, or nothing does.
 pub(in crate::problem) fn weighed(

@@ -80,4 +80,15 @@ impl Problem {
             _ => Sign::Nothing,
         }
     }
+
+    /// The words for the two directions between which the sign of a quantity decides, as they lie in space, for one that hangs on a
+    /// string, too; none for a turn in a scene without axes, where no sense is told from the other.
+    #[must_use]
+    pub fn directions_told(&self, symbol: Symbol) -> Option<Senses> {
+        let has_axes = !self.loaded().draft.scene.axes.rectangular().is_empty();
+        self.hanging(symbol).or_else(|| match self.sign(symbol) {
+            Sign::Sense(senses) if has_axes || !senses.is_of_a_turn() => Some(senses),
+            Sign::Sense(_) | Sign::Other | Sign::Nothing => None,
+        })
+    }
 }

@@ -95,7 +95,10 @@ pub(in super::super) fn rocket(
     stage: &Thrust,
 ) -> Option<Drawing> {
     let mut vectors: Vec<Moving> = quantities.motion(compass, &stage.body, index + 1);
-    vectors.extend(quantities.forces_on(compass, &stage.body, index));
+    // What stands on the ground is held by more than is drawn.
+    if !stage.on_ground {
+        vectors.extend(quantities.forces_on(compass, &stage.body, index));
+    }
     if vectors.is_empty() {
         return None;
     }

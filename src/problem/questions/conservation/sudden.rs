@@ -52,10 +52,14 @@ pub(in crate::problem) fn momentum(
         tests.push(Test::new(equality, otherwise));
     }
     let is_identity = tests.iter().all(|test| matches!(test.equality, Equality::Always));
-    let because = if outside.is_empty() || is_identity {
-        "the impulses within the system cancel in pairs, and no external impulse acts along the axis"
-    } else {
-        SAME
+    // Ordinary forces act in an impact, too, but have no time.
+    let is_short = matches!(builder.scene().stages.get(balance.stage), Some(Stage::Impact(_)));
+    let because = match outside.is_empty() || is_identity {
+        true if is_short => {
+            "the impulses within the system cancel in pairs, and no external force along the axis is impulsive"
+        }
+        true => "the impulses within the system cancel in pairs, and no external impulse acts along the axis",
+        false => SAME,
     };
     Some(Verdict { tests, because: because.into() })
 }
