@@ -34,6 +34,8 @@ const FOUND: &[(&str, Outcome)] = &[
     // By hand: 2.25*10*sin 53 and 1.8*10*cos 53.
     ("direction_along_x", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
     // A raft of four times the mass goes back by a fifth of what the dog walks along it.
+    // By hand: 60 degrees less 43.9, as far as ball A is turned from the line of impact.
+    ("direction_beyond_half_a_turn", Holds(&["v_B2.x = -0.693 v_0", "angle_A2 = 16.1"])),
     ("displacement_by_its_direction", Holds(&["s_D = 1.60 m", "s_B = -0.400 m"])),
     ("enough_for_an_angle", Holds(&["a = no"])),
     ("distance_in_brackets", Refused(&["`distance[rise]` is not known", "`distance: s`, and ask for `s`"])),
@@ -72,6 +74,8 @@ const FOUND: &[(&str, Outcome)] = &[
     ("range_of_multiples", Holds(&["e = 0.250 < e <= 1"])),
     ("range_in_symbols", Holds(&["e = 0.600 < e <= 1"])),
     ("ratio_as_a_symbol", Holds(&["v_Q2 = 0.2*u*(4 + 9*e)"])),
+    // By hand: e = 2 v_B2/v_A1 - 1, and v_C3 = (1 + e)/2 v_B2.
+    ("restitution_in_symbols", Holds(&["v_C3 = v_B2^2/v_A1"])),
     ("required_to_be_positive", Holds(&["e = 0.800 < e <= 1"])),
     // By the laws the block is at rest at the end; a simulation finds that to within its rounding.
     ("rest_by_a_graph", Holds(&["v_A2 = 0 m/s", "work[pull] = -24.0 J"])),
@@ -114,6 +118,7 @@ const PRINTED: &[(&str, &str, &str)] = &[
     ("falls_on_a_string", "is not a solution: particle A moves downwards", "downwards."),
     ("height_in_terms_of_r", "at the height $5\\,R$", "5.00 m"),
     ("mass_in_terms_of_m", "Particle A (mass $3\\,m$)", "3.00 kg"),
+    ("restitution_in_symbols", "e = ", "0.1333"),
     ("share_as_a_formula", "q = \\frac{m_{B}}{m_{A} + m_{B}}", "here $"),
 ];
 

@@ -6,7 +6,6 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Symbol;
 use crate::problem::Part;
-use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::quantity::Dimension;
 use crate::quantity::Rational;
@@ -76,10 +75,10 @@ impl Letters {
             let whole = whole(unknown).filter(|whole| !whole.contains(unknown))?;
             self.growth(worked, &whole)
         };
-        // A pure number that is told or asked has a value whatever the letters are, but where its formula is asked.
-        let asks = |part: &Part| matches!(&part.kind, PartKind::Formula(formula) if formula.symbol == unknown);
-        let is_pure = worked.problem.model().symbols.entry(unknown).dimension == Dimension::NONE
-            && !worked.form.parts.iter().any(asks);
+        // A pure number that is asked as one has a value whatever the letters are, and so has one that no formula gives.
+        let asks = |part: &Part| part.kind.numbers().iter().any(|number| number.symbol == unknown);
+        let is_number = worked.form.parts.iter().any(asks) || !matches!(closed, Closed::Formula(_));
+        let is_pure = is_number && worked.problem.model().symbols.entry(unknown).dimension == Dimension::NONE;
         at_once().or_else(by_algebra).or(number.filter(|_| is_pure))
     }
 

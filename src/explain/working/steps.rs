@@ -151,6 +151,10 @@ impl<'a> Steps<'a> {
         blocks.push(self.value(unknown, formula));
         blocks.extend(formula.into_iter().flat_map(|formula| self.left_out(unknown, formula)).map(Block::Paragraph));
         blocks.extend(self.put_together(unknown, formula));
+        let is_turned = |value: f64| self.display.worked.whole_turns(unknown, value) != 0.0;
+        if self.display.worked.variant.value(unknown).is_some_and(|own| is_turned(own.value)) {
+            blocks.push(Block::text("Less a whole turn of 360° this is the same direction."));
+        }
         let wants_quadrant = |formula: &Term| formula.has_angle && self.display.is_outside_arctangent(&formula.expr);
         if !self.angle_explained && formula.is_some_and(wants_quadrant) {
             self.angle_explained = true;

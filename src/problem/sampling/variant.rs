@@ -1,6 +1,9 @@
 //! One variant of one form: the numbers of a seed, and everything that follows from them.
 
+use std::f64::consts::{PI, TAU};
+
 use crate::expr::Symbol;
+use crate::model::QuantityKind;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
@@ -160,7 +163,17 @@ impl<'a> Worked<'a> {
     }
 
     fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
+        let turns = self.whole_turns(number.symbol, value.value);
+        let value = if turns == 0.0 { value } else { value.sub(&Bounded { value: turns * TAU, error: turns.abs() * TAU * f64::EPSILON }) };
         value.div(&self.size_of(number))
+    }
+
+    /// How many whole turns a direction is beyond half a turn from its axis: none of what is no direction.
+    #[must_use]
+    pub fn whole_turns(&self, symbol: Symbol, value: f64) -> f64 {
+        let kind = &self.problem.model().name(symbol).kind;
+        let is_direction = matches!(kind, QuantityKind::Direction(_) | QuantityKind::CountedDirection(_));
+        if is_direction && value.abs() > PI { libm::round(value / TAU) } else { 0.0 }
     }
 
     /// The size of the unit in which a number is asked, with a bound on its error.
