@@ -164,7 +164,11 @@ impl<'a> Worked<'a> {
 
     fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
         let turns = self.whole_turns(number.symbol, value.value);
-        let value = if turns == 0.0 { value } else { value.sub(&Bounded { value: turns * TAU, error: turns.abs() * TAU * f64::EPSILON }) };
+        let value = if turns == 0.0 {
+            value
+        } else {
+            value.sub(&Bounded { value: turns * TAU, error: turns.abs() * TAU * f64::EPSILON })
+        };
         value.div(&self.size_of(number))
     }
 
