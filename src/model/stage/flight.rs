@@ -185,7 +185,9 @@ impl Builder<'_> {
             because = format!("{because}, as at its start");
         }
         if let Some(time) = self.lasting.get(index).cloned().flatten() {
-            let reason = Reason::TakesTime(self.stage_phrase(index));
+            let phrase = self.stage_phrase(index);
+            self.require(time.clone(), Relation::AtLeast, Expr::zero(), Reason::EndsEarly(phrase.clone()));
+            let reason = Reason::TakesTime(phrase);
             self.require(time, Relation::Greater, Expr::zero(), reason);
         }
         self.law(&kinematics::UNTIL, Some(index), because, sides);
