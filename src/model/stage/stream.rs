@@ -236,7 +236,7 @@ impl Builder<'_> {
         let (Some(force), name) = (forces.get(position), self.called(&stage.body)) else { return };
         let caught = match (&stage.during, &stage.caught) {
             (Some(term), None) => {
-                let meaning = format!("the time for which {} has flowed", stage.by);
+                let meaning = format!("the time for which {} flowed", stage.by);
                 flow.clone() * self.read_positive(term, Dimension::TIME, &meaning, &path.key("during"))
             }
             (None, Some(term)) => {
@@ -252,8 +252,8 @@ impl Builder<'_> {
         let support = self.positive(self.in_stage(QuantityKind::NormalForce, &stage.body, index), meaning);
         let carried = (mass + caught) * gravity + Expr::integer(down) * force.clone();
         let because = match &stage.moves {
-            Some(_) => format!("{name} moves at constant velocity while {} joins it", stage.by),
-            None => format!("{name} stays at rest while {} comes to rest on it", stage.by),
+            Some(_) => format!("{name} moves at constant velocity while the mass of {} joins it", stage.by),
+            None => format!("{name} stays at rest while the mass of {} comes to rest on it", stage.by),
         };
         self.law(&variable_mass::SUPPORT, Some(index), because, (support.into(), carried));
     }
@@ -264,9 +264,9 @@ fn why(stage: &Stream, name: &str) -> String {
     let by = &stage.by;
     let seen = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
-        (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without changing its speed"),
-        (_, Some(_), _) => format!("{by}{seen} rebounds with e times its speed"),
-        (_, _, true) => format!("{by} stays on {name} and takes its velocity"),
-        _ => format!("{by} spreads over {name} and leaves it{seen} at right angles to its original direction"),
+        (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without a change of speed"),
+        (_, Some(_), _) => format!("{name} throws {by} back{seen} with e times the speed of arrival"),
+        (_, _, true) => format!("nothing of {by} leaves {name} again, and both have one velocity afterwards"),
+        _ => format!("{name} lets {by} spread over it and leave{seen} at right angles to the original direction"),
     }
 }
