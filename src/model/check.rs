@@ -122,7 +122,11 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 faults.push(unknown("body", name, &timeline.alive(index + 1)).at_path(path));
             } else if key != Some(ROTOR) && scene.bodies.get(name).is_some_and(|body| body.inertia.is_some()) {
                 let message = format!("{} has a moment of inertia and is no particle", scene.called(name));
-                let help = "name it as the `rotor` of a `rotate` or a `strike`, or remove its `inertia`";
+                let help = if scene.rotors().count() > 1 {
+                    "no stage lets two bodies with an `inertia` act on each other: the program has no impact, clutch or belt between them"
+                } else {
+                    "name it as the `rotor` of a `rotate` or a `strike`, or remove its `inertia`"
+                };
                 faults.push(Fault::new(Code::Value, message).help(help).at_path(at.clone()));
             }
         }

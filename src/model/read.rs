@@ -16,6 +16,7 @@ use crate::quantity::Rational;
 use crate::quantity::UnitSystem;
 use crate::quantity::coherent_unit;
 use crate::quantity::dimension_name;
+use crate::scene::Stage;
 use crate::scene::Term;
 
 use super::Builder;
@@ -217,6 +218,9 @@ impl Builder<'_> {
         if let Some(help) = self.not_alone(name) {
             return fault.help(help);
         }
+        if let Some(help) = self.extreme_distance(name) {
+            return fault.help(help);
+        }
         let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
         match did_you_mean(name, known.iter().copied()) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
@@ -259,6 +263,15 @@ impl Builder<'_> {
         let parts: Vec<String> = self.axes.iter().map(|(axis, _)| format!("{name}.{}", axis.letter())).collect();
         let is_vector = parts.len() > 1 && parts.iter().all(|part| self.symbols.find(part).is_some());
         is_vector.then(|| format!("it is a vector here, which is named by its components: {}", quoted(parts, " and ")))
+    }
+
+    /// What the least or the greatest distance of a body lacks that moves under gravity on an orbit of no stated shape.
+    fn extreme_distance(&self, name: &str) -> Option<&'static str> {
+        let own = Name::parse(name).filter(|own| own.kind == QuantityKind::Position && own.instant.is_none())?;
+        own.component.as_deref().filter(|which| ["min", "max"].contains(which))?;
+        let is_shapeless = |stage: &Stage| matches!(stage, Stage::Central(central) if central.body == own.subject && central.gravity.is_some() && central.orbit.is_none());
+        let help = "write `orbit: ellipse` or `orbit: parabola` in the stage";
+        self.scene.stages.iter().any(is_shapeless).then_some(help)
     }
 
     /// Whether a name is that of a key of a stage of the scene.

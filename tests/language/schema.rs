@@ -101,11 +101,13 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "formula_of_what",
     "fraction_without",
     "graph_against",
+    "greatest_distance",
     "impact_at_one",
     "impulse_of_which",
     "jerk_over",
     "mass_with_a_number",
     "reveal_of",
+    "two_rotors",
     "vector_without",
     "weights_for",
 ];
