@@ -37,6 +37,8 @@ const FOUND: &[(&str, Outcome)] = &[
     // By hand: 60 degrees less 43.9, as far as ball A is turned from the line of impact.
     ("direction_beyond_half_a_turn", Holds(&["v_B2.x = -0.693 v_0", "angle_A2 = 16.1"])),
     ("displacement_by_its_direction", Holds(&["s_D = 1.60 m", "s_B = -0.400 m"])),
+    // By hand: sqrt(6^2 + (2/0.6*4)^2).
+    ("drawn_in_at_a_told_speed", Holds(&["speed_B2 = 14.6 ft/s"])),
     ("enough_for_an_angle", Holds(&["a = no"])),
     ("distance_in_brackets", Refused(&["`distance[rise]` is not known", "`distance: s`, and ask for `s`"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),

@@ -58,6 +58,13 @@ fn around(state: &State) -> f64 {
     (state[0] * state[3] - state[1] * state[2]) / distance(state)
 }
 
+/// The same place with another velocity away from the centre.
+fn with_radial(state: &State, radial: f64) -> State {
+    let [x, y, _, _, area] = *state;
+    let ([cosine, sine], across) = ([x, y].map(|part| part / distance(state)), around(state));
+    [x, y, radial * cosine - across * sine, radial * sine + across * cosine, area]
+}
+
 impl Pull {
     fn slope(&self, state: &State) -> State {
         let [x, y, u, v, _] = *state;
@@ -98,7 +105,11 @@ impl StageRun<'_> {
         self.note_there(body, first, &start.1);
         if let Ok(goal) = goal {
             let sense = if goal >= length { 1.0 } else { -1.0 };
-            let (time, end) = pull.to(start, &|state| sense * (goal - distance(state)))?;
+            let (time, mut end) = pull.to(start, &|state| sense * (goal - distance(state)))?;
+            // Whatever the force was, it leaves the particle with the radial velocity that is told.
+            if let (None, None, Ok(told)) = (&stage.spring, told, named("v", first + 1, ".r")) {
+                end = with_radial(&end, told);
+            }
             shown = time;
             self.note_there(body, first + 1, &end);
             self.note(&format!("v_{body}{}.theta", first + 1), around(&end), across);
