@@ -71,13 +71,13 @@ pub const MOMENT_IMPULSE: Law = Law {
     wrong: wrong::angular::MOMENT_IMPULSE,
 };
 
-/// Conservation about the centre of a central force.
+/// Conservation for a particle about the centre of a central force, or about an axis.
 pub const CENTRAL: Law = Law {
     id: "central-force",
-    name: "conservation of angular momentum under a central force",
-    statement: "A force whose line passes through a fixed point has no moment about it, so radius times transverse velocity stays the same.",
+    name: "conservation of the angular momentum of a particle",
+    statement: "Where no force on a particle has a moment about a fixed point or axis, its distance from there times its transverse velocity stays the same.",
     signs: "Counter-clockwise is positive.",
-    when: "Every force on the particle points to or from the fixed point.",
+    when: "Every force on the particle points to or from the fixed point, or has no moment about the axis.",
     source: "The principle of angular impulse and momentum, divided by the mass.",
     wrong: wrong::angular::CENTRAL,
 };

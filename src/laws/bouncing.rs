@@ -63,7 +63,7 @@ pub const BOUNCE_FLIGHT: Law = Law {
 /// Places of successive bounces.
 pub const BOUNCE_PLACE: Law = Law {
     id: "bounce-place",
-    name: "the motion along the floor",
+    name: "the motion along the surface",
     statement: "A smooth floor does not change the velocity along it. Along a level floor a body keeps its velocity through all bounces; along a slope its acceleration is the component of g along the slope.",
     signs: "Positive along the axis of the floor.",
     when: "A fixed smooth floor; air resistance is neglected.",

@@ -232,7 +232,7 @@ fn the_coefficient_of_restitution_of_the_variant_decides() {
     let rows = [
         ("0", ["no", "perfectly plastic"]),
         ("0.0", ["no", "perfectly plastic"]),
-        ("0.5", ["no", "inelastic"]),
+        ("0.5", ["no", "inelastic, but not perfectly"]),
         ("1", ["yes", "elastic"]),
     ];
     for (e, expected) in rows {
@@ -240,7 +240,9 @@ fn the_coefficient_of_restitution_of_the_variant_decides() {
         assert_eq!(found.iter().map(|own| own.0.as_str()).collect::<Vec<_>>(), expected, "e = {e}");
     }
     // e = (v_B2 - v_A2)/(v_A1 - v_B1), and v_A2 = 4 m/s - v_B2.
-    for (v, expected) in [("2 m/s", "perfectly plastic"), ("3 m/s", "inelastic"), ("4 m/s", "elastic")] {
+    for (v, expected) in
+        [("2 m/s", "perfectly plastic"), ("3 m/s", "inelastic, but not perfectly"), ("4 m/s", "elastic")]
+    {
         let found = decisions(scene, &format!("{masses}, v_B2: {v}"), ask, 1);
         assert_eq!(found[1].0, expected, "v_B2 = {v}");
     }

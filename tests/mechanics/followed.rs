@@ -151,3 +151,14 @@ fn what_is_integrated_can_be_watched() {
     }
     assert!(seen.compared > 50, "only {} compared", seen.compared);
 }
+
+/// Coils drive two sliders apart for 20 to 40 ms: they are seen for that time, and nothing is said to be assumed.
+#[test]
+fn parts_are_driven_apart_for_the_time_that_is_told() {
+    let problem = variants::bank_problem("conservation/magnets-let-go");
+    let variant = Sampler::new(&problem, 0).unwrap().variant(7).unwrap();
+    let reels = followed(&problem, &variant, 0, TOLERANCE).unwrap();
+    let duration = problem.model().symbol_of("T").and_then(|symbol| variant.value(symbol)).unwrap().value;
+    assert_eq!(reels[0].record.moments.last().unwrap().time, duration);
+    assert!(reels[0].notes.is_empty(), "{:?}", reels[0].notes);
+}

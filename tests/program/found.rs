@@ -44,9 +44,9 @@ const FOUND: &[(&str, Outcome)] = &[
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),
     // 2/5 of sqrt(2*9.81*0.4).
     ("falls_on_a_string", Holds(&["v_B3 = 1.12 m/s"])),
-    ("fraction_beside_a_kind", Holds(&["v_B2 = 1.50 m/s", "b = inelastic"])),
+    ("fraction_beside_a_kind", Holds(&["v_B2 = 1.50 m/s", "b = inelastic, but not perfectly"])),
     ("fraction_with_a_unit", Holds(&["v_A2 = 0.868 m/s", "T_lost[1] = 5.33 J"])),
-    ("fractions_beside_a_kind", Holds(&["v_A2 = 1.00 m/s", "T_lost[1] = 0.833 J", "d = inelastic"])),
+    ("fractions_beside_a_kind", Holds(&["v_A2 = 1.00 m/s", "T_lost[1] = 0.833 J", "d = inelastic, but not perfectly"])),
     ("given_by_given", Holds(&["v_A2 = 6.00 m/s"])),
     ("height_in_terms_of_r", Holds(&["v_A2 = sqrt(10*R*g)"])),
     // By hand: (0.26/3.2)^(1/6).

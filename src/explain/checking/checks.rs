@@ -44,7 +44,7 @@ const BALANCES: &[(&str, &str)] = &[
     (mass_centre::MOTION.id, "Initial momentum plus impulse, and final momentum:"),
     (restitution::RESTITUTION.id, "Velocity of separation, and e times the velocity of approach:"),
     (restitution::RESTITUTION_SURFACE.id, "Velocity away from the surface, and e times the velocity towards it:"),
-    (angular::ANGULAR_MOMENTUM.id, "Angular momentum, and the moment of the momentum:"),
+    (angular::ANGULAR_MOMENTUM.id, "Angular momentum, as found and by its definition:"),
     (angular::ANGULAR_IMPULSE.id, "Initial angular momentum plus angular impulse, and final angular momentum:"),
     (angular::CENTRAL.id, "Radius times transverse velocity, before and after:"),
     (orbit::ORBIT_ENERGY.id, "Energy per unit mass, before and after:"),

@@ -78,6 +78,9 @@ fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
             vec![[vec![words("The ")], all, vec![words(".")]].concat()]
         }
     };
+    if axes.len() == 2 && scene.rotors().next().is_some() {
+        sentences.push(vec![words("Counter-clockwise is positive.")]);
+    }
     // Where nothing is worked out, nothing is counted along n and t.
     if axes.len() > 1 && display.worked.form.wanted().next().is_some() {
         let frames = display.worked.problem.model().frames.iter().zip(&scene.stages);

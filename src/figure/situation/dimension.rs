@@ -8,8 +8,6 @@ use crate::figure::{Point, Role};
 
 /// The least length that a dimension line fits into.
 const SHORTEST: f64 = 16.0;
-/// About the length of the head of an arrow.
-const HEAD: f64 = 8.0;
 /// The length of an arrow from outside.
 const OUTSIDE: f64 = 12.0;
 
@@ -23,9 +21,8 @@ pub(super) fn draw_dimension(canvas: &mut Canvas, from: Point, to: Point, label:
         let aside = if beyond.x.abs() > beyond.y.abs() { FRAC_PI_2 } else { 0.0 };
         return canvas.label(label, Role::Body, Anchor::Around { at: to + beyond * 0.5, radius: 2.0, prefer: aside });
     }
-    // Where the two arrows meet, the line is a little darker: under the head it is not seen.
-    let start = from + along * (HEAD / length);
-    canvas.arrow(start, to, Role::Guide);
-    canvas.arrow(start, from, Role::Guide);
+    let middle = from + along * 0.5;
+    canvas.arrow(middle, to, Role::Guide);
+    canvas.arrow(middle, from, Role::Guide);
     canvas.label(label, Role::Body, Anchor::Along { from, to });
 }

@@ -28,9 +28,7 @@ impl Catalogue for English {
             Message::NegativeMagnitude => "This quantity is a magnitude: write it without a minus sign.",
             Message::PoundsAsMass => "Pounds and ounces are read as masses here (`lbm`); elsewhere they are forces.",
             Message::ZeroWithoutUnit => "Write the unit of a zero, too.",
-            Message::LastFigure => {
-                "Close, but the last figure is not right. Keep one more significant figure in intermediate steps."
-            }
+            Message::LastFigure => "The last figure is off: keep one more significant figure in intermediate steps.",
             Message::RoundingSlip => {
                 "Nearly right: where did you round? Keep one more significant figure until the end."
             }

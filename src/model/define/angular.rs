@@ -52,7 +52,7 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
     let symbol = builder.component(builder.canonical(name), meaning);
     let because = match bodies.len() {
         _ if builder.scene.rotors().next().is_some() => {
-            "what turns about a fixed axis has its moment of inertia times its angular velocity"
+            "the angular momentum of what turns about a fixed axis is its moment of inertia times its angular velocity"
         }
         1 => "angular momentum is the moment of the momentum",
         _ => "the angular momentum of the system is the sum of the moments of the momenta",

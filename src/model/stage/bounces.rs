@@ -43,12 +43,12 @@ impl Builder<'_> {
         } else {
             self.bounces_after_arrival(index, stage, [&e, count.as_ref().unwrap_or(&Expr::one())], path);
         }
-        self.acts(Influence::outside(index, &stage.body, "the floor"));
+        self.acts(Influence::outside(index, &stage.body, stage.surface()));
         self.impulses.push(Impulse {
             stage: index,
             on: stage.body.clone(),
             by: Agent::Outside,
-            called: "the floor".into(),
+            called: stage.surface().into(),
             components: Vec::new(),
             impulsive: true,
         });

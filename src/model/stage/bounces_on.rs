@@ -115,12 +115,16 @@ impl Builder<'_> {
         let because = if level {
             format!("the floor is smooth and level: nothing changes the velocity of {} along it", own.name)
         } else {
-            format!("the floor is smooth: along it, only weight accelerates {}", own.name)
+            format!("the slope is smooth: along it, only weight accelerates {}", own.name)
         };
         let way = |time: &Expr| bouncing::along(&along.velocity, &along.acceleration, time);
+        let meaning = format!("the time for which {} bounces", own.name);
+        let lasts = self.positive(Name::of(QuantityKind::Duration, IN_ALL), meaning);
+        let each = format!("each flight of {} takes e times as long as the one before", own.name);
+        own.law(self, &bouncing::BOUNCE_TIME, &each, (lasts, bouncing::time_of_all(own.e, &own.whole())));
         let times = [
             (COUNTED, "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole())),
-            (IN_ALL, "where its bouncing ends", bouncing::time_of_all(own.e, &own.whole())),
+            (IN_ALL, "where its bouncing ends", lasts.into()),
         ];
         for (which, when, time) in times {
             let meaning = format!("the {letter}-component of the position of {} {when}", own.name);

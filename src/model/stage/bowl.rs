@@ -36,8 +36,9 @@ impl Builder<'_> {
         let height = self.height_on_wall(index, stage, path);
         let raised = self.gravity() * height.clone();
         let sides = if stage.way == UpOrDown::Up { (start, end + raised) } else { (start + raised, end) };
-        let because =
-            format!("the smooth wall pushes {name} at right angles to its motion and does no work; the mass cancels");
+        let because = format!(
+            "the push of the smooth wall is at right angles to the motion of {name} and does no work; the mass cancels"
+        );
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         self.wall(index, stage, &states, height, path);
         let words = "weight does work as the height changes";
@@ -127,8 +128,15 @@ impl Builder<'_> {
         let since = self.timeline.naming_instant(body, instant);
         let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
         let depth = Expr::from(self.symbol(Name::of(QuantityKind::Depth, body).at(since), meaning));
-        let because = "the position is on the sphere, below its centre";
-        let sides = (distance.clone().powi(2) + depth.clone().powi(2), radius.clone().powi(2));
+        let (because, sides) = if distance == radius {
+            (
+                "as far from the axis as the radius of the sphere, the position is level with its centre",
+                (depth.clone(), Expr::zero()),
+            )
+        } else {
+            let squares = distance.clone().powi(2) + depth.clone().powi(2);
+            ("the position is on the sphere, below its centre", (squares, radius.clone().powi(2)))
+        };
         self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
         let reason = Reason::AboveCentre;
         self.require(depth.clone(), Relation::AtLeast, Expr::zero(), reason);

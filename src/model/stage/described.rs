@@ -120,7 +120,6 @@ impl<'a> Description<'a> {
             },
             Stage::Moment(own) => Self {
                 bodies: scene.rotors().map(|body| (body, Some(ROTOR))).collect(),
-                ends: Span::Around,
                 changes: Some(scene.bodies.keys().map(String::as_str).collect()),
                 fills_space: true,
                 about: Some(&own.about),

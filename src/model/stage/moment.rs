@@ -51,11 +51,17 @@ impl Builder<'_> {
                 (!moment.is_zero()).then(|| self.angular_impulse(index, (&centre, letter), &moment, &start, &end));
             self.law(law, Some(index), because, (Expr::sum([before].into_iter().chain(gained)), after));
         }
+        let has_rotor = self.scene.rotors().next().is_some();
+        if has_rotor {
+            self.neglect("friction in the bearings and air resistance", "the problem gives none");
+        }
         if self.weight_acts_across() {
-            self.not_needed(
-                "weight and everything else that acts across the motion",
-                "it has no moment about the axis",
-            );
+            let (what, why) = if has_rotor {
+                ("weight and the force of the bearings", "they have no moment about the axis")
+            } else {
+                ("weight and everything else that acts across the motion", "it has no moment about the axis")
+            };
+            self.not_needed(what, why);
         }
     }
 

@@ -157,7 +157,7 @@ impl Builder<'_> {
             let because = if along.is_empty() {
                 format!("no impulse acts on {name} along {}", axis.letter())
             } else {
-                format!("the impulse of the forces on {name} changes its momentum")
+                format!("the impulse of the forces on {name} equals the change of momentum")
             };
             let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
@@ -199,7 +199,8 @@ impl Builder<'_> {
         }
         if self.scene.plane == Plane::Horizontal && !on_slope {
             self.leave_out_what_acts_across();
-            self.neglect("friction and other resistance", "the problem gives none");
+            let what = if self.axes.len() < 3 { "friction and other resistance" } else { "other resistance" };
+            self.neglect(what, "the problem gives none");
         }
     }
 

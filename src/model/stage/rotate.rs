@@ -58,10 +58,10 @@ impl Builder<'_> {
         let lone = held.first().filter(|_| !stage.is_arm());
         let because = match (&gained, lone) {
             (Some(_), _) => {
-                let where_it_acts = if lone.is_some() { "towards" } else { "at" };
+                let [where_it_acts, it] = if lone.is_some() { ["towards", "that point"] } else { ["at", "it"] };
                 let changing = Self::changing(moment.is_some(), &forces, &centre);
                 format!(
-                    "the force {where_it_acts} {centre} has no moment about it, and only {changing} the angular momentum"
+                    "the force {where_it_acts} {centre} has no moment about {it}, and only {changing} the angular momentum"
                 )
             }
             (None, Some((body, _))) => {
@@ -114,13 +114,12 @@ impl Builder<'_> {
                 Some(_) => format!("the force towards {centre}"),
                 None => holding(stage, &centre),
             };
-            let words = format!("{called} does work as the distance changes");
             let own = Influence::outside(index, body, called).through(&stage.about);
             let own = match arm {
                 Arm::Constant(_) => own.workless(),
                 Arm::Changing([before, after]) => {
                     let [before, after] = [before, after].map(|term| self.read(term, Dimension::LENGTH, "", path));
-                    own.works(Effect::Of(before - after), &words)
+                    own.works(Effect::Of(before - after), "work is done as the distance changes")
                 }
             };
             // A child on a carousel is held by the carousel.

@@ -137,7 +137,7 @@ impl Builder<'_> {
             When::Before => (before[0], index + 1, "before"),
         };
         let phrase = self.stage_phrase(index);
-        let because = format!("the velocity of {name} is given relative to that of {other} {when} {phrase}");
+        let because = format!("the velocity of {name} is taken relative to that of {other} {when} {phrase}");
         let parts = self.components(&direction);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         for (axis, part) in axes.iter().zip(parts) {

@@ -99,12 +99,12 @@ impl Builder<'_> {
         }
         let because = match (friction, incline.is_level()) {
             (Some(_), true) => format!(
-                "friction, \u{3bc} times the weight, is all that acts on {name} along the floor, and the mass cancels"
+                "friction, \u{3bc} times the weight, is all that acts on {name} along the surface, and the mass cancels"
             ),
             (Some(_), false) => {
                 format!("friction and the component of weight along the slope act on {name}, and the mass cancels")
             }
-            (None, true) => format!("no force acts on {name} along the smooth floor"),
+            (None, true) => format!("no force acts on {name} along the smooth surface"),
             (None, false) => format!("the component of weight along the slope acts on {name}, and the mass cancels"),
         };
         Retardation { parts, because }
@@ -138,8 +138,9 @@ impl Builder<'_> {
             UpOrDown::Down => (start + raised, end),
             UpOrDown::Up => (start, end + raised),
         };
-        let because =
-            format!("the smooth ramp pushes {name} at right angles to its motion and does no work; the mass cancels");
+        let because = format!(
+            "the push of the smooth ramp is at right angles to the motion of {name} and does no work; the mass cancels"
+        );
         self.law(&energy::CONSERVATION, Some(index), because, sides);
     }
 

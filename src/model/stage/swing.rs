@@ -64,8 +64,9 @@ impl Builder<'_> {
         let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
         // From one angle to another the height counts downwards.
         let sides = if ends[0].is_lowest { (start, end + raised) } else { (start + raised, end) };
-        let (holds, acts) = (stage.held_by(), if stage.radius.is_some() { "pushes" } else { "pulls" });
-        let because = format!("{holds} {acts} {name} at right angles to its motion and does no work; the mass cancels");
+        let holds = stage.held_by();
+        let force = if stage.radius.is_some() { "the push of the track" } else { "the pull of the cord" };
+        let because = format!("{force} is at right angles to the motion of {name} and does no work; the mass cancels");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         if let Some(length) = &length {
             self.stays_taut(index, stage, length, &height, &ends[1]);
@@ -96,7 +97,7 @@ impl Builder<'_> {
             Place::Angle(term) => {
                 let since = self.timeline.naming_instant(body, instant);
                 let line = if stage.radius.is_some() { "radius to" } else { "cord of" };
-                let meaning = format!("the angle between the {line} {name} and the vertical {}", self.when(since));
+                let meaning = format!("the angle that the {line} {name} makes with the vertical {}", self.when(since));
                 let angle = match term {
                     Some(term) => {
                         let key = path.key(if side == 0 { "from" } else { "to" });

@@ -25,3 +25,11 @@ pub struct Bounces {
     #[serde(default)]
     pub incline: Option<Term>,
 }
+
+impl Bounces {
+    /// What the body bounces on, in a sentence.
+    #[must_use]
+    pub fn surface(&self) -> &'static str {
+        if self.incline.is_some() { "the slope" } else { "the floor" }
+    }
+}

@@ -19,8 +19,8 @@ use super::judgement::Judgement;
 use super::judgement::Test;
 use super::settled::stage;
 
-/// The kinds of impact, in the order in which they are offered.
-const KINDS: [&str; 3] = ["elastic", "inelastic", "perfectly plastic"];
+/// The kinds of impact, in the order in which they are offered; a perfectly plastic one is inelastic, too.
+const KINDS: [&str; 3] = ["elastic", "inelastic, but not perfectly", "perfectly plastic"];
 
 /// Of which kind an impact is.
 pub(in crate::problem) fn classify(
@@ -63,7 +63,7 @@ pub(in crate::problem) fn classify(
         builder.fault(fault.at_path(path.key("classify")));
         return None;
     }
-    let label = format!("Is {} elastic, inelastic or perfectly plastic?", builder.phrase_of(index));
+    let label = format!("Of what kind is {}?", builder.phrase_of(index));
     let choice = Judgement::new(&KINDS, cases);
     Some((label, PartKind::Choice(ChoicePart::Judged(Box::new(choice)))))
 }

@@ -16,6 +16,7 @@ use crate::simulate::scene::particles::{Force, Particle, place, velocity};
 use crate::simulate::scene::pushed::Pushed;
 use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::system::System;
+use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
 
 /// The longest step beside the second that a force between parts takes.
@@ -43,7 +44,7 @@ impl StageRun<'_> {
             _ => return Err(NothingToSimulate::NoMethod),
         }
         self.note_parts(stage, &pieces);
-        self.film_parts(&pieces)
+        self.film_parts(stage, &pieces)
     }
 
     /// A spring between the parts, the first behind the second, that holds so much energy.
@@ -146,24 +147,35 @@ impl StageRun<'_> {
         ])
     }
 
-    /// The parts while some force with the impulse that was found drives them apart: half a wave of one second.
-    fn film_parts(&mut self, pieces: &[Pushed<'_>]) -> Result<(), NothingToSimulate> {
+    /// The parts while the force drives them apart; where neither it nor its duration is told, half a wave of one second.
+    fn film_parts(&mut self, stage: &Separate, pieces: &[Pushed<'_>]) -> Result<(), NothingToSimulate> {
         let frame = self.values.frame();
-        let look = |time: f64, _: &[f64; 0]| {
-            let phase = PI * time;
-            let (gained, gone) = ((1.0 - libm::cos(phase)) / 2.0, (time - libm::sin(phase) / PI) / 2.0);
+        let told = self.values.known(stage.duration.as_ref());
+        let end = told.unwrap_or(1.0);
+        // The share of the impulse that comes in each second.
+        let rate: OfTime = match (&stage.force, told, pieces) {
+            (Some(force), Some(_), [piece, ..]) => {
+                let ((strength, _), whole) = (self.values.strength(force)?, size(piece.impulse));
+                Arc::new(move |time| strength(time) / whole)
+            }
+            _ => Arc::new(move |time| libm::sin(PI * time / end) * PI / (2.0 * end)),
+        };
+        let slope = |time: f64, state: &[f64; 2]| [rate(time), state[0]];
+        let look = |time: f64, &[gained, gone]: &[f64; 2]| {
             frame.look(pieces.iter().map(|Pushed { body, impulse, .. }| {
                 let (change, _) = body.yields(*impulse);
                 let place = add(times(time, body.velocity), times(gone, change));
                 let velocity = add(body.velocity, times(gained, change));
-                let force = times(libm::sin(phase) * PI / 2.0, *impulse);
+                let force = times(rate(time), *impulse);
                 (Particle { place, velocity, ..*body }, body.yields(force).1, dot(force, velocity))
             }))
         };
         let names: Vec<&str> = pieces.iter().map(|piece| piece.body.name).collect();
-        let (start, components) = ((0.0, []), frame.components.clone());
-        self.film(&Motion { names: &names, components, start, end: 1.0, slope: &|_, _| [], look: &look })?;
-        self.remark("How long the parts push each other is not given: one second is assumed.");
+        let (start, components) = ((0.0, [0.0; 2]), frame.components.clone());
+        self.film(&Motion { names: &names, components, start, end, slope: &slope, look: &look })?;
+        if told.is_none() {
+            self.remark("How long the parts push each other is not given: one second is assumed.");
+        }
         Ok(())
     }
 
