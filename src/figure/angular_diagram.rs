@@ -84,7 +84,8 @@ impl TurnDiagram {
     /// The diagram; of each term only the sense is drawn.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        let panels = self.terms.iter().map(|term| turn_panel(&self.centre, term)).collect();
+        let roles = [Role::Momentum, Role::Impulse, Role::Momentum];
+        let panels = self.terms.iter().zip(roles).map(|(term, role)| turn_panel(&self.centre, term, role)).collect();
         let row = Row { panels };
         self.wording.drawing(assemble(&headings(), vec![row], &[]))
     }
@@ -106,7 +107,7 @@ impl AngularDiagram {
         let rows = self.particles.iter().map(|particle| Row {
             panels: vec![
                 self.state_panel(&particle.name, &particle.before, radii, momenta),
-                turn_panel(&self.centre, &particle.impulse),
+                turn_panel(&self.centre, &particle.impulse, Role::Impulse),
                 self.state_panel(&particle.name, &particle.after, radii, momenta),
             ],
         });
@@ -145,8 +146,8 @@ impl AngularDiagram {
     }
 }
 
-/// The arc that stands for an angular impulse about a fixed point.
-pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Canvas {
+/// The arc that stands for an angular impulse about a fixed point, or for an angular momentum.
+pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse, role: Role) -> Canvas {
     let mut canvas = Canvas::default();
     draw_centre(&mut canvas, Point::ORIGIN, name, 0.0);
     let (text, direction) = match impulse.value {
@@ -158,11 +159,11 @@ pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Canvas {
     if let Some(turn) = direction {
         // Clockwise is the mirror image: the arc ends where the other one starts.
         let from = if turn > 0.0 { ARC_FROM } else { PI - ARC_FROM };
-        let (centre, radius, role) = (Point::ORIGIN, ARC_RADIUS, Role::Impulse);
+        let (centre, radius) = (Point::ORIGIN, ARC_RADIUS);
         canvas.draw(Shape::Arc { centre, radius, from, to: from + turn, arrow: true, role });
     }
     let radius = if direction.is_some() { ARC_RADIUS } else { 6.0 };
-    canvas.label(&text, Role::Impulse, Anchor::Around { at: Point::ORIGIN, radius, prefer: PI / 2.0 });
+    canvas.label(&text, role, Anchor::Around { at: Point::ORIGIN, radius, prefer: PI / 2.0 });
     canvas.settled()
 }
 

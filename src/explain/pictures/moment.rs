@@ -162,7 +162,9 @@ fn turns(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str)
     let [first, second] = ends.map(|name| name_math(&name));
     let wording = wording(quantities, index, stage, names, [&first, &second]);
     let wording = Wording { caption: sentences([wording.caption]), ..wording };
-    let terms = [(first, before), (impulse(stage), after - before), (second, after)];
+    // As the solution calls it, where it has a name.
+    let gained = quantities.named("I_M").map_or_else(|| impulse(stage), |_| name_math("I_M"));
+    let terms = [(first, before), (gained, after - before), (second, after)];
     let terms = terms.map(|(label, value)| AngularImpulse { label, value: Some(value) });
     Some(TurnDiagram { wording, centre: body_math(&stage.about), terms }.drawing())
 }

@@ -17,8 +17,10 @@ use super::swing::{CORD, draw_height, draw_path};
 /// Between what is shown of the start and of the end.
 const GAP: f64 = 30.0;
 const LONGEST: f64 = 46.0;
-/// The level foot of a wedge, and the radius of its face, smaller where the face bends back to a brow.
-const FOOT: Point = Point::new(46.0, 16.0);
+/// Where the face of a wedge begins to rise, how high above the floor a body stands on it there, and the radius of the face, smaller
+/// where the face bends back to a brow.
+const FOOT: f64 = 46.0;
+const STEP: f64 = 16.0;
 const RADIUS: [f64; 2] = [110.0, 56.0];
 /// The angle at which a face ends or bends back, that of the place of a body on it, and the length of a brow.
 const STEEPEST: f64 = 1.05;
@@ -68,6 +70,8 @@ pub enum CarriedBy {
         rightwards: bool,
         /// Whether it ends level, too.
         brow: bool,
+        /// Whether its foot is higher than the floor.
+        step: bool,
     },
     /// By a cord, with what is written at it.
     Cord(Option<Math>),
@@ -82,8 +86,8 @@ impl Carried {
             let mut own = Canvas::default();
             let height = self.height.as_ref().filter(|_| raised == Some(number));
             match &self.by {
-                CarriedBy::Face { rightwards, brow } => {
-                    draw_on_face(&mut own, end, [*rightwards, *brow], height, &scales);
+                CarriedBy::Face { rightwards, brow, step } => {
+                    draw_on_face(&mut own, end, [*rightwards, *brow, *step], height, &scales);
                 }
                 CarriedBy::Cord(length) => draw_on_cord(&mut own, end, length.as_ref(), height, &scales),
             }
@@ -98,18 +102,20 @@ impl Carried {
 fn draw_on_face(
     canvas: &mut Canvas,
     end: &CarriedEnd,
-    [rightwards, brow]: [bool; 2],
+    [rightwards, brow, step]: [bool; 3],
     height: Option<&Math>,
     scales: &Scales,
 ) {
     let side = if rightwards { 1.0 } else { -1.0 };
     let mirrored = |point: Point| Point::new(side * point.x, point.y);
-    let face = face(brow);
-    let top = face.last().copied().unwrap_or(FOOT);
-    let outline: Vec<Point> = [Point::ORIGIN, Point::new(0.0, FOOT.y)]
+    let foot = Point::new(FOOT, if step { STEP } else { 0.0 });
+    let face = face(foot, brow);
+    let top = face.last().copied().unwrap_or(foot);
+    let start = if step { Point::ORIGIN } else { foot };
+    let outline: Vec<Point> = [start, Point::new(start.x, foot.y)]
         .into_iter()
         .chain(face)
-        .chain([Point::new(top.x, 0.0), Point::ORIGIN])
+        .chain([Point::new(top.x, 0.0), start])
         .map(mirrored)
         .collect();
     canvas.draw(Shape::Area { points: outline.clone(), role: Role::Body });
@@ -117,13 +123,13 @@ fn draw_on_face(
     let floor = [-OVERHANG, top.x + OVERHANG].map(|x| Point::new(side * x, 0.0));
     let [low, high] = if rightwards { floor } else { [floor[1], floor[0]] };
     draw_surface(canvas, low, high);
-    let name = mirrored(Point::new(top.x - FOOT.y, FOOT.y * 0.8));
+    let name = mirrored(Point::new(top.x - STEP, STEP * 0.8));
     canvas.fixed_label(name, &end.carrier.name, Role::Body);
     let raised = end.angle != 0.0;
     let (place, slope) = match (raised, brow) {
-        (false, _) => (Point::new(FOOT.x / 2.0, FOOT.y), 0.0),
+        (false, _) => (Point::new(FOOT / 2.0, foot.y), 0.0),
         (true, true) => (top - Point::new(BROW / 2.0, 0.0), 0.0),
-        (true, false) => (on_arc(RADIUS[0], PLACE), PLACE),
+        (true, false) => (on_arc(foot, RADIUS[0], PLACE), PLACE),
     };
     let normal = mirrored(Point::polar(1.0, slope + FRAC_PI_2));
     let rider = end.rider.outline().turned(side * slope);
@@ -134,10 +140,10 @@ fn draw_on_face(
     rider.draw(canvas);
     if let Some(height) = height.filter(|_| raised) {
         let x = -DIMENSION_GAP;
-        for point in [Point::new(0.0, FOOT.y), place] {
+        for point in [Point::new(start.x, foot.y), place] {
             canvas.line([Point::new(x - 4.0, point.y), point].map(mirrored), Role::Guide, false);
         }
-        let [low, high] = [Point::new(x, FOOT.y), Point::new(x, place.y)].map(mirrored);
+        let [low, high] = [Point::new(x, foot.y), Point::new(x, place.y)].map(mirrored);
         draw_dimension(canvas, low, high, height);
     }
     for moving in &end.rider.vectors {
@@ -146,20 +152,22 @@ fn draw_on_face(
         let attach = if uphill && !(raised && brow) { Attach::Arriving } else { moving.attach };
         draw_vector(canvas, &mut rider, moving, scales, attach);
     }
-    let mut base = Body::plank(&end.carrier.name, Point::new(top.x, FOOT.y));
-    base = base.moved(mirrored(Point::new(top.x, FOOT.y) * 0.5));
+    // Its arrows start where the wedge is so high.
+    let left = if step { 0.0 } else { 2.0 * FOOT };
+    let mut base = Body::plank(&end.carrier.name, Point::new(top.x - left, STEP));
+    base = base.moved(mirrored(Point::new(left + top.x, STEP) * 0.5));
     for moving in &end.carrier.vectors {
         draw_vector(canvas, &mut base, moving, scales, moving.attach);
     }
 }
 
 /// The face of a wedge from its foot: level, up along an arc, and perhaps level again.
-fn face(brow: bool) -> Vec<Point> {
+fn face(foot: Point, brow: bool) -> Vec<Point> {
     let radius = RADIUS[usize::from(brow)];
     let angle = |part: u32| STEEPEST * f64::from(part) / f64::from(PARTS);
-    let mut face: Vec<Point> = (0..=PARTS).map(|part| on_arc(radius, angle(part))).collect();
+    let mut face: Vec<Point> = (0..=PARTS).map(|part| on_arc(foot, radius, angle(part))).collect();
     if brow {
-        let turn = on_arc(radius, STEEPEST);
+        let turn = on_arc(foot, radius, STEEPEST);
         let bent = face.iter().rev().map(|point| turn * 2.0 - *point).collect::<Vec<_>>();
         face.extend(bent);
         face.extend(face.last().map(|end| *end + Point::new(BROW, 0.0)));
@@ -167,8 +175,8 @@ fn face(brow: bool) -> Vec<Point> {
     face
 }
 
-fn on_arc(radius: f64, angle: f64) -> Point {
-    FOOT + Point::new(libm::sin(angle), 1.0 - libm::cos(angle)) * radius
+fn on_arc(foot: Point, radius: f64, angle: f64) -> Point {
+    foot + Point::new(libm::sin(angle), 1.0 - libm::cos(angle)) * radius
 }
 
 fn draw_on_cord(canvas: &mut Canvas, end: &CarriedEnd, length: Option<&Math>, height: Option<&Math>, scales: &Scales) {

@@ -39,7 +39,7 @@ pub(in super::super) fn on_face(
     let angle = |side: usize| if (side == 1) == rises { SKETCHED } else { 0.0 };
     let carried = Carried {
         ends: [0, 1].map(|side| end(quantities, compass, bodies, index + 1 + side, (angle(side), None))).to_vec(),
-        by: CarriedBy::Face { rightwards: rightwards == rises, brow },
+        by: CarriedBy::Face { rightwards: rightwards == rises, brow, step: false },
         height: stage.height.as_ref().and_then(|height| quantities.symbol_of_known(height)),
     };
     let [name, other] = bodies.map(|body| quantities.called(body));
@@ -67,7 +67,7 @@ pub(in super::super) fn on_circle(
     let rightwards = ends.iter().any(|end| end.angle > 0.0);
     let (by, place, holds) = if stage.radius.is_some() {
         let holds = format!("{name} on a circular track{} in {other}, which can move along the floor", long("radius"));
-        (CarriedBy::Face { rightwards, brow: false }, format!("{name} on the circular track"), holds)
+        (CarriedBy::Face { rightwards, brow: false, step: true }, format!("{name} on the circular track"), holds)
     } else {
         let holds = format!("{name} hangs on a cord{} from {other}, which can move along its track", long("length"));
         (CarriedBy::Cord(told.clone()), format!("{name} on its cord"), holds)
