@@ -88,7 +88,11 @@ impl ArmDiagram {
             canvas.settled()
         };
         let row = Row {
-            panels: vec![panel(&self.before), turn_panel(&self.before.centre, &self.impulse, Role::Impulse), panel(&self.after)],
+            panels: vec![
+                panel(&self.before),
+                turn_panel(&self.before.centre, &self.impulse, Role::Impulse),
+                panel(&self.after),
+            ],
         };
         self.wording.drawing(assemble(&headings(), vec![row], &[]))
     }
