@@ -133,7 +133,9 @@ impl Arm {
         }
         self.draw_disc(canvas, &placed, *distances);
         let away = self.particles.first().map_or(0.0, |own| own.angle + FRAC_PI_2 / 2.0);
-        draw_centre(canvas, Point::ORIGIN, &self.centre, away);
+        // Where there is no arm, its name stands where the arcs are open.
+        let clear_of = if self.particles.is_empty() { away + PI } else { away };
+        draw_centre(canvas, Point::ORIGIN, &self.centre, clear_of);
         for (number, (turn, role)) in (0_u8..).zip(&self.turns) {
             let sweep = ARC_TURN.copysign(turn.value);
             let radius = ARC_RADIUS + ARC_STEP * f64::from(number);
