@@ -29,7 +29,9 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
-            (_, Some(body), Some(surface)) => format!("{} {}", does(body, ["hits", "hit"]), surface_name(scene, surface)),
+            (_, Some(body), Some(surface)) => {
+                format!("{} {}", does(body, ["hits", "hit"]), surface_name(scene, surface))
+            }
             _ => phrase.to_owned(),
         },
         Stage::Push(push) => {
