@@ -43,6 +43,7 @@ fn decided(text: &str, seed: u64) -> Result<Vec<(String, String)>, String> {
 const ENERGY: &str = "{ conserved: energy, of: [A, B] }";
 const MOMENTUM: &str = "{ conserved: momentum, of: [A] }";
 const KIND: &str = "{ classify: impact }";
+const NEITHER: &str = "inelastic, but not perfectly";
 const HIT: &str = "impact: { between: [A, B] }";
 const WITH_E: &str = "impact: { between: [A, B], restitution: e }";
 
@@ -168,14 +169,7 @@ const ROWS: &[(&str, &str, &str, &str, &str, &str)] = &[
     // By a sign.
     (LINE, "impact: { between: [A, B], plastic: true }", ANY, ENERGY, "no", "stay together"),
     (LINE, WITH_E, "m_A: any kg, m_B: any kg, v_A1: any m/s, v_B1: 0 m/s, e: 0.5", ENERGY, "no", "e below 1"),
-    (
-        LINE,
-        WITH_E,
-        "m_A: any kg, m_B: any kg, v_A1: any m/s, v_B1: 0 m/s, e: 0.5",
-        KIND,
-        "inelastic, but not perfectly",
-        "between 0 and 1",
-    ),
+    (LINE, WITH_E, "m_A: any kg, m_B: any kg, v_A1: any m/s, v_B1: 0 m/s, e: 0.5", KIND, NEITHER, "between 0 and 1"),
     (LINE, WITH_E, "m_A: any kg, m_B: any kg, v_A1: any m/s, v_B1: 0 m/s, e: 0.5", MOMENTUM, "no", "block B"),
     // By numbers: of e, or of the velocities where nothing names e.
     (LINE, WITH_E, "m_A: any kg, m_B: any kg, v_A1: any m/s, v_B1: 0 m/s, e: 1", KIND, "elastic", "e = 1"),
@@ -189,14 +183,7 @@ const ROWS: &[(&str, &str, &str, &str, &str, &str)] = &[
         "no kinetic energy is lost",
     ),
     (LINE, HIT, "m_A: 3 kg, m_B: 2 kg, v_A1: 12 m/s, v_B1: -2 m/s, v_A2: 0.8 m/s", ENERGY, "yes", "elastic"),
-    (
-        LINE,
-        HIT,
-        "m_A: 3 kg, m_B: 2 kg, v_A1: 12 m/s, v_B1: -2 m/s, v_A2: 1.5 m/s",
-        KIND,
-        "inelastic, but not perfectly",
-        "separate",
-    ),
+    (LINE, HIT, "m_A: 3 kg, m_B: 2 kg, v_A1: 12 m/s, v_B1: -2 m/s, v_A2: 1.5 m/s", KIND, NEITHER, "separate"),
     (
         LINE,
         HIT,

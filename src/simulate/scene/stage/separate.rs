@@ -151,14 +151,15 @@ impl StageRun<'_> {
     fn film_parts(&mut self, stage: &Separate, pieces: &[Pushed<'_>]) -> Result<(), NothingToSimulate> {
         let frame = self.values.frame();
         let told = self.values.known(stage.duration.as_ref());
-        let end = told.unwrap_or(1.0);
-        // The share of the impulse that comes in each second.
-        let rate: OfTime = match (&stage.force, told, pieces) {
-            (Some(force), Some(_), [piece, ..]) => {
+        // The end, and the share of the impulse that comes in each second.
+        let (end, rate) = match (told, &stage.force, pieces) {
+            (Some(end), Some(force), [piece, ..]) => {
                 let ((strength, _), whole) = (self.values.strength(force)?, size(piece.impulse));
-                Arc::new(move |time| strength(time) / whole)
+                let rate: OfTime = Arc::new(move |time| strength(time) / whole);
+                (end, rate)
             }
-            _ => Arc::new(move |time| libm::sin(PI * time / end) * PI / (2.0 * end)),
+            (Some(end), ..) => (end, half_wave(end)),
+            (None, ..) => (1.0, half_wave(1.0)),
         };
         let slope = |time: f64, state: &[f64; 2]| [rate(time), state[0]];
         let look = |time: f64, &[gained, gone]: &[f64; 2]| {
@@ -195,4 +196,9 @@ impl StageRun<'_> {
         let (start, end) = (energy(|own| own.body.velocity), energy(|own| own.after));
         self.note_term(stage.energy.as_ref(), end - start, start + end);
     }
+}
+
+/// A half wave of so many seconds that makes up one in all.
+fn half_wave(end: f64) -> OfTime {
+    Arc::new(move |time| libm::sin(PI * time / end) * PI / (2.0 * end))
 }
