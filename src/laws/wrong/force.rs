@@ -121,7 +121,10 @@ pub const IMPULSE: &[WrongForm] = &[
 /// Wrong forms of the work of a force that depends on the position.
 pub const WORK: &[WrongForm] = &[WrongForm { of: &VALUE_TIMES_DISTANCE, write: value_times_time }];
 /// Wrong forms of the average force.
-pub const MEAN_FORCE: &[WrongForm] = &[WrongForm { of: &MULTIPLIED, write: multiplied }];
+pub const MEAN_FORCE: &[WrongForm] = &[
+    WrongForm { of: &MULTIPLIED, write: multiplied },
+    WrongForm { of: &super::momentum::WEIGHT_IN_IMPACT, write: weight_added },
+];
 /// Wrong forms of weight.
 pub const WEIGHT: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass }];
 /// Wrong forms of the normal force.
@@ -155,6 +158,16 @@ fn multiplied(law: &Taught<'_>) -> Vec<Wrong> {
         [force, time] => one((law.left() * time.clone(), force.clone())),
         _ => Vec::new(),
     }
+}
+
+/// `J + m g dt = F dt`, or with the other sign, where weight has no part in the impulse.
+fn weight_added(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some(balance), [_, time]) = (law.beside("impulse-momentum").next(), &factors(&law.sides.1)[..]) else {
+        return Vec::new();
+    };
+    let Some(weight) = super::momentum::impulse_of_weight(law, balance, time) else { return Vec::new() };
+    let counted = |weight: Expr| Wrong::from((law.left() + weight, law.right()));
+    vec![counted(weight.clone()), counted(-weight)]
 }
 
 fn weight_as_mass(law: &Taught<'_>) -> Vec<Wrong> {

@@ -2,6 +2,7 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::laws::Sides;
 use crate::quantity::Dimension;
 
 use super::Misconception;
@@ -226,18 +227,21 @@ fn weight_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
 
 /// `m v_1 + J - m g dt = m v_2`, or with the other sign, where the duration of an impact is told and gravity spoken of.
 fn weight_in_impact(law: &Taught<'_>) -> Vec<Wrong> {
-    let Some(gravity) = law.symbols.find("g").filter(|_| !law.has_gravity(&law.sides.0)) else { return Vec::new() };
-    let level = law
-        .quantities(Dimension::VELOCITY)
-        .into_iter()
-        .any(|own| law.symbols.entry(own).name.rsplit_once('.').is_some_and(|(_, axis)| axis == "x"));
     let mean = law.beside("mean-force").next().map(|sides| factors(&sides.1));
-    let (Some([_, time]), [mass, _], false) = (mean.as_deref(), &factors(&law.sides.1)[..], level) else {
-        return Vec::new();
-    };
-    let weight = Expr::product([mass.clone(), gravity.into(), time.clone()]);
+    let Some([_, time]) = mean.as_deref() else { return Vec::new() };
+    let Some(weight) = impulse_of_weight(law, law.sides, time) else { return Vec::new() };
     let counted = |weight: Expr| Wrong::from((law.left() + weight, law.right()));
     vec![counted(-weight.clone()), counted(weight)]
+}
+
+/// What weight would add in that time to a balance of momentum in which it has no part.
+pub(super) fn impulse_of_weight(law: &Taught<'_>, balance: &Sides, time: &Expr) -> Option<Expr> {
+    let gravity = law.symbols.find("g").filter(|_| !law.has_gravity(&balance.0))?;
+    let speeds = [&balance.0, &balance.1].into_iter().flat_map(Expr::symbols);
+    let mut speeds = speeds.filter(|own| law.symbols.entry(*own).dimension == Dimension::VELOCITY);
+    let level = speeds.any(|own| law.symbols.entry(own).name.rsplit_once('.').is_some_and(|(_, axis)| axis == "x"));
+    let [mass, _] = &factors(&balance.1)[..] else { return None };
+    (!level).then(|| Expr::product([mass.clone(), gravity.into(), time.clone()]))
 }
 
 /// Whether friction stands in a term.
