@@ -73,7 +73,7 @@ pub(super) fn when(scene: &Scene, instant: usize) -> String {
         Span::Lasting if scene.stages.len() == 1 => ["at the start", "at the end"][side].into(),
         Span::Lasting => format!("{} {phrase}", ["at the start of", "at the end of"][side]),
         Span::Around => format!("{} {phrase}", ["before", "after"][side]),
-        Span::While(does) => format!("while {phrase} {does}"),
+        Span::With(what) => format!("with {what} arriving"),
         Span::Own(words) => words[side].into(),
     }
 }

@@ -18,7 +18,7 @@ pub(in crate::model) struct Description<'a> {
     /// What it is called.
     pub noun: &'a str,
     /// How its start and its end are said.
-    pub ends: Span,
+    pub ends: Span<'a>,
     /// The bodies that it names, which must be there when it begins.
     pub bodies: Vec<Named<'a>>,
     /// The bodies whose velocities it changes, where they are not those that it names.
@@ -35,15 +35,15 @@ pub(in crate::model) struct Description<'a> {
 
 /// How the start and the end of a stage are said.
 #[derive(Clone, Copy)]
-pub(in crate::model) enum Span {
+pub(in crate::model) enum Span<'a> {
     /// Just before and just after it.
     Sudden,
     /// At its start and at its end.
     Lasting,
     /// Before and after it.
     Around,
-    /// While it does something.
-    While(&'static str),
+    /// With something arriving all the time.
+    With(&'a str),
     /// In words of its own.
     Own([&'static str; 2]),
 }
@@ -179,7 +179,7 @@ impl<'a> Description<'a> {
             },
             Stage::Stream(own) => Self {
                 bodies: alone(&own.body),
-                ends: Span::While("flows"),
+                ends: Span::With(&own.by),
                 changes: Some(Vec::new()),
                 leaves: Leaves::All,
                 ..Self::lasting("stream")
