@@ -84,9 +84,9 @@ pub enum Reason {
     /// A body that falls moves downwards at the end.
     #[error("{0} downwards at the end of {1}")]
     Downwards(String, String),
-    /// A string would go slack.
-    #[error("the string would go slack")]
-    StringSlack,
+    /// What can only pull would go slack.
+    #[error("{0} would go slack")]
+    Slack(String),
     /// The cord of a body that swings would go slack.
     #[error("the cord would go slack before {0} to the end of {1}")]
     CordSlack(String, String),
@@ -221,7 +221,7 @@ impl Reason {
             | Self::AlreadySwingsBack(..)
             | Self::SlidesUp(..)
             | Self::Downwards(..) => Warning::Reverses,
-            Self::StringSlack | Self::CordSlack(..) | Self::LeavesTrack(..) => Warning::GoesSlack,
+            Self::Slack(..) | Self::CordSlack(..) | Self::LeavesTrack(..) => Warning::GoesSlack,
             Self::WeightNotNegligible(..) => Warning::WeightNeglected,
             _ => return None,
         })

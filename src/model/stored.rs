@@ -13,6 +13,8 @@ const SPRING: &str = "spring";
 #[derive(Clone, Debug)]
 pub(super) struct Stored {
     pub stage: usize,
+    /// What it is called in a sentence.
+    pub called: String,
     pub stiffness: Expr,
     pub deformations: [Expr; 2],
 }

@@ -45,6 +45,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "range_of_what_does_not_matter",
     "require_that_never_holds",
     "revealed_and_asked",
+    "slack_cord",
     "slide_back_",
     "slide_down_",
     "slide_on_",

@@ -22,7 +22,7 @@ pub(super) fn energy_of_spring(builder: &mut Builder<'_>, name: &Name) -> Option
         return None;
     }
     let value = energy::of_spring(&own.stiffness, deformation);
-    let meaning = format!("the potential energy of the spring {}", builder.when(instant));
+    let meaning = format!("the potential energy of {} {}", own.called, builder.when(instant));
     let label = name.stage.clone().filter(|_| at_instant.len() > 1);
     let kept = Name { instant: Some(Instant::Number(instant)), stage: label, ..name.clone() };
     let symbol = builder.symbol(kept, meaning);

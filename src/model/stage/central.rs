@@ -8,11 +8,13 @@ use crate::model::Builder;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::Work;
 use crate::model::stored::Stored;
 use crate::quantity::Dimension;
 use crate::scene::stage::Central;
 use crate::scene::stage::CentralSpring;
+use crate::solve::Relation;
 
 impl Builder<'_> {
     pub(in crate::model) fn central(&mut self, index: usize, stage: &Central, path: &Path) {
@@ -63,18 +65,18 @@ impl Builder<'_> {
     /// Kinetic energy and that of the spring stay the same together; the force of the spring at the start.
     fn central_spring(&mut self, index: usize, stage: &Central, spring: &CentralSpring, path: &Path) -> Expr {
         let (body, name) = (stage.body.as_str(), self.called(&stage.body));
-        let path = path.key("spring");
+        let (path, called) = (path.key("spring"), spring.called());
         let stiffness = self.read_positive(
             &spring.stiffness,
             Dimension::new(1, 0, -2),
-            "the stiffness of the spring",
+            &format!("the stiffness of {called}"),
             &path.key("stiffness"),
         );
         let natural = spring.unstretched.as_ref().map_or_else(Expr::zero, |term| {
             self.read_positive(
                 term,
                 Dimension::LENGTH,
-                "the unstretched length of the spring",
+                &format!("the unstretched length of {called}"),
                 &path.key("unstretched"),
             )
         });
@@ -84,10 +86,15 @@ impl Builder<'_> {
             let moving = self.kinetic_term(body, ends[side]);
             moving + energy::of_spring(&stiffness, &deformations[side])
         });
-        let because = format!("only the spring does work on {name}");
+        let because = format!("only {called} does work on {name}");
         self.law(&energy::CONSERVATION, Some(index), because, (start, end));
-        self.neglect("the mass of the spring", "it is light");
-        self.stored.push(Stored { stage: index, stiffness: stiffness.clone(), deformations });
+        self.neglect(format!("the mass of {called}"), "it is light");
+        if spring.cord {
+            for deformation in &deformations {
+                self.require(deformation.clone(), Relation::AtLeast, Expr::zero(), Reason::Slack(called.to_owned()));
+            }
+        }
+        self.stored.push(Stored { stage: index, called: called.to_owned(), stiffness: stiffness.clone(), deformations });
         stiffness * (self.polar_state(body, &stage.about, index + 1).0 - natural)
     }
 

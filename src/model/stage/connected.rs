@@ -82,7 +82,7 @@ impl Builder<'_> {
                 _ => ("the tension of each strand".to_owned(), side.of_string(&tension)),
             };
             let pull = Expr::integer(sign) * pull;
-            let because = format!("{what} and the other forces on {} along the string change its momentum", side.name);
+            let because = format!("{what} and the other forces along the string change the momentum of {}", side.name);
             let impulses = [(pull + side.drive.clone()) * duration.clone()];
             let sides = momentum::impulse_momentum(&side.mass, &side.before, &impulses, &side.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
@@ -110,7 +110,7 @@ impl Builder<'_> {
             let reason = Reason::MovesBack(leading.name.clone());
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        self.require(tension, Relation::AtLeast, Expr::zero(), Reason::StringSlack);
+        self.require(tension, Relation::AtLeast, Expr::zero(), Reason::Slack("the string".to_owned()));
         let many = [&stage.trailing, &stage.leading].iter().any(|strand| strand.strands() > 1);
         if many {
             let why = "they are light and smooth, so that the tension is the same in all strands";

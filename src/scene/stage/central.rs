@@ -27,7 +27,7 @@ pub struct Central {
     pub orbit: Option<Orbit>,
 }
 
-/// A light spring from a fixed point to a particle.
+/// A light spring, or a light elastic cord, from a fixed point to a particle.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CentralSpring {
@@ -36,6 +36,20 @@ pub struct CentralSpring {
     /// Its length where it is not stretched. Default: zero.
     #[serde(default)]
     pub unstretched: Option<Term>,
+    /// Whether it is a cord, which goes slack where a spring would push: it has to be taut at both places.
+    #[serde(default)]
+    pub cord: bool,
+    /// What it is called in a sentence: `the leash`. Default: `the spring`, or `the cord`.
+    #[serde(default)]
+    pub called: Option<String>,
+}
+
+impl CentralSpring {
+    /// What it is called in a sentence.
+    #[must_use]
+    pub fn called(&self) -> &str {
+        self.called.as_deref().unwrap_or(if self.cord { "the cord" } else { "the spring" })
+    }
 }
 
 /// The shape of an orbit.
