@@ -75,7 +75,8 @@ impl<'a> Description<'a> {
             },
             Stage::Push(own) => {
                 let fills_space = own.over.is_none() && own.incline.is_none();
-                let noun = if own.is_motion() { "motion" } else { "push" };
+                let usual = if own.is_motion() { "motion" } else { "push" };
+                let noun = own.called.as_deref().unwrap_or(usual);
                 let key = if own.body.is_some() { "body" } else { "bodies" };
                 let bodies = own.pushed().map(|body| (body, Some(key))).collect();
                 Self { bodies, fills_space, ..Self::lasting(noun) }

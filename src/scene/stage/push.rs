@@ -14,6 +14,9 @@ pub struct Push {
     /// A name for the stage, used in brackets: `dt[push]`.
     #[serde(default)]
     pub name: Option<String>,
+    /// What it is called, without an article: `braking`. Default: `push`, or `motion` where nothing pushes.
+    #[serde(default)]
+    pub called: Option<String>,
     /// The body, where there is one.
     #[serde(default)]
     pub body: Option<String>,
@@ -127,7 +130,7 @@ impl Push {
     }
 
     /// What its pushes and pulls are called.
-    pub fn called(&self) -> impl Iterator<Item = &str> {
+    pub fn force_names(&self) -> impl Iterator<Item = &str> {
         self.forces.iter().filter_map(|force| match force {
             Force::Pull(pull) => Some(pull.name.as_deref().unwrap_or("the force")),
             Force::Friction(_) => None,
