@@ -65,7 +65,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Mome
     vectors.extend(moments(quantities, components));
     let body = MovingBody { name: body, form: Form::Block, vectors };
     let centre = quantities.centre(&stage.about);
-    let seen = format!("{names} with its angular momentum and the moment about {centre}");
+    let seen = format!("{names} with the angular momentum and the moment about {centre}");
     let wording = Wording {
         title: capitalised(&names),
         description: sentences([seen.clone(), list(&arrows(&body, false))]),

@@ -61,8 +61,8 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
     let points: Vec<LabelledVector> = others.collect();
     let (name, centre) = (quantities.called(body), quantities.point(first));
     let what = if quantities.scope() == Scope::Given { "velocity" } else { "momentum" };
-    let with = if vectors.is_empty() { String::new() } else { format!(" with its {what}") };
-    let seen = format!("{name}{with}, relative to {centre}");
+    let shown = if vectors.is_empty() { name.clone() } else { format!("the {what} of {name}") };
+    let seen = format!("{shown}, relative to {centre}");
     let body = MovingBody { name: body_math(body), form: Form::Disc, vectors };
     let wording = Wording {
         title: capitalised(&format!("{name} and {centre}")),
@@ -115,7 +115,7 @@ fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place
         Scope::Given => "velocity",
         Scope::Solved => "momentum",
     };
-    let arrows = if shown.is_empty() { String::new() } else { format!(", with its {what} {}", list(&shown)) };
+    let arrows = if shown.is_empty() { String::new() } else { format!(", with the {what} {}", list(&shown)) };
     let central = Central {
         centre: body_math(point),
         angle: compass.angle(place),
@@ -128,7 +128,7 @@ fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place
     let wording = Wording {
         title: capitalised(&format!("{name} and {centre}")),
         description: sentences([format!("{name}, relative to {centre}{arrows}")]),
-        caption: sentences([format!("{name} with its {what}, relative to {centre}")]),
+        caption: sentences([format!("the {what} of {name}, relative to {centre}")]),
     };
     Situation { wording, layout: Layout::Central(central), axes: compass.marks() }.drawing()
 }

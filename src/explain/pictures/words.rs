@@ -229,11 +229,11 @@ pub(super) fn launch_wording(
         Target::Ground(depth) => ground(depth),
         Target::Slope(_, angle) => format!("it starts on a slope{}", told(" at an angle", angle.as_ref())),
         Target::Wall(distance, depth) => {
-            let wall = format!("there is a wall in its path{}", told(", at a distance", distance.as_ref()));
+            let wall = format!("there is a wall in the path{}", told(", at a distance", distance.as_ref()));
             depth.as_ref().map_or_else(|| wall.clone(), |depth| format!("{wall}; {}", ground(depth)))
         }
     };
-    let when = if instant == 1 { "at the start of its flight".to_owned() } else { quantities.when(instant) };
+    let when = if instant == 1 { "at the start of the flight".to_owned() } else { quantities.when(instant) };
     let own = situation_wording(quantities, &[(body.to_owned(), moving.clone())], &when);
     let path = if to_scale { "drawn to scale" } else { "only sketched" };
     Wording {
@@ -274,7 +274,7 @@ pub(super) fn fall_wording(quantities: &Quantities<'_>, body: &str, height: Opti
     let how = if quantities.scope() == Scope::Given { " (not to scale)" } else { "" };
     let (what, sideways) = match bounces {
         "" => (format!("the fall of {name}"), ""),
-        _ => (format!("the fall of {name} and its bounces"), ", drawn side by side"),
+        _ => (format!("the fall of {name} and the bounces"), ", drawn side by side"),
     };
     Wording {
         title: capitalised(&what),

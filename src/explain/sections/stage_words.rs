@@ -66,7 +66,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Swing(swing) if swing.radius.is_some() => {
             does(&swing.body, ["slides on the circular track", "slide on the circular track"])
         }
-        Stage::Swing(swing) => does(&swing.body, ["swings on its cord", "swing on their cord"]),
+        Stage::Swing(swing) => does(&swing.body, ["swings on the cord", "swing on the cord"]),
         Stage::Taut(taut) => {
             format!("the string between {} and {} goes taut", name(&taut.between[0]), name(&taut.between[1]))
         }
@@ -85,8 +85,8 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
                 let with = if held.is_empty() { String::new() } else { format!(", with {} on it", list(&held)) };
                 return format!("{} turns{with}", name(rotor));
             }
-            let [turns, its] = if held.len() > 1 { ["move", "the"] } else { ["moves", "its"] };
-            format!("{} {turns} round on {its} arm", list(&held))
+            let turns = if held.len() > 1 { "move" } else { "moves" };
+            format!("{} {turns} round on the arm", list(&held))
         }
         Stage::Moment(_) => "a moment acts on them".to_owned(),
         Stage::Strike(strike) => {
@@ -111,7 +111,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::SlideOff(slide) => format!("{} down {}", does(&slide.body, ["slides", "slide"]), name(&slide.on)),
         Stage::Walk(walk) => format!("{} along {}", does(&walk.body, ["walks", "walk"]), name(&walk.on)),
         Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
-        Stage::Thrust(thrust) => does(&thrust.body, ["burns its fuel", "burn their fuel"]),
+        Stage::Thrust(thrust) => does(&thrust.body, ["burns fuel", "burn fuel"]),
         Stage::Drift(_) => "no net force acts; every body keeps its velocity".to_owned(),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
@@ -147,7 +147,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
     let first = impulses.first()?;
     let name = |body: &str| scene.called(body);
     let body = name(&first.on);
-    let [is, its, it] = if scene.members(&first.on).len() > 1 { ["are", "their", "them"] } else { ["is", "its", "it"] };
+    let is = if scene.members(&first.on).len() > 1 { "are" } else { "is" };
     let phrase = model.phrase(scene, index);
     let during = |sentence: String| match scene.stages.len() {
         1 => format!("{}.", capitalised(&sentence)),
@@ -173,8 +173,8 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::SlideOff(slide), _) => during(supported(scene, &slide.body, &slide.on)),
         (Stage::Flight(flight), _) => {
             let bodies: Vec<String> = flight.flying().map(name).collect();
-            let (are, their) = if bodies.len() > 1 { ("are", "their") } else { (is, its) };
-            during(format!("{} {are} acted on by {}", list(&bodies), in_flight(scene, flight, their)))
+            let are = if bodies.len() > 1 { "are" } else { is };
+            during(format!("{} {are} acted on by {}", list(&bodies), in_flight(scene, flight)))
         }
         (Stage::Interact(own), [one, other]) if own.friction.is_some() => during(format!(
             "{} and {} are acted on by the friction between them, with equal and opposite forces along the axis",
@@ -195,17 +195,17 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}{also}.", first.called)
         }
-        (Stage::Push(_) | Stage::Slide(_), _) => during(pushing(model, scene, index, stage, [&body, is, its])),
-        (Stage::Fall(_), _) => during(format!("{body} {is} acted on by its weight alone")),
+        (Stage::Push(_) | Stage::Slide(_), _) => during(pushing(model, scene, index, stage, [&body, is])),
+        (Stage::Fall(_), _) => during(format!("{body} {is} acted on by weight alone")),
         (Stage::Spring(_), [one, other]) => during(format!(
             "{} and {} are acted on by the spring between them, with equal and opposite forces",
             name(&one.on),
             name(&other.on)
         )),
         (Stage::Spring(spring), _) => {
-            during(format!("{body} {is} acted on by {}", list(&beside_a_spring(scene, spring, its))))
+            during(format!("{body} {is} acted on by {}", list(&beside_a_spring(scene, spring))))
         }
-        (Stage::Swing(swing), _) => during(format!("{body} {is} acted on by {its} weight and {}", swing.held_by())),
+        (Stage::Swing(swing), _) => during(format!("{body} {is} acted on by weight and {}", swing.held_by())),
         (Stage::Taut(_), [one, other]) => format!(
             "During {phrase}, the string pulls {} and {} with impulses of equal size; nothing else is impulsive.",
             name(&one.on),
@@ -221,7 +221,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             list(&tow.both().map(|own| name(&own.body)))
         )),
         (Stage::Bounces(_), _) => {
-            during(format!("{body} {is} acted on by its weight and, at each bounce, by {}", first.called))
+            during(format!("{body} {is} acted on by weight and, at each bounce, by {}", first.called))
         }
         (Stage::Thrust(_), _) => {
             let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
@@ -234,10 +234,10 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         }
         (Stage::Stream(stream), _) => {
             let carries = scene.plane == Plane::Vertical && stream.stays;
-            let weight = carries.then(|| format!("{its} weight"));
+            let weight = carries.then(|| "weight".to_owned());
             let holds = match &stream.moves {
-                Some(_) if !carries => format!("what keeps {its} velocity constant"),
-                _ => format!("what holds {it}"),
+                Some(_) if !carries => "what keeps the velocity constant".to_owned(),
+                _ => format!("what holds {body}"),
             };
             let called: Vec<String> = [Some(first.called.clone()), weight, Some(holds)].into_iter().flatten().collect();
             during(format!("{body} {is} acted on by {}", list(&called)))
@@ -257,7 +257,7 @@ fn supported(scene: &Scene, body: &str, on: &str) -> String {
 }
 
 /// What acts on bodies that are pushed or slide.
-fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is, its]: [&str; 3]) -> String {
+fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is]: [&str; 2]) -> String {
     let forces = || model.forces.iter().filter(|force| force.stage == index);
     if let Stage::Push(push) = stage
         && push.is_of_several()
@@ -268,24 +268,20 @@ fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is,
         let called: Vec<String> = weights.into_iter().chain(others).collect();
         return format!("{} are acted on by {}", list(&bodies), list(&called));
     }
-    let called = forces().map(|force| match force.kind {
-        ForceKind::Weight => format!("{its} weight"),
-        _ => force.called.clone(),
-    });
-    let mut called: Vec<String> = called.collect();
+    let mut called: Vec<String> = forces().map(|force| force.called.clone()).collect();
     if let (Stage::Push(push), true) = (stage, called.is_empty()) {
-        called = together(scene, push, its);
+        called = together(scene, push);
     }
     format!("{body} {is} acted on by {}", list(&called))
 }
 
 /// What acts on a body at the end of a spring.
-fn beside_a_spring(scene: &Scene, spring: &Spring, its: &str) -> Vec<String> {
+fn beside_a_spring(scene: &Scene, spring: &Spring) -> Vec<String> {
     let is_upright = scene.axes.rectangular().first().is_some_and(|(axis, _)| *axis == Axis::Y);
     let hangs = spring.incline.is_none() && scene.plane == Plane::Vertical && is_upright;
     let rests = spring.incline.is_some() || spring.friction.is_some();
     let mut called = Vec::new();
-    called.extend((hangs || rests).then(|| format!("{its} weight")));
+    called.extend((hangs || rests).then(|| "weight".to_owned()));
     called.extend(rests.then(|| "the normal force".to_owned()));
     called.extend(spring.friction.is_some().then(|| "friction".to_owned()));
     called.push("the spring".to_owned());
@@ -293,22 +289,22 @@ fn beside_a_spring(scene: &Scene, spring: &Spring, its: &str) -> Vec<String> {
 }
 
 /// What acts in a flight.
-fn in_flight(scene: &Scene, flight: &Flight, their: &str) -> String {
+fn in_flight(scene: &Scene, flight: &Flight) -> &'static str {
     let heavy = scene.plane == Plane::Vertical || flight.incline.is_some();
     match (flight.is_free(), heavy) {
-        (true, _) => format!("{their} weight alone"),
-        (false, true) => format!("{their} weight and the resistance"),
-        (false, false) => "the resistance alone".to_owned(),
+        (true, _) => "weight alone",
+        (false, true) => "weight and the resistance",
+        (false, false) => "the resistance alone",
     }
 }
 
 /// What acts in a push whose forces have one impulse together: those that depend on the position, or a resistance.
-fn together(scene: &Scene, push: &Push, its: &str) -> Vec<String> {
-    let mut called: Vec<String> = push.called().map(str::to_owned).collect();
+fn together(scene: &Scene, push: &Push) -> Vec<String> {
+    let mut called: Vec<String> = push.force_names().map(str::to_owned).collect();
     let rubs = push.forces.iter().any(|force| matches!(force, Force::Friction(_)));
     if push.resistance.is_some() || rubs {
         let on_floor = push.incline.is_some() || rubs;
-        called.extend((scene.plane == Plane::Vertical || on_floor).then(|| format!("{its} weight")));
+        called.extend((scene.plane == Plane::Vertical || on_floor).then(|| "weight".to_owned()));
         called.extend(on_floor.then(|| "the normal force".to_owned()));
         called.extend(rubs.then(|| "friction".to_owned()));
         called.extend(push.resistance.is_some().then(|| "the resistance".to_owned()));

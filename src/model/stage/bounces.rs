@@ -67,7 +67,7 @@ impl Builder<'_> {
             }
         }
         let first = bouncing::first_fall(&gravity, &drop);
-        let speeds = format!("{name} is dropped, and each bounce multiplies its speed by e");
+        let speeds = format!("{name} is dropped, and each bounce multiplies the speed by e");
         let heights = format!("{speeds}, hence the height that it reaches by the square of e");
         let times = format!("{speeds}, hence the time of each flight by e");
         let law = |builder: &mut Self, (law, because): (&'static Law, &str), (name, meaning): (Name, String), value| {

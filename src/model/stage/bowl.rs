@@ -42,10 +42,10 @@ impl Builder<'_> {
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         self.wall(index, stage, &states, height, path);
         let words = "weight does work as the height changes";
-        let weight = Influence::outside(index, body, "its weight").works(Effect::Open, words);
+        let weight = Influence::outside(index, body, "weight").works(Effect::Open, words);
         self.acts(weight.through(&stage.about));
         self.acts(Influence::outside(index, body, "the push of the wall").workless().through(&stage.about));
-        self.note_impulse(index, body, "its weight and the push of the wall", Vec::new());
+        self.note_impulse(index, body, "weight and the push of the wall", Vec::new());
         self.neglect("friction", "the wall is smooth");
     }
 

@@ -211,7 +211,7 @@ impl<'s> Builder<'s> {
         for (side, together) in both.together.into_iter().enumerate() {
             let [own, carrier] = velocities[side].clone();
             if together {
-                let because = format!("at its highest point, {name} does not move relative to {other}");
+                let because = format!("at the highest point, {name} does not move relative to {other}");
                 self.law(&kinematics::TOGETHER, Some(*index), because, (carrier, own));
             } else {
                 let relation = if side == 0 && both.rises { Relation::Greater } else { Relation::AtLeast };

@@ -32,7 +32,7 @@ impl Builder<'_> {
         let because = format!("the cord's pull and the weight have no moment about the vertical through {centre}");
         let [before, after] = momenta;
         self.law(&angular::CONSERVATION, Some(index), because, (before, after));
-        self.note_impulse(index, &stage.body, "its weight and the cord", Vec::new());
+        self.note_impulse(index, &stage.body, "weight and the cord", Vec::new());
         self.neglect("the mass of the cord", "it is light");
         self.not_needed(
             format!("the motion of {name} while the cord is drawn in"),

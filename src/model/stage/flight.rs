@@ -161,7 +161,7 @@ impl Builder<'_> {
             for (body, axis) in bodies.iter().zip(axis) {
                 let velocity = self.velocity(body, index + 2, axis);
                 let because =
-                    format!("at the top of its path, {} neither up nor down", self.does(body, ["moves", "move"]));
+                    format!("at the top of the path, {} neither up nor down", self.does(body, ["moves", "move"]));
                 self.law(&kinematics::TOP, Some(index), because, (velocity, Expr::zero()));
             }
             return;
@@ -182,7 +182,7 @@ impl Builder<'_> {
         if self.began_there(index, bodies, until) {
             // The way from the line back to it, so that the root at which it has not left yet drops out exactly.
             sides = (sides.0 - self.read_any(&start.0, path), sides.1 - self.read_any(&start.1, path));
-            because = format!("{because}, as at its start");
+            because = format!("{because}, as at the start");
         }
         if let Some(time) = self.lasting.get(index).cloned().flatten() {
             let phrase = self.stage_phrase(index);

@@ -136,7 +136,7 @@ impl Builder<'_> {
                 self.law(&motion::PLACE, Some(index), because, (own, at(place, end)));
             }
             let because = match &course.place {
-                Some(_) => format!("the velocity of {name} is the rate of change of its position"),
+                Some(_) => format!("the velocity of {name} is the rate of change of the position"),
                 None => format!("the velocity of {name} is given as a function of {variable}"),
             };
             let velocity = self.velocity(body, instant, course.axis);
@@ -146,7 +146,7 @@ impl Builder<'_> {
             }
             let meaning = format!("the acceleration of {name}{along} {when}");
             let acceleration = Expr::from(self.symbol(acceleration, meaning));
-            let with = if course.by_place { "its position" } else { "the time" };
+            let with = if course.by_place { "the position" } else { "the time" };
             let because = format!("the velocity of {name} depends on {with}");
             self.law(&motion::ACCELERATION, Some(index), because, (acceleration.clone(), at(&rate, end)));
             let meaning = format!("the net force on {name}{along} {when}");
@@ -187,7 +187,7 @@ impl Builder<'_> {
         let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
         let meaning = format!("the impulse on {name}{along} during {phrase}");
         let impulse = Expr::from(self.symbol(impulse, meaning));
-        let because = format!("the impulse of all forces on {name} is its change of momentum{along}");
+        let because = format!("the impulse of all forces on {name} is the change of momentum{along}");
         let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         let meaning = format!("the average net force on {name}{along} during {phrase}");

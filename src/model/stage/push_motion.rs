@@ -24,7 +24,7 @@ impl Builder<'_> {
         if !net.contains(pushed.clock) {
             let after = if pushed.stops { Expr::zero() } else { after };
             let time = pushed.end.clone() - pushed.start.clone();
-            let because = format!("the forces on {name} do not change, so its velocity changes evenly");
+            let because = format!("the forces on {name} do not change, so the velocity changes evenly");
             let sides = kinematics::mean_velocity([&from, &to], [&before, &after], &time);
             self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
             return;

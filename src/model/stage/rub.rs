@@ -148,7 +148,7 @@ impl Builder<'_> {
             let way = Expr::from(self.symbol(self.in_stage(QuantityKind::Displacement, body, index), meaning));
             let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
             let fact = format!("the friction on {name} does not change");
-            let because = Because::Conclusion(fact, "its velocity changes evenly".to_owned());
+            let because = Because::Conclusion(fact, "the velocity changes evenly".to_owned());
             let ends = [&rubbing.before[side], &rubbing.after[side]];
             let sides = kinematics::mean_velocity([&Expr::zero(), &way], ends, &rubbing.time);
             self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);

@@ -167,7 +167,7 @@ impl Builder<'_> {
                     [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
                 // On a part that is guided, its guide acts, too.
                 if !held {
-                    let because = format!("the impulse on {name} is its change of momentum{along}");
+                    let because = format!("the impulse on {name} is the change of momentum{along}");
                     let sides = momentum::impulse_momentum(&mass, &start, std::slice::from_ref(&impulse), &end);
                     self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
                 }

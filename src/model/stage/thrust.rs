@@ -282,7 +282,7 @@ impl Builder<'_> {
         let zero = Expr::zero();
         let acts = Acts { stage: burn.index, on: &burn.body, during: [&zero, &burn.time] };
         self.note_pull(acts, "the thrust", &burn.thrust, &burn.direction);
-        let weight = (self.scene.plane == Plane::Vertical).then_some("its weight");
+        let weight = (self.scene.plane == Plane::Vertical).then_some("weight");
         // Until it lifts off the ground carries what the thrust does not.
         let ground = on_ground.then_some("the push of the ground");
         for called in ["the thrust of its exhaust"].into_iter().chain(weight).chain(ground) {

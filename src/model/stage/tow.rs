@@ -59,7 +59,7 @@ impl Builder<'_> {
         let start = Expr::sum([masses(&|own| own.before.clone()), driven * duration.clone()]);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, masses(&|own| own.after.clone())));
         for (own, sign) in [(&front, -1), (&rear, 1)] {
-            let because = format!("{joint} and the external forces on {} change its momentum", own.name);
+            let because = format!("{joint} and the external forces change the momentum of {}", own.name);
             let acting = Expr::sum([Expr::integer(sign) * tension.clone(), own.drive.clone()]);
             let sides = momentum::impulse_momentum(&own.mass, &own.before, &[acting * duration.clone()], &own.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);

@@ -70,7 +70,7 @@ pub(in super::super) fn on_circle(
         (CarriedBy::Face { rightwards, brow: false, step: true }, format!("{name} on the circular track"), holds)
     } else {
         let holds = format!("{name} hangs on a cord{} from {other}, which can move along its track", long("length"));
-        (CarriedBy::Cord(told.clone()), format!("{name} on its cord"), holds)
+        (CarriedBy::Cord(told.clone()), format!("{name} on the cord"), holds)
     };
     let carried = Carried { ends: ends.to_vec(), by, height: swing::height(quantities, index, stage) };
     drawing(quantities, compass, index, carried, [place, holds, format!("{name} and {other}")])

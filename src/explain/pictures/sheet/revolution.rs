@@ -35,7 +35,7 @@ pub(in super::super) fn conical(quantities: &Quantities<'_>, stage: &stage::Coni
         angle.1.as_ref().map(|angle| format!("its angle with the vertical is {}", angle.plain())),
         velocity.as_ref().map(Across::words),
     ];
-    let what = format!("{name} on its cord from {centre}, seen from the side");
+    let what = format!("{name} on the cord from {centre}, seen from the side");
     let wording = wording(&format!("{name} and {centre}"), &what, said.into_iter().flatten());
     let conical = Conical { centre: body_math(&stage.about), body: particle(body), angle, length, velocity };
     Situation { wording, layout: Layout::Conical(conical), axes: Vec::new() }.drawing()

@@ -42,7 +42,7 @@ pub(in super::super) fn drawing(
         format!("the difference in height between the two positions is {}", height.plain())
     });
     let on_track = stage.radius.is_some();
-    let place = if on_track { format!("{name} on the circular track") } else { format!("{name} on its cord") };
+    let place = if on_track { format!("{name} on the circular track") } else { format!("{name} on the cord") };
     let holds = if on_track {
         let radius = length.as_ref().map_or_else(String::new, |length| format!(" of radius {}", length.plain()));
         format!("{name} slides on the inside of a circular track{radius}")
