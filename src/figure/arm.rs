@@ -14,7 +14,9 @@ use super::situation::{Moment, MovingBody, Scales, draw_centre, draw_vector};
 use super::{Drawing, Point, Role, Shape};
 
 const LONGEST_ARROW: f64 = 40.0;
+/// The longest arm where the shortest has room at its true length, and where it has not.
 const LONGEST_ARM: f64 = 74.0;
+const FARTHEST_ARM: f64 = 120.0;
 /// What is seen of the shortest arm, between the centre and the body.
 const SHORTEST_LINE: f64 = 12.0;
 /// Clear space about the outermost arc.
@@ -111,8 +113,13 @@ impl Arm {
             let ends = || arm.particles.iter().map(|own| Point::polar(own.distance.abs(), own.angle));
             ends().flat_map(move |one| ends().chain([Point::ORIGIN]).map(move |other| one - other))
         });
-        let spans = spans.filter(|span| span.x.is_finite() && span.y.is_finite());
-        (Scale::fitting(spans, LONGEST_ARM), Scales::of(all().map(|own| &own.body), LONGEST_ARROW))
+        let spans: Vec<Point> = spans.filter(|span| span.x.is_finite() && span.y.is_finite()).collect();
+        // What is nearer than something else has to be seen to be so.
+        let usual = Scale::fitting(spans.iter().copied(), LONGEST_ARM);
+        let is_crowded = |arm: &&Self| arm.particles.iter().any(|own| arm.is_drawn_farther(own, usual));
+        let differ = all().any(|own| all().any(|other| own.distance.abs() < other.distance.abs()));
+        let longest = if differ && arms.iter().any(is_crowded) { FARTHEST_ARM } else { LONGEST_ARM };
+        (Scale::fitting(spans, longest), Scales::of(all().map(|own| &own.body), LONGEST_ARROW))
     }
 
     fn draw_with(&self, canvas: &mut Canvas, (distances, scales): &(Scale, Scales)) {
@@ -143,18 +150,8 @@ impl Arm {
             let (centre, role) = (Point::ORIGIN, *role);
             canvas.draw(Shape::Arc { centre, radius, from, to: from + sweep, arrow: true, role });
         }
-        for (own, (foot, body)) in self.particles.iter().zip(&placed) {
-            let mut body = body.clone();
-            let normal = Point::polar(1.0, own.angle + FRAC_PI_2);
-            // What comes to the arm is drawn on its way there; what is carried is drawn away from what touches it.
-            let blocked = if own.beside == 0.0 { -self.touching((own, *foot), &placed) } else { own.beside };
-            for moving in &own.body.vectors {
-                let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) * blocked < 0.0);
-                let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
-                draw_vector(canvas, &mut body, moving, scales, attach);
-            }
-        }
-        // What lies beside the arm has the label of its distance on its own side.
+        // What lies beside the arm has the label of its distance on its own side; both come before those of the vectors, which
+        // find a place elsewhere.
         let (beside, on_arm): (Vec<_>, Vec<_>) =
             self.particles.iter().zip(&placed).partition(|(own, _)| own.beside != 0.0);
         for (own, (foot, _)) in beside.into_iter().chain(on_arm) {
@@ -166,6 +163,17 @@ impl Arm {
                 Anchor::Around { at: *foot * 0.5, radius: 0.0, prefer: side }
             };
             canvas.label(label, Role::Length, anchor);
+        }
+        for (own, (foot, body)) in self.particles.iter().zip(&placed) {
+            let mut body = body.clone();
+            let normal = Point::polar(1.0, own.angle + FRAC_PI_2);
+            // What comes to the arm is drawn on its way there; what is carried is drawn away from what touches it.
+            let blocked = if own.beside == 0.0 { -self.touching((own, *foot), &placed) } else { own.beside };
+            for moving in &own.body.vectors {
+                let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) * blocked < 0.0);
+                let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
+                draw_vector(canvas, &mut body, moving, scales, attach);
+            }
         }
         for (number, (turn, role)) in (0_u8..).zip(&self.turns) {
             let radius = ARC_RADIUS + ARC_STEP * f64::from(number);
@@ -212,22 +220,32 @@ impl Arm {
         if arcs > 0.0 { ARC_RADIUS + ARC_STEP * (arcs - 1.0) + ARC_ROOM } else { SHORTEST_LINE }
     }
 
+    /// Whether a particle is drawn farther out than its distance says.
+    fn is_drawn_farther(&self, own: &OnArm, distances: Scale) -> bool {
+        let unit = Point::polar(1.0, if own.angle.is_finite() { own.angle } else { 0.0 });
+        drawn(own, distances) < own.body.outline().reach(unit) + self.clear()
+    }
+
     /// The place of a particle on the arm, and its outline there.
     fn place(&self, own: &OnArm, distances: Scale) -> (Point, Body) {
         let (body, angle) = (own.body.outline(), if own.angle.is_finite() { own.angle } else { 0.0 });
         let unit = Point::polar(1.0, angle);
         let reach = body.reach(unit);
-        let drawn = |own: &OnArm| distances.arrow(Point::new(own.distance.abs(), 0.0)).map_or(0.0, |own| own.x);
-        let foot = unit * drawn(own).max(reach + self.clear());
+        let foot = unit * drawn(own, distances).max(reach + self.clear());
         if own.beside == 0.0 {
             return (foot, body.moved(foot));
         }
         // What touches the arm where it carries something touches that.
         let near = self.particles.iter().filter(|other| other.is_on_arm_at(own.angle));
-        let carried = near.map(|other| (drawn(other), other.body.outline().reach(unit)));
-        let blocked = carried.filter(|(at, other)| (at - drawn(own)).abs() < other + reach);
+        let carried = near.map(|other| (drawn(other, distances), other.body.outline().reach(unit)));
+        let blocked = carried.filter(|(at, other)| (at - drawn(own, distances)).abs() < other + reach);
         let height = reach + BESIDE + blocked.map(|(_, other)| other).fold(0.0, f64::max);
         let at = foot + unit.turned() * (height * own.beside.signum());
         (foot, body.moved(at))
     }
+}
+
+/// The length of the arm of a particle to scale.
+fn drawn(own: &OnArm, distances: Scale) -> f64 {
+    distances.arrow(Point::new(own.distance.abs(), 0.0)).map_or(0.0, |own| own.x)
 }

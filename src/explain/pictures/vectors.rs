@@ -12,6 +12,7 @@ use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::scene::Axis;
+use crate::scene::Stage;
 use crate::solve::Statement;
 
 use super::compass::Compass;
@@ -143,7 +144,13 @@ impl Quantities<'_> {
 
     /// The impulse of weight over a fall; its value follows from the momenta.
     pub(super) fn impulse_of_weight(&self, body: &str, stage: usize) -> Labelled {
-        Labelled { label: product([self.weight_math(body, stage), name_math("dt")]), value: None }
+        let told = match self.scene().stages.get(stage) {
+            Some(Stage::Flight(flight)) => flight.during.as_ref(),
+            _ => None,
+        };
+        let told = told.and_then(|term| self.term(term)).map(|time| self.duration(&Expr::zero(), &time));
+        let time = told.unwrap_or_else(|| name_math(&self.staged("dt", stage)));
+        Labelled { label: product([self.weight_math(body, stage), time]), value: None }
     }
 
     /// How the weight of a body at the start of a stage is written.

@@ -49,6 +49,8 @@ pub enum Ground {
     Body(MovingBody),
     /// Another body, which a spring carries.
     Sprung(MovingBody),
+    /// Nothing: something else ends the fall in the air.
+    Air,
 }
 
 /// A height above the floor.
@@ -106,12 +108,13 @@ impl Ground {
                 let along = Point::polar(SLOPE_HALF, if angle.is_finite() { *angle } else { 0.0 });
                 draw_surface(canvas, -along, along);
                 // The foot of the height's dimension line hangs in the air beside the slope.
-                canvas.line([Point::new(left - 4.0, 0.0), Point::new(-4.0, 0.0)], Role::Guide, false);
+                draw_level(canvas, left, -4.0);
                 if let Some(label) = label {
                     let foot = if along.y < 0.0 { along } else { -along };
                     draw_incline(canvas, [foot, -foot], label);
                 }
             }
+            Self::Air => draw_level(canvas, left, 4.0),
             Self::Body(body) | Self::Sprung(body) => {
                 let outline = body.outline();
                 let mut outline = outline.clone().moved(Point::new(0.0, -outline.support(Point::new(0.0, 1.0))));
@@ -129,7 +132,7 @@ impl Ground {
                     draw_support(canvas, foot, up, GROUND_HALF);
                 }
                 let edge = outline.reach(Point::new(1.0, 0.0));
-                canvas.line([Point::new(left - 4.0, 0.0), Point::new(-edge, 0.0)], Role::Guide, false);
+                draw_level(canvas, left, -edge);
             }
         }
     }
@@ -140,6 +143,11 @@ fn parabola(start: f64, width: f64, height: f64) -> impl Iterator<Item = Point> 
         let part = f64::from(part) / f64::from(ARC_PARTS);
         Point::new(start + width * part, 4.0 * height * part * (1.0 - part))
     })
+}
+
+/// A guide at the level where the fall ends, from the dimension line at `left`.
+fn draw_level(canvas: &mut Canvas, left: f64, to: f64) {
+    canvas.line([Point::new(left - 4.0, 0.0), Point::new(to, 0.0)], Role::Guide, false);
 }
 
 /// The height of `top` above the floor, and a guide from it to what is that high.

@@ -44,7 +44,8 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
             if is_carried(quantities, other) { Ground::Sprung(body) } else { Ground::Body(body) }
         }
         Some(Partners::Surface(..)) => slope(quantities, compass),
-        None => Ground::Level,
+        None if next.is_none() => Ground::Level,
+        None => Ground::Air,
     };
     let label = quantities.symbol_of_known(&fall.height);
     let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
