@@ -3,6 +3,8 @@
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
+use crate::expr::Symbol;
+use crate::model::Instant;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::Decision;
@@ -13,6 +15,9 @@ use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::orders;
 use crate::quantity::Printed;
+use crate::scene::Senses;
+use crate::scene::Stage;
+use crate::scene::stage::Place;
 use crate::solve::Bounded;
 
 use super::super::Block;
@@ -124,9 +129,27 @@ fn to_the_unit(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Ve
     vec![display.in_unit_of(number, all), Math::Operator(Operator::Approximately)]
 }
 
+/// Whether it is the velocity of a body on its way round a circle, which one axis of the scene counts along the path.
+fn is_along_path(display: Display<'_>, symbol: Symbol) -> bool {
+    let scene = &display.worked.problem.loaded().draft.scene;
+    let name = display.worked.problem.model().name(symbol);
+    let (true, None, Some(Instant::Number(instant))) = (name.kind.is_velocity(), &name.component, &name.instant) else {
+        return false;
+    };
+    let swings = |(index, stage): (usize, &Stage)| {
+        let Stage::Swing(swing) = stage else { return false };
+        let side = instant.checked_sub(index + 1);
+        let place = side.and_then(|side| swing.places().get(side).copied());
+        swing.body == name.subject && matches!(place, Some(Place::Angle(_)))
+    };
+    scene.stages.iter().enumerate().any(swings)
+}
+
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.
 fn direction(display: Display<'_>, number: &NumberPart) -> Option<Vec<Inline>> {
     let senses = display.manner(number.symbol).senses.as_ref()?;
+    let along_path = Senses { positive: "along the path".to_owned(), negative: "back along the path".to_owned() };
+    let senses = if is_along_path(display, number.symbol) { &along_path } else { senses };
     if display.worked.answers(number).len() > 1 {
         return None;
     }
