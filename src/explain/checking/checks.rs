@@ -255,13 +255,15 @@ fn evaluated(display: Display<'_>, side: &Term, item: Item) -> Math {
     Math::Row(parts)
 }
 
-/// That the bodies do not pass through each other.
+/// That the bodies do not pass through each other, where the reader knows how they move.
 fn conditions(display: Display<'_>) -> Vec<Condition> {
+    let known = display.known_to_the_reader();
     let reasons = &display.worked.problem.model().reasons;
     let condition = |condition: &solve::Condition| {
         let kept = reasons.get(condition.tag)?.what_holds()?;
+        let told = [&condition.left, &condition.right].iter().all(|side| side.symbols().is_subset(&known));
         let (unit, _) = display.measure(&(condition.left.clone() - condition.right.clone()));
-        Some(Condition {
+        told.then(|| Condition {
             unit,
             relation: condition.relation,
             words: format!("{}: ", capitalised(&kept)),

@@ -1,5 +1,7 @@
 //! The energy that an impact loses, as a check: what it is before and after, and what a formula of its own says.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
@@ -28,9 +30,23 @@ pub(super) struct Loss {
     formula: Option<Term>,
 }
 
-/// Every impact whose loss of energy has a value.
+/// Every impact whose loss of energy the reader can work out.
 pub(super) fn losses(display: Display<'_>) -> Vec<Loss> {
-    display.worked.leaf().system.equations.iter().filter_map(|equation| loss(display, equation)).collect()
+    let known = display.known_to_the_reader();
+    let equations = || display.worked.leaf().system.equations.iter();
+    // An energy that nobody asks for is worked out on the spot, from masses and velocities.
+    let energies = equations().filter_map(|equation| {
+        let law = instance(display, equation)?.law.id;
+        match &equation.statement {
+            Statement::Equal { left: Expr::Symbol(energy), right } if law == energy::KINETIC.id => {
+                right.symbols().is_subset(&known).then_some(*energy)
+            }
+            _ => None,
+        }
+    });
+    let known: BTreeSet<Symbol> = energies.chain(known.iter().copied()).collect();
+    let told = |loss: &Loss| loss.difference.expr.symbols().is_subset(&known);
+    equations().filter_map(|equation| loss(display, equation)).filter(told).collect()
 }
 
 fn instance<'a>(display: Display<'a>, equation: &Equation) -> Option<&'a Instance> {
