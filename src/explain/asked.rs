@@ -16,6 +16,7 @@ use super::computed;
 use super::pictures;
 use super::pictures::Quantities;
 use super::pictures::Scope;
+use super::reach::last_instant;
 use super::terms::display::Display;
 use super::terms::display::Shown;
 use super::terms::ledger::Item;
@@ -56,13 +57,14 @@ pub fn lines_out(worked: Worked<'_>) -> Vec<String> {
     figures.stubborn.iter().map(said).collect()
 }
 
-/// The figures of the worked solution: the diagrams of every stage, or of the single instant.
+/// The figures of the worked solution: the diagrams of the stages that it looks at, or of the single instant.
 pub(super) fn solution_figures(worked: Worked<'_>) -> Vec<Drawing> {
+    let stages = last_instant(worked) - 1;
     let sibling = solved_sibling(worked);
     let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
     let cache = SolutionCache::of(worked);
     let way = cache.way(worked);
-    pictures::solution(&Quantities::new(worked, Scope::Solved, &way.manners, &way.pictures))
+    pictures::solution(&Quantities::new(worked, Scope::Solved, &way.manners, &way.pictures), stages)
 }
 
 /// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.

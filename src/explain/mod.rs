@@ -7,6 +7,7 @@ mod computed;
 mod lines;
 mod outline;
 mod pictures;
+mod reach;
 mod sections;
 mod terms;
 mod wording;
@@ -16,6 +17,7 @@ pub use asked::{lines_out, offered_pictures, printed_answers, printed_formula, s
 pub use lines::Line;
 pub use lines::lines;
 pub use outline::{Audience, Block, Inline, Outline, Section};
+pub use reach::last_instant;
 pub use sections::solution::brief;
 pub use sections::solution::solution;
 pub use terms::printed::{printed_range, printed_vector};

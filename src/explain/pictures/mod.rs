@@ -35,15 +35,17 @@ pub(super) use cache::PictureCache;
 pub(super) use quantities::Quantities;
 pub(super) use quantities::Scope;
 
-/// The figures of the worked solution: the diagrams of every stage, or of the single instant.
-pub(super) fn solution(quantities: &Quantities<'_>) -> Vec<Drawing> {
+/// The figures of the worked solution: the diagrams of that many stages, or a figure of the single instant.
+pub(super) fn solution(quantities: &Quantities<'_>, count: usize) -> Vec<Drawing> {
     let compass = quantities.compass();
     let stages = &quantities.scene().stages;
     let mut drawings = Vec::new();
     if stages.is_empty() {
         drawings.extend(snapshot::drawing(quantities, compass));
+    } else if count == 0 {
+        drawings.extend(stages::sheet(quantities, compass));
     }
-    for (index, stage) in stages.iter().enumerate() {
+    for (index, stage) in stages.iter().enumerate().take(count) {
         // What nobody asks for may be solved without its forces.
         let own = stages::solution(quantities, compass, index, stage).into_iter().flatten();
         drawings.extend(own.filter(Drawing::is_known));

@@ -10,6 +10,7 @@ use super::super::Block;
 use super::super::Inline;
 use super::super::asked::solution_figures;
 use super::super::cache::WayCache;
+use super::super::reach::last_instant;
 use super::super::terms::display::Display;
 use super::super::wording::capitalised;
 use super::stage_words::acting;
@@ -42,7 +43,9 @@ fn neglected(worked: Worked<'_>) -> impl Iterator<Item = Block> {
 fn sentences(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
     let model = worked.problem.model();
-    let acting = scene.stages.iter().enumerate().filter_map(|(index, stage)| acting(model, scene, index, stage));
+    // Also at its start a force acts.
+    let stages = last_instant(worked).max(2) - 1;
+    let acting = scene.stages.iter().enumerate().take(stages).filter_map(|(index, stage)| acting(model, scene, index, stage));
     let mut blocks: Vec<Block> = acting.map(|sentence| Block::text(&sentence)).collect();
     for (heading, kind) in [("Neglected:", Omitted::Neglected), ("Not needed:", Omitted::NotNeeded)] {
         let of_kind = model.omissions.iter().filter(|omission| omission.kind == kind);

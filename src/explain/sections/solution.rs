@@ -11,6 +11,7 @@ use super::super::Section;
 use super::super::cache::SolutionCache;
 use super::super::cache::WayCache;
 use super::super::computed;
+use super::super::reach::last_instant;
 use super::super::terms::display::Display;
 use super::super::terms::display::Shown;
 use super::super::wording::capitalised;
@@ -91,22 +92,18 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
     };
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
-    let last = worked.problem.model().when(scene, scene.stages.len() + 1);
+    let last = last_instant(worked);
+    let [start, end] = [1, last].map(|instant| worked.problem.model().when(scene, instant));
     let when = if scene.stages.is_empty() {
         "at one instant".to_owned()
-    } else if worked.problem.model().when(scene, 1) == last {
-        last
+    } else if start == end {
+        end
     } else {
-        let last = scene.stages.len() + 1;
-        format!(
-            "{} (1) and {} ({last})",
-            worked.problem.model().when(scene, 1),
-            worked.problem.model().when(scene, last)
-        )
+        format!("{start} (1) and {end} ({last})")
     };
     let mut blocks = vec![Block::text(&format!("{who}, {when}."))];
-    if scene.stages.len() > 1 {
-        let rows = scene.stages.iter().enumerate().map(|(index, stage)| {
+    if last > 2 {
+        let rows = scene.stages.iter().enumerate().take(last - 1).map(|(index, stage)| {
             let phrase = worked.problem.model().phrase(scene, index);
             vec![Inline::Text(format!(
                 "From ({}) to ({}): {}.",

@@ -67,7 +67,8 @@ impl Builder<'_> {
     }
 
     fn ellipse(&mut self, round: &Round<'_>, energies: [Expr; 2]) {
-        let (index, body, name) = (Some(round.index), round.body, round.name.clone());
+        // The shape of the orbit is no matter of the way from one position to the other.
+        let (index, body, name) = (None, round.body, round.name.clone());
         let meaning = format!("the semi-major axis of the orbit of {name}");
         let axis = Expr::from(self.positive(Name::of(QuantityKind::SemiMajorAxis, body), meaning));
         let meaning = format!("the eccentricity of the orbit of {name}");
@@ -131,7 +132,7 @@ impl Builder<'_> {
     }
 
     fn parabola(&mut self, round: &Round<'_>, energies: [Expr; 2]) {
-        let index = Some(round.index);
+        let index = None;
         let least = self.distance_of(round, "min", "least");
         let because = "the orbit is a parabola, on which the speed is just enough to escape";
         let twice = Expr::integer(2) * least.clone();

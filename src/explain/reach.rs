@@ -1,0 +1,34 @@
+//! How far into its scene a solution goes: what only other forms ask is not looked at.
+
+use crate::expr::Symbol;
+use crate::model::Instant;
+use crate::model::QuantityKind;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::solve::Equation;
+
+/// The last instant that a step towards an answer looks at, counted from 1; that of the scene where something is to be decided.
+#[must_use]
+pub fn last_instant(worked: Worked<'_>) -> usize {
+    let (model, leaf) = (worked.problem.model(), worked.leaf());
+    let last = worked.problem.loaded().draft.scene.stages.len() + 1;
+    if worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Choice(_))) {
+        return last;
+    }
+    let instant = |symbol: Symbol| {
+        let name = model.name(symbol);
+        match name.instant {
+            // Heights have the numbers of bounces.
+            Some(Instant::Number(number)) if name.kind != QuantityKind::Height => Some(number),
+            _ => None,
+        }
+    };
+    let reached = |equation: &Equation| {
+        let stage = model.instances.get(equation.tag).and_then(|instance| instance.stage);
+        let end = stage.map(|stage| stage + 2);
+        end.or_else(|| equation.symbols().into_iter().filter_map(instant).max())
+    };
+    let used = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+    let reached = used.filter_map(|place| reached(leaf.system.equations.get(*place)?));
+    reached.max().map_or(last, |reached| reached.min(last))
+}
