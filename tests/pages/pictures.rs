@@ -14,6 +14,7 @@ use momentous::expr::name_math;
 use momentous::fault::Source;
 use momentous::figure::Drawing;
 use momentous::figure::Point;
+use momentous::figure::Role;
 use momentous::figure::Shape;
 use momentous::figure::overlaps;
 use momentous::figure::svg;
@@ -141,7 +142,8 @@ fn every_stage_has_its_diagram() {
         if is_open(worked) {
             return;
         }
-        let stages = &worked.problem.loaded().draft.scene.stages;
+        let all = &worked.problem.loaded().draft.scene.stages;
+        let Some(stages) = all.get(..explain::last_instant(worked) - 1) else { return };
         // Where nothing acts nothing is drawn; a swing, a ramp and a walk have figures of their own.
         let momentum = |stage: &&Stage| match stage {
             Stage::Slide(slide) => !slide.is_ramp(),
@@ -175,7 +177,7 @@ fn every_stage_has_its_diagram() {
         let drawings = drawings_of_solution(worked);
         let titled = |start: &str| drawings.iter().filter(|drawing| drawing.title.starts_with(start)).count();
         assert!(titled("Impulse-momentum") >= stages.iter().filter(momentum).count(), "{at}");
-        let on_circle = |title: &str| title.ends_with("on its cord") || title.ends_with("on the circular track");
+        let on_circle = |title: &str| title.ends_with("on the cord") || title.ends_with("on the circular track");
         let swings = drawings.iter().filter(|drawing| on_circle(&drawing.title)).count();
         assert_eq!(swings, stages.iter().filter(swing).count(), "{at}");
         assert_eq!(titled("Angular impulse-momentum"), stages.iter().filter(angular).count(), "{at}");
@@ -268,4 +270,21 @@ ask: [ { find: \"dt[second]\", unit: s } ]
     let written: Vec<String> = drawings.iter().flat_map(labels).map(Math::plain).collect();
     let expected = format!("K {}", name_math("dt[second]").plain());
     assert!(written.contains(&expected), "{expected}: {written:?}");
+}
+
+/// A body that falls until a string is taut falls on nothing; the diagram names the duration of the fall after its stage.
+#[test]
+fn a_fall_that_a_string_ends_has_no_floor() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/found/falls_on_a_string.yaml");
+    let text = fs::read_to_string(path).expect("a problem");
+    let problem = problem::load(Source::new("falls.yaml", &text)).and_then(|loaded| problem::compile(loaded, None));
+    let problem = problem.unwrap_or_else(|faults| panic!("{faults}"));
+    let variant = Sampler::new(&problem, 0).expect("a form").variant(1).expect("a variant");
+    let worked = Worked::new(&problem, &variant).expect("its own problem");
+    let sheet = explain::situation(worked).expect("a figure");
+    assert!(!sheet.shapes.iter().any(|shape| matches!(shape, Shape::Line { role: Role::Surface, .. })), "{sheet:?}");
+    let drawings = drawings_of_solution(worked);
+    let written: Vec<String> = drawings.iter().flat_map(labels).map(Math::plain).collect();
+    let expected = name_math("dt[drop]").plain();
+    assert!(written.iter().any(|label| label.ends_with(&expected)), "{expected}: {written:?}");
 }

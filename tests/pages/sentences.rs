@@ -23,9 +23,18 @@ fn page_of(exercise: &Exercise) -> String {
 
 /// A problem of the fixtures.
 fn fixture(name: &str) -> String {
-    let path = format!("{}/tests/fixtures/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    form_in("tests/fixtures", name, 0)
+}
+
+/// A form of a problem of the bank.
+fn form(name: &str, form: usize) -> String {
+    form_in("problem_bank", name, form)
+}
+
+fn form_in(folder: &str, name: &str, form: usize) -> String {
+    let path = format!("{}/{folder}/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let problem = variants::problem(name, &std::fs::read_to_string(path).unwrap());
-    page_of(&Exercise::draw(&Arc::new(problem), 0, 1).unwrap())
+    page_of(&Exercise::draw(&Arc::new(problem), form, 1).unwrap())
 }
 
 #[test]
@@ -141,4 +150,59 @@ fn a_coupling_that_pushes_is_drawn_with_the_size_of_its_force() {
 fn a_displacement_is_answered_with_its_direction() {
     let said = page_of(&of_the_bank("mass-centre/walk-along-barge"));
     assert!(said.contains("ft away from the quay."), "{said}");
+}
+
+#[test]
+fn a_chain_does_not_flow() {
+    let said = fixture("exercises/chain-lift");
+    assert!(said.contains("The hanging part, with the chain arriving."), "{said}");
+    assert!(said.contains("The velocity of the chain as seen from the hanging part is the difference of their velocities"));
+    assert!(!said.contains("flows") && !said.contains("catches up"), "{said}");
+}
+
+#[test]
+fn a_leash_is_no_spring() {
+    let said = form("central-force/elastic-leash", 0);
+    assert!(said.contains("Only the leash does work on the puck") && said.contains("The mass of the leash"), "{said}");
+    assert!(!said.contains("spring"), "{said}");
+}
+
+#[test]
+fn a_person_is_no_it() {
+    let said = form("impulse/skydiver", 0);
+    assert!(said.contains("The skydiver is acted on by weight and the resistance."), "{said}");
+    assert!(!said.contains("its weight"), "{said}");
+}
+
+#[test]
+fn a_brake_does_not_push() {
+    let said = form("impulse/capsule-braking", 2);
+    assert!(said.contains("The duration of the braking") && !said.contains("push"), "{said}");
+}
+
+#[test]
+fn what_only_another_form_asks_is_not_looked_at() {
+    let [start, inwards] = [0, 1].map(|number| form("angular-momentum/playground-carousel", number));
+    assert!(start.contains("at the end of the first motion (2).") && !start.contains("second motion"), "{start}");
+    assert!(inwards.contains("at the end of the second motion (3)."), "{inwards}");
+    let orbit = form("central-force/comet-visit", 0);
+    assert!(orbit.contains("The comet, at the first position.") && !orbit.contains("second position"), "{orbit}");
+}
+
+#[test]
+fn a_check_needs_nothing_that_was_not_found() {
+    // The velocity after the impact is not asked for, and so neither is the energy then.
+    let [normal, velocity] = [0, 1].map(|number| form("chains/crate-on-a-track", number));
+    assert!(velocity.contains("Kinetic energy lost in the impact"), "{velocity}");
+    assert!(!normal.contains("Kinetic energy lost"), "{normal}");
+    // Nor are the velocities after this one, where only its impulses are.
+    assert!(!form("impact/billiard-phases", 0).contains("does not pass through"));
+}
+
+#[test]
+fn a_body_high_on_a_circle_moves_along_its_path() {
+    let scene = "axes: { x: to the right }\nplane: vertical\nbodies:\n  A: { name: the bob }\nstages:\n  - swing: { body: A, length: L, to: alpha }";
+    let given = [("m_A", "0.2 kg"), ("L", "0.5 m"), ("alpha", "120 deg"), ("v_A1", "6 m/s")];
+    let said = page(scene, &given, &["v_A2"]);
+    assert!(said.contains("m/s}$, along the path."), "{said}");
 }

@@ -81,15 +81,17 @@ fn section(heading: &str, blocks: Vec<Block>) -> Section {
 /// Who belongs to the system, and from when to when it is looked at.
 fn system(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
+    // The balance is that of what flows on.
+    if let [Stage::Stream(stream)] = &scene.stages[..]
+        && !stream.stays
+    {
+        let met = format!("{} where it meets {}.", stream.by, scene.called(&stream.body));
+        return vec![Block::text(&capitalised(&met))];
+    }
     // What comes apart belongs to the system as its parts.
     let whole = |body: &String| !scene.division_of(body).is_empty();
-    let names: Vec<String> = match &scene.stages[..] {
-        // The balance is that of what flows on.
-        [Stage::Stream(stream)] if !stream.stays => {
-            vec![format!("{} where it meets {}", stream.by, scene.called(&stream.body))]
-        }
-        _ => scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect(),
-    };
+    let names: Vec<String> =
+        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
     let last = last_instant(worked);
