@@ -156,7 +156,9 @@ fn a_displacement_is_answered_with_its_direction() {
 fn a_chain_does_not_flow() {
     let said = fixture("exercises/chain-lift");
     assert!(said.contains("The hanging part, with the chain arriving."), "{said}");
-    assert!(said.contains("The velocity of the chain as seen from the hanging part is the difference of their velocities"));
+    assert!(
+        said.contains("The velocity of the chain as seen from the hanging part is the difference of their velocities")
+    );
     assert!(!said.contains("flows") && !said.contains("catches up"), "{said}");
 }
 

@@ -45,7 +45,8 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
     let model = worked.problem.model();
     // Also at its start a force acts.
     let stages = last_instant(worked).max(2) - 1;
-    let acting = scene.stages.iter().enumerate().take(stages).filter_map(|(index, stage)| acting(model, scene, index, stage));
+    let acting =
+        scene.stages.iter().enumerate().take(stages).filter_map(|(index, stage)| acting(model, scene, index, stage));
     let mut blocks: Vec<Block> = acting.map(|sentence| Block::text(&sentence)).collect();
     for (heading, kind) in [("Neglected:", Omitted::Neglected), ("Not needed:", Omitted::NotNeeded)] {
         let of_kind = model.omissions.iter().filter(|omission| omission.kind == kind);

@@ -94,7 +94,12 @@ impl Builder<'_> {
                 self.require(deformation.clone(), Relation::AtLeast, Expr::zero(), Reason::Slack(called.to_owned()));
             }
         }
-        self.stored.push(Stored { stage: index, called: called.to_owned(), stiffness: stiffness.clone(), deformations });
+        self.stored.push(Stored {
+            stage: index,
+            called: called.to_owned(),
+            stiffness: stiffness.clone(),
+            deformations,
+        });
         stiffness * (self.polar_state(body, &stage.about, index + 1).0 - natural)
     }
 

@@ -41,7 +41,12 @@ impl Builder<'_> {
         );
         let deformation = self.deformation(index, stage, &stiffness, path);
         let deformations = [deformation.before.clone(), deformation.after.clone()];
-        self.stored.push(Stored { stage: index, called: "the spring".to_owned(), stiffness: stiffness.clone(), deformations });
+        self.stored.push(Stored {
+            stage: index,
+            called: "the spring".to_owned(),
+            stiffness: stiffness.clone(),
+            deformations,
+        });
         match stage.ends() {
             Some(Ends::Fixed(body)) => self.fixed_spring(index, stage, body, &stiffness, &deformation, path),
             Some(Ends::Free(first, second)) => {

@@ -138,7 +138,9 @@ impl Builder<'_> {
         let flow = Expr::from(self.positive(self.in_stage(QuantityKind::MassFlow, &stage.body, index), meaning));
         let because = match (&stage.moves, stage.series) {
             (Some(_), true) => format!("none of {by} passes between them, since they follow each other closely"),
-            (Some(_), false) => format!("the velocity of {by} as seen from {name} is the difference of their velocities"),
+            (Some(_), false) => {
+                format!("the velocity of {by} as seen from {name} is the difference of their velocities")
+            }
             (None, _) => format!("all of {by} reaches {name}"),
         };
         let sides = (flow.clone(), cross * arriving.clone());
