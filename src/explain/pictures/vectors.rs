@@ -144,10 +144,8 @@ impl Quantities<'_> {
 
     /// The impulse of weight over a fall; its value follows from the momenta.
     pub(super) fn impulse_of_weight(&self, body: &str, stage: usize) -> Labelled {
-        let told = match self.scene().stages.get(stage) {
-            Some(Stage::Flight(flight)) => flight.during.as_ref(),
-            _ => None,
-        };
+        let own = self.scene().stages.get(stage);
+        let told = own.and_then(|own| if let Stage::Flight(flight) = own { flight.during.as_ref() } else { None });
         let told = told.and_then(|term| self.term(term)).map(|time| self.duration(&Expr::zero(), &time));
         let time = told.unwrap_or_else(|| name_math(&self.staged("dt", stage)));
         Labelled { label: product([self.weight_math(body, stage), time]), value: None }
