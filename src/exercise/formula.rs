@@ -12,6 +12,7 @@ use crate::expr::Symbol;
 use crate::grade;
 use crate::problem::FormulaPart;
 use crate::problem::Part;
+use crate::problem::PartKind;
 use crate::problem::Sign;
 use crate::problem::Worked;
 use crate::quantity::Dimension;
@@ -33,8 +34,26 @@ impl Exercise {
             };
             text.extend([Inline::Text(joint.into()), name(*letter)]);
         }
+        let is_first = self.worked().form.parts.iter().find(|own| matches!(own.kind, PartKind::Formula(_)));
+        if is_first.is_some_and(|first| first.id == part.id) {
+            let unnamed = letters.into_iter().filter(|letter| self.is_printed_without_its_letter(*letter));
+            for (index, letter) in unnamed.enumerate() {
+                let joint = if index == 0 { ", where " } else { ", and " };
+                let meaning = &self.problem.model().symbols.entry(letter).meaning;
+                text.extend([Inline::Text(joint.into()), name(letter), Inline::Text(format!(" is {meaning}"))]);
+            }
+        }
         text.push(Inline::Text(".".into()));
         text
+    }
+
+    /// Whether the text prints the value of a quantity, and never what the quantity is called.
+    fn is_printed_without_its_letter(&self, symbol: Symbol) -> bool {
+        let texts = [&self.problem.loaded().draft.text, &self.worked().form.question.text];
+        let model = self.problem.model();
+        let own = texts.into_iter().flat_map(|text| text.placeholders());
+        let mut own = own.filter(|placeholder| model.symbol_of(&placeholder.name) == Some(symbol)).peekable();
+        own.peek().is_some() && !own.any(|placeholder| placeholder.filter.names())
     }
 
     /// The symbols in which an answer is written: that of which it is a multiple first, then all that are given.

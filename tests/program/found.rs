@@ -59,6 +59,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("mass_after_a_burn", Holds(&["v_C3 = 31.6 m/s", "T_lost[coupling] = 99900 J", "T_A2 = 250000 J"])),
     ("label_with_a_comma", Refused(&["a text with a comma or a colon stands in quotation marks"])),
     ("mass_of_a_union", Holds(&["v_C2 = 1.00 m/s", "m_B = 4.00 kg"])),
+    ("letters_behind_values", Holds(&["v_A2 = m_A*v_A1/(m_A + m_B)"])),
     ("mass_in_terms_of_m", Holds(&["J_B = 6.30 m"])),
     ("moon", Refused(&["the text never prints `g`, which the solution needs"])),
     ("multiple_backwards", Holds(&["v_n2 = -0.333 v_n1"])),
@@ -119,6 +120,7 @@ const MARKED: &[(&str, &[&str], &str)] = &[
 const PRINTED: &[(&str, &str, &str)] = &[
     ("falls_on_a_string", "is not a solution: particle A moves downwards", "downwards."),
     ("height_in_terms_of_r", "at the height $5\\,R$", "5.00 m"),
+    ("letters_behind_values", "where $m_{A}$ is the mass of the cart, and $v_{A1}$ is", "where $m_{B}$"),
     ("mass_in_terms_of_m", "Particle A (mass $3\\,m$)", "3.00 kg"),
     ("restitution_in_symbols", "e = ", "0.1333"),
     ("share_as_a_formula", "q = \\frac{m_{B}}{m_{A} + m_{B}}", "here $"),
