@@ -24,11 +24,11 @@ fn number(item: &Item, part: usize) -> String {
     format!("{:.*e}", number.figures - 1, number.right)
 }
 
-/// What the first usual mistake leads to, where it is worth nothing.
-fn mistake(item: &Item, part: usize) -> String {
+/// What a usual mistake leads to, where it is worth nothing.
+fn mistake(item: &Item, part: usize, code: &str) -> String {
     let ItemAnswers::Number(number) = &item.parts[part].answers else { panic!("part {part} is no number") };
     let is_worthless = |own: &&momentous::exercise::Window| {
-        !own.mistakes.is_empty() && own.points.0 == momentous::quantity::Rational::ZERO
+        own.mistakes.contains(&code) && own.points.0 == momentous::quantity::Rational::ZERO
     };
     let window = number.windows.iter().find(is_worthless).unwrap();
     (window.low + (window.high - window.low) / 2.0).to_string()
@@ -67,7 +67,7 @@ fn responses_of_moodle_are_marked_and_make_a_gradebook() {
     assert_eq!([&first.code, &second.code], [&codes[0].code, &codes[1].code]);
     let response = |of: [String; 3]| format!("part 1: {}; part 2: {}; part 3: {}", of[0], of[1], of[2]);
     let right = response([0, 1, 2].map(|part| number(&first, part)));
-    let wrong = response([mistake(&second, 0), number(&second, 1), number(&second, 2)]);
+    let wrong = response([number(&second, 0), number(&second, 1), mistake(&second, 2, "half-forgotten")]);
     let responses = format!(
         "\u{feff}Last name,Email address,Question 1,Response 1,Right answer 1\n\
          One,one@x,\"Two carts\n[{}] (a) ...\",{right},x\nTwo,two@x,[{}],{wrong},x\nThree,three@x,[{}],-,x\n",
@@ -82,7 +82,7 @@ fn responses_of_moodle_are_marked_and_make_a_gradebook() {
     let total: u32 = first.parts.iter().map(|part| part.field.points).sum();
     assert!((points("one@x") - f64::from(total)).abs() < 1e-9 && points("three@x") == 0.0, "{gradebook}");
     assert!(points("two@x") < f64::from(total) && points("two@x") > 0.0, "{gradebook}");
-    assert!(!row(&marks, "two@x", &first.parts[0].field.id)[13].is_empty(), "the mistake is named: {marks}");
+    assert!(!row(&marks, "two@x", &first.parts[2].field.id)[13].is_empty(), "the mistake is named: {marks}");
 }
 
 #[test]

@@ -54,6 +54,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "stages_of_one_name",
     "tower_of_powers",
     "unit_of_a_pure_number",
+    "several_solutions",
     "unit_that_is_zero",
     "unknown_unit_asked",
     "instants_too_many",

@@ -267,7 +267,9 @@ fn why(stage: &Stream, name: &str) -> String {
     let seen = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
         (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without a change of speed"),
-        (_, Some(_), _) => format!("{name} throws {by} back{seen} with e times the speed of arrival"),
+        (_, Some(_), _) => {
+            format!("{name} throws {by} back{seen} with the speed of arrival times the coefficient of restitution")
+        }
         (_, _, true) => format!("nothing of {by} leaves {name} again, and both have one velocity afterwards"),
         _ => format!("{name} lets {by} spread over it and leave{seen} at right angles to the original direction"),
     }

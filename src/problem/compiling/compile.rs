@@ -81,7 +81,13 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
             return None;
         }
         let reason = Sampler::new(problem, position).and_then(|mut sampler| sampler.draw(0)).err()?;
+        let path = form.question.path.key("ask");
         let code = match reason.rejection() {
+            Some(Rejection::Several(count)) => {
+                let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
+                let help = "say which is meant: `where: v_A2 > 0 m/s`; or ask for every one: `roots: all`";
+                return Some(fault.help(help).at_path(path));
+            }
             Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
             _ => Code::Unphysical,
         };
@@ -89,7 +95,7 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
         let help =
             "give fewer or other values; if the result is meant to be unphysical, declare it under `allow` or `expect`";
-        Some(fault.help(help).at_path(form.question.path.key("ask")))
+        Some(fault.help(help).at_path(path))
     };
     problem.forms().iter().enumerate().filter_map(trouble).collect()
 }
