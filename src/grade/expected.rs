@@ -229,15 +229,17 @@ impl ExpectedFormula {
         }
     }
 
+    /// The quantity of which an answer is the bare multiple.
+    #[must_use]
+    pub fn left_out(&self, answer: &Expr) -> Option<Symbol> {
+        let dimension = answer.dimension(&self.symbols).ok()?;
+        self.multiple_of.filter(|unit| dimension * self.symbols.entry(*unit).dimension == self.dimension)
+    }
+
     /// An answer with everything that stands for something else written out; a bare multiple as what it is a multiple of.
     #[must_use]
     pub fn in_letters(&self, answer: &Expr) -> Expr {
-        let dimension = answer.dimension(&self.symbols).ok();
-        let unit = self.multiple_of.filter(|unit| {
-            let own = self.symbols.entry(*unit).dimension;
-            dimension.is_some_and(|dimension| dimension * own == self.dimension)
-        });
-        let whole = unit.map_or_else(|| answer.clone(), |unit| answer.clone() * Expr::from(unit));
+        let whole = self.left_out(answer).map_or_else(|| answer.clone(), |unit| answer.clone() * Expr::from(unit));
         let value = |symbol: Symbol| self.values.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.clone());
         whole.substitute(&value)
     }

@@ -97,6 +97,8 @@ pub enum Message {
         /// The unit of the number times the quantity, where there is one.
         unit: Option<String>,
     },
+    /// Right as what multiplies this quantity, in terms of which a formula is asked.
+    BareMultiple(String),
     /// Off by the factor of a prefix.
     UnitPrefix,
     /// Off by a power of ten.

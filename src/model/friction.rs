@@ -134,8 +134,12 @@ impl Builder<'_> {
     fn sliding(&mut self, pushed: &Pushed<'_>, contact: &Contact) {
         let name = self.called(pushed.body);
         let mass = self.mass(pushed.body);
-        let because =
-            format!("{} throughout, and friction acts against the motion", self.does(pushed.body, ["slides", "slide"]));
+        let slides = self.does(pushed.body, ["slides", "slide"]);
+        let because = if self.zero_if_so_written(contact.kinetic.clone()).is_zero() {
+            format!("{slides} throughout, without friction")
+        } else {
+            format!("{slides} throughout, and friction acts against the motion")
+        };
         let Some(impulse) = self.net_impulse(&contact.net(), pushed.clock, &pushed.start, &pushed.end) else { return };
         let sides = momentum::impulse_momentum(&mass, &contact.before, &[impulse], &contact.after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(pushed.index), because, sides);

@@ -72,7 +72,8 @@ impl Writer for Markdown {
 fn wrapped(text: &str, mark: &str) -> String {
     match text.trim() {
         "" => String::new(),
-        inner => format!("{mark}{}{mark}", escape(inner)),
+        // Beside a blank a mark is none, so that blanks stand outside.
+        inner => text.replacen(inner, &format!("{mark}{}{mark}", escape(inner)), 1),
     }
 }
 
@@ -173,6 +174,11 @@ fn is_list_number(before: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn blanks_stand_outside_strong_text() {
+        assert_eq!([" of it", "it ", " "].map(|text| wrapped(text, "**")), [" **of it**", "**it** ", ""]);
+    }
 
     #[test]
     fn no_dollar_is_left_inside_mathematics() {

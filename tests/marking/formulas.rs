@@ -73,7 +73,7 @@ fn a_formula_is_judged_as_a_function() {
         ("v_C2", "m_A u/(m_A + m_B)", "unreadable"),
         ("v_C2", "v_C2", "unreadable"),
         ("T_lost", "m_B T_1/(m_A + m_B)", "right"),
-        ("T_lost", "m_B/(m_A + m_B)", "right"),
+        ("T_lost", "m_B/(m_A + m_B)", "right_with_note"),
         ("T_lost", "m_A m_B v_A1^2/(2 (m_A + m_B))", "right"),
         ("T_lost", "m_A m_B v_A1^2/(m_A + m_B)", "formula_factor"),
         ("T_lost", "m_A/(m_A + m_B)", "wrong"),
@@ -103,7 +103,7 @@ fn a_formula_follows_from_an_earlier_wrong_one() {
         (half, "1 - m_A/(4 (m_A + m_B))", "follow_through"),
         (half, "m_A v_A1^2/2 - (m_A + m_B) (m_A v_A1/(2 (m_A + m_B)))^2/2", "follow_through"),
         (half, "1 - m_A/(2 (m_A + m_B))", "wrong"),
-        (half, "m_B/(m_A + m_B)", "right"),
+        (half, "m_B/(m_A + m_B)", "right_with_note"),
         // More energy than there was: the step is right, and something is wrong with what went into it.
         ("2 v_A1", "T_1 (1 - 4 (m_A + m_B)/m_A)", "follow_through_unphysical"),
         // Equal to a given, nothing, or of another dimension: the rest would be trivial.

@@ -115,6 +115,7 @@ impl English {
                 let unit = unit.as_ref().map_or_else(String::new, |unit| format!(" or with {unit} behind it"));
                 format!("The question asks for a multiple of `{of}`: write a number and `{of}`, without a unit{unit}.")
             }
+            Message::BareMultiple(of) => format!("It stands for this times `{of}`: write `{of}` as well."),
             Message::FormulaDimension { given, asked } => {
                 format!("Check the dimensions: this formula is {given}, but the question asks for {asked}.")
             }

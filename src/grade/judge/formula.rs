@@ -59,7 +59,13 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
         other => other,
     };
     match compared {
-        Compared::Proven => Judgement::of(Verdict::Right, Message::Right),
+        Compared::Proven => match expected.left_out(&answer.formula) {
+            Some(own) => {
+                let name = expected.symbols.entry(own).name.clone();
+                Judgement::of(Verdict::Right, Message::Right).noted(Message::BareMultiple(name))
+            }
+            None => Judgement::of(Verdict::Right, Message::Right),
+        },
         Compared::Agree => Judgement::of(Verdict::RightAgrees, Message::Agrees),
         Compared::Factor(ratio) if (ratio - 1.0).abs() <= TOLERANCE && !answer.shifted.is_empty() => rounded(),
         Compared::Different if is_rounded(expected, answer) => rounded(),

@@ -287,7 +287,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
         let mut add = |builder: &mut Builder<'_>, name: &str, origin: Origin, unit: &Unit| {
             let Some(symbol) = builder.mention(name) else {
                 let fault = match given {
-                    Given::Any(_) => builder.unknown(name).help(format!("give its unit: `{name}: any kg`")),
+                    Given::Any(None) => builder.unknown(name).help(format!("give its unit: `{name}: any kg`")),
                     _ => builder.unknown(name),
                 };
                 builder.fault(fault.at_path(place.clone()));
