@@ -30,7 +30,14 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
     let plain = Plain::new(&multiple::without(answer, asked)?)?;
     let text = plain.text();
     let own = Asked::of(asked);
-    let found = value::read(text, own, mark).or_else(|fault| remarks::read(text, own, mark, fault));
+    let found = match value::read(text, own, mark) {
+        // `8.02 j m/s`: the letter is a unit vector where the joule measures something else.
+        Ok(found) if !measures(&found, asked) => match remarks::along_unit_vector(text, own, mark) {
+            Some(Ok(along)) if along.unit.is_none() || measures(&along, asked) => Ok(along),
+            _ => Ok(found),
+        },
+        found => found.or_else(|fault| remarks::read(text, own, mark, fault)),
+    };
     let found = match &asked.reference {
         Some(reference) => found.or_else(|fault| match in_words(text, reference, mark) {
             // A direction that is not understood is no quantity without a direction.
@@ -40,6 +47,11 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
         None => found,
     };
     found.map_err(|(at, kind)| plain.fault(at, multiple::reason(kind, asked)))
+}
+
+/// Whether an answer has a unit of what is asked.
+fn measures(answer: &NumberAnswer, asked: &ExpectedNumber) -> bool {
+    answer.unit.as_ref().is_none_or(|unit| unit.dimension() == asked.unit.dimension())
 }
 
 /// A direction in words, as the question counts it.

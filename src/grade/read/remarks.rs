@@ -158,7 +158,7 @@ fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Numbe
 }
 
 /// `-3.2 î m/s`: a component with the unit vector of its axis.
-fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
+pub(super) fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
     let [(axis, start, end)] = unit_vectors(text)[..] else { return None };
     let (senses, letter) = (asked.senses?, AXES.get(axis)?);
     if !text[..start].contains(|before: char| before.is_ascii_digit()) {
