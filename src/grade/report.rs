@@ -147,11 +147,11 @@ pub fn grade_read(
             let is_signed = matches!(part.verdict, Verdict::Sense | Verdict::SenseReversed);
             (!part.verdict.is_right() && !is_signed).then_some((position, answer))
         });
-        for position in swapped::find(expected, &not_right.collect::<Vec<_>>()) {
+        for (position, exchanged) in swapped::find(expected, &not_right.collect::<Vec<_>>()) {
             if let Some(part) = parts.get_mut(position) {
-                part.verdict = Verdict::BodiesSwapped;
-                part.points = rubric.points(Verdict::BodiesSwapped, part.out_of);
-                part.message = English.message(&Message::BodiesSwapped);
+                part.verdict = exchanged.verdict();
+                part.points = rubric.points(part.verdict, part.out_of);
+                part.message = English.message(&exchanged.message());
             }
         }
     }
