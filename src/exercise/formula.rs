@@ -14,6 +14,7 @@ use crate::problem::FormulaPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Sign;
+use crate::problem::Text;
 use crate::problem::Worked;
 use crate::quantity::Dimension;
 
@@ -51,7 +52,7 @@ impl Exercise {
     fn is_printed_without_its_letter(&self, symbol: Symbol) -> bool {
         let texts = [&self.problem.loaded().draft.text, &self.worked().form.question.text];
         let model = self.problem.model();
-        let own = texts.into_iter().flat_map(|text| text.placeholders());
+        let own = texts.into_iter().flat_map(Text::placeholders);
         let mut own = own.filter(|placeholder| model.symbol_of(&placeholder.name) == Some(symbol)).peekable();
         own.peek().is_some() && !own.any(|placeholder| placeholder.filter.names())
     }

@@ -17,6 +17,7 @@ use crate::scene::stage::Push;
 use crate::scene::stage::Slide;
 use crate::scene::stage::Spring;
 use crate::scene::stage::Strand;
+use crate::scene::stage::Stream;
 use crate::scene::stage::UpOrDown;
 
 use super::super::wording::capitalised;
@@ -34,25 +35,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             }
             _ => phrase.to_owned(),
         },
-        Stage::Push(push) => {
-            let bodies = list(&push.pushed().map(name).collect::<Vec<_>>());
-            if let Some(change) = push.mass_change() {
-                let joins = if change.gains { "joins" } else { "leaves" };
-                let several = push.pushed().any(|body| scene.members(body).len() > 1);
-                let how = match (push.forces.is_empty(), several) {
-                    (true, false) => "moves freely",
-                    (true, true) => "move freely",
-                    (false, false) => "is pushed",
-                    (false, true) => "are pushed",
-                };
-                return format!("{} {joins} {bodies}, which {how}", change.name);
-            }
-            if push.is_resisted_alone() {
-                let several = push.is_of_several() || push.pushed().any(|body| scene.members(body).len() > 1);
-                return format!("{bodies} {} against the resistance", if several { "move" } else { "moves" });
-            }
-            format!("forces act on {bodies}")
-        }
+        Stage::Push(push) => pushed(scene, push),
         Stage::Slide(Slide { body, on: Some(on), way, .. }) => {
             let way = if *way == Some(UpOrDown::Up) { "up" } else { "down" };
             format!("{} {way} {}", does(body, ["slides", "slide"]), name(on))
@@ -130,6 +113,27 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             }
         }
     }
+}
+
+/// What happens to bodies on which forces act.
+fn pushed(scene: &Scene, push: &Push) -> String {
+    let bodies = list(&push.pushed().map(|body| scene.called(body)).collect::<Vec<_>>());
+    let several = push.pushed().any(|body| scene.members(body).len() > 1);
+    if let Some(change) = push.mass_change() {
+        let joins = if change.gains { "joins" } else { "leaves" };
+        let how = match (push.forces.is_empty(), several) {
+            (true, false) => "moves freely",
+            (true, true) => "move freely",
+            (false, false) => "is pushed",
+            (false, true) => "are pushed",
+        };
+        return format!("{} {joins} {bodies}, which {how}", change.name);
+    }
+    if push.is_resisted_alone() {
+        let moves = if several || push.is_of_several() { "move" } else { "moves" };
+        return format!("{bodies} {moves} against the resistance");
+    }
+    format!("forces act on {bodies}")
 }
 
 fn surface_name(scene: &Scene, surface: &str) -> String {
@@ -233,19 +237,23 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             during(format!("{} are acted on by {}", list(&held), first.called))
         }
         (Stage::Stream(stream), _) => {
-            let carries = scene.plane == Plane::Vertical && stream.stays;
-            let weight = carries.then(|| "weight".to_owned());
-            let holds = match &stream.moves {
-                Some(_) if !carries => "what keeps the velocity constant".to_owned(),
-                _ => format!("what holds {body}"),
-            };
-            let called: Vec<String> = [Some(first.called.clone()), weight, Some(holds)].into_iter().flatten().collect();
-            during(format!("{body} {is} acted on by {}", list(&called)))
+            during(format!("{body} {is} acted on by {}", list(&beside_a_stream(scene, stream, &first.called))))
         }
         (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_), _) => {
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })
+}
+
+/// What acts on a body that a stream meets, the stream first.
+fn beside_a_stream(scene: &Scene, stream: &Stream, called: &str) -> Vec<String> {
+    let carries = scene.plane == Plane::Vertical && stream.stays;
+    let holds = match &stream.moves {
+        Some(_) if !carries => "what keeps the velocity constant".to_owned(),
+        _ => format!("what holds {}", scene.called(&stream.body)),
+    };
+    let weight = carries.then(|| "weight".to_owned());
+    [Some(called.to_owned()), weight, Some(holds)].into_iter().flatten().collect()
 }
 
 /// What acts from outside on a body and on the one that carries it and gives way.

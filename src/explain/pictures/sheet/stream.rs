@@ -112,7 +112,8 @@ fn body_wording(quantities: &Quantities<'_>, index: usize, name: &str, body: &Mo
 
 /// Adds a sentence.
 fn tell(text: &mut String, sentence: String) {
-    text.push_str(&format!(" {}", sentences([sentence])));
+    text.push(' ');
+    text.push_str(&sentences([sentence]));
 }
 
 fn lone(compass: &Compass, wording: Wording, body: MovingBody) -> Drawing {
