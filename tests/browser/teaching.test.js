@@ -269,6 +269,8 @@ const TOUR = [
     await server.set("2026-10-06T15:00:00+02:00");
     const { page, complaints, close } = await student(EAGER);
     await page.locator(`a[href="${found.items[1]}"]`).click();
+    // Not before the script of the page is there to read what is typed.
+    await page.waitForURL(`**${found.items[1]}`);
     const field = page.locator("[data-part]").first();
     await field.fill("3..2 N");
     await page.locator("[data-reading].unreadable").waitFor();
