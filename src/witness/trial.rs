@@ -113,9 +113,6 @@ impl Portion {
     }
 }
 
-/// By so many of its tolerances a run is taken to be off at least: an error is made in each of its steps.
-const TOLERANCES_OFF: f64 = 10.0;
-
 /// One variant, simulated and compared, with a bound on how far each comparison may be off.
 struct Trial<'a> {
     worked: &'a Worked<'a>,
@@ -135,9 +132,7 @@ impl<'a> Trial<'a> {
         let rough = compared(worked, &Witness::new(case, coarse));
         let mut all: BTreeMap<String, (Comparison, f64)> = BTreeMap::new();
         for (name, comparison) in own {
-            // Two runs may agree by chance more closely than either is right: none is better than some of its tolerances.
-            let least = TOLERANCES_OFF * fine * comparison.found.abs();
-            let run = rough.get(&name).map_or(0.0, |rough| (rough.found - comparison.found).abs()).max(least);
+            let run = rough.get(&name).map_or(0.0, |rough| (rough.found - comparison.found).abs());
             let bound = comparison.error + run;
             all.insert(name, (comparison, bound));
         }
