@@ -148,8 +148,9 @@ fn is_along_path(display: Display<'_>, symbol: Symbol) -> bool {
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.
 fn direction(display: Display<'_>, number: &NumberPart) -> Option<Vec<Inline>> {
     let senses = display.manner(number.symbol).senses.as_ref()?;
-    let along_path = Senses { positive: "along the path".to_owned(), negative: "back along the path".to_owned() };
-    let senses = if is_along_path(display, number.symbol) { &along_path } else { senses };
+    let along_path = is_along_path(display, number.symbol)
+        .then(|| Senses { positive: "along the path".to_owned(), negative: "back along the path".to_owned() });
+    let senses = along_path.as_ref().unwrap_or(senses);
     if display.worked.answers(number).len() > 1 {
         return None;
     }

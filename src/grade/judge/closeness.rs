@@ -99,9 +99,9 @@ impl<'a> Target<'a> {
     }
 
     /// Whether a number has the digits of the right one.
-    pub(super) fn has_digits(&self, number: &Number) -> bool {
+    pub(super) fn has_digits(&self, number: f64) -> bool {
         let reach = self.reach_of_digits();
-        (number.to_f64() - self.value).abs() <= reach + UNSURE * (self.value.abs() + reach)
+        (number - self.value).abs() <= reach + UNSURE * (self.value.abs() + reach)
     }
 
     /// Whether the tolerance alone accepts the number.

@@ -1,7 +1,6 @@
 //! Slips of the decimal point: an answer that is right but for a power of ten.
 
 use crate::quantity::Dimension;
-use crate::quantity::Rational;
 
 use super::super::number::Number;
 use super::super::verdict::Verdict;
@@ -19,20 +18,12 @@ pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
     if target.expected.cyclic || target.expected.whole || number.is_zero() || target.value() == 0.0 {
         return None;
     }
-    let (given, value, reach) = (number.to_f64(), target.value(), 2.0 * target.reach_of_digits());
-    let is_near = |power: isize| {
-        let size = POWERS[power.unsigned_abs().min(POWERS.len() - 1)];
-        let scaled = if power > 0 { given / size } else { given * size };
-        (scaled - value).abs() <= reach + 1e-9 * (scaled.abs() + value.abs())
-    };
+    let (given, value) = (number.to_f64(), target.value());
     let is_right = |power: &isize| {
-        if !is_near(*power) {
-            return false;
-        }
-        let scale = Number::exact(Rational::from(10).pow(-power));
-        number.times(&scale).is_some_and(|scaled| target.has_digits(&scaled))
+        let size = POWERS[power.unsigned_abs().min(POWERS.len() - 1)];
+        target.has_digits(if *power > 0 { given / size } else { given * size })
     };
-    if reach > NARROW * value.abs() {
+    if 2.0 * target.reach_of_digits() > NARROW * value.abs() {
         return (1..=LARGEST).flat_map(|power| [power, -power]).find(is_right);
     }
     #[allow(clippy::cast_possible_truncation, reason = "the decades between two doubles are a few hundred")]
