@@ -90,6 +90,27 @@ pub struct Correction {
     pub to: String,
     /// What became of the old sheets.
     pub choice: CorrectionChoice,
+    /// Whether it was not to lower anybody's points.
+    #[serde(default)]
+    pub never_lower: bool,
+    /// Why it was taken in; students are told.
+    #[serde(default)]
+    pub reason: String,
+    /// What else students are told; empty where nothing is.
+    #[serde(default)]
+    pub comment: String,
     /// When.
     pub at: Moment,
+}
+
+impl Item {
+    /// The digest of the file that is right, as far as is known: that of its last correction, whatever was chosen for the marks; else the
+    /// one from which its sheets are drawn. Worked solutions and keys are made from it.
+    ///
+    /// `corrections` are those of the assignment, the earliest first.
+    #[must_use]
+    pub fn right_digest<'a>(&'a self, corrections: &'a [Correction]) -> Option<&'a str> {
+        let last = corrections.iter().rfind(|own| own.item == self.key).map(|own| own.to.as_str());
+        last.or(self.digest.as_deref())
+    }
 }

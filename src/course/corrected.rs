@@ -7,8 +7,10 @@ use serde::Serialize;
 use crate::exercise::Exercise;
 use crate::exercise::Remark;
 use crate::problem::Problem;
+use crate::quantity::Rational;
 
-use super::assignment::CorrectionChoice;
+use super::account::{Accounts, Deciding, GradeMark};
+use super::assignment::{CorrectionChoice, Item};
 use super::hand_in::HandIn;
 use super::handed_in::{Attempt, HintShown, Sheet};
 use super::key::Key;
@@ -41,10 +43,26 @@ pub struct Effect {
     pub sheet: Key<Sheet>,
     /// Its student.
     pub member: Key<Member>,
-    /// The score so far; nothing where nothing was handed in.
-    pub before: Option<Score>,
     /// What becomes of it.
     pub after: Remarked,
+}
+
+/// How a corrected problem is taken in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Regrading {
+    /// What becomes of the old sheets.
+    pub choice: CorrectionChoice,
+    /// Whether nobody has fewer points afterwards. An item that is dropped has none.
+    pub never_lower: bool,
+}
+
+/// What a student has for an item after a correction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Regraded {
+    /// The points, and how they come about.
+    pub mark: GradeMark,
+    /// The points that the student must keep by a record of their own, because marking would find fewer.
+    pub keeps: Option<Rational>,
 }
 
 /// What becomes of a sheet that is marked again.
@@ -66,29 +84,37 @@ pub fn effects(sheets: &[WorkedSheet<'_>], policy: &Policy, problem: Option<&Arc
     let effect = |own: &WorkedSheet<'_>| Effect {
         sheet: own.sheet.key,
         member: own.sheet.member,
-        before: own.reports.last().and_then(Score::of),
         after: own.remarked(policy, problem),
     };
     sheets.iter().map(effect).collect()
 }
 
-impl Effect {
-    /// The score that the student has after this choice; nothing where nothing was handed in, or it no longer counts.
+impl Accounts<'_> {
+    /// What the student of a sheet has for its item once a correction is taken in so.
     #[must_use]
-    pub fn score(&self, choice: CorrectionChoice) -> Option<Score> {
-        match (choice, &self.after) {
-            (CorrectionChoice::Remark, Remarked::Same(reports)) => reports.last().and_then(Score::of),
-            (CorrectionChoice::Remark, _) => self.before.clone(),
-            (CorrectionChoice::FullMarks, _) => Some(Score::full(self.before.as_ref().map_or(1, |own| own.out_of))),
-            (CorrectionChoice::Drop | CorrectionChoice::IssueAnew, _) => None,
+    pub fn regraded(&self, effect: &Effect, item: &Item, regrading: Regrading) -> Regraded {
+        let before = self.deciding(effect.member, item);
+        let mut after = Deciding { full_marks: before.full_marks && regrading.never_lower, ..before.clone() };
+        if let Remarked::Same(reports) = &effect.after {
+            after.score = reports.last().and_then(Score::of);
         }
-    }
-
-    /// Whether this choice changes the share of the points that the student has.
-    #[must_use]
-    pub fn changes(&self, choice: CorrectionChoice) -> bool {
-        let share = |score: Option<&Score>| score.map(Score::share);
-        share(self.before.as_ref()) != share(self.score(choice).as_ref())
+        // Points set by hand stand before and after, and what is under them must not have become less when they are taken back.
+        let mut bare = Deciding { by_hand: None, ..before.clone() };
+        match regrading.choice {
+            CorrectionChoice::Remark => {}
+            CorrectionChoice::FullMarks => after.full_marks = true,
+            CorrectionChoice::Drop => after.dropped = true,
+            CorrectionChoice::IssueAnew => {
+                // They were set for the old sheet.
+                after = Deciding { by_hand: None, score: None, ..after };
+                bare = before;
+            }
+        }
+        let (old, new) = (bare.mark(), Deciding { by_hand: None, ..after.clone() }.mark());
+        let is_lower = regrading.never_lower && !after.dropped && new.points() < old.points();
+        let keeps = old.points().filter(|_| is_lower).cloned();
+        after.at_least = after.at_least.max(keeps.clone());
+        Regraded { mark: after.mark(), keeps }
     }
 }
 

@@ -4,7 +4,8 @@ use crate::exercise::Table;
 use crate::exercise::defused;
 use crate::quantity::Rational;
 
-use super::gradebook::{GradeMark, Gradebook};
+use super::account::GradeMark;
+use super::gradebook::Gradebook;
 
 /// Points that are no decimal number of so few digits are rounded to them.
 const DECIMALS: u32 = 6;

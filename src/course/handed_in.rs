@@ -70,17 +70,34 @@ pub struct Draft {
     pub saved: Moment,
 }
 
-/// Points that somebody set by hand; the last one for a sheet counts.
+/// Points that were set by hand, or kept by a regrade.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Override {
     /// The sheet.
     pub sheet: Key<Sheet>,
     /// The points; nothing where those of marking count again.
     pub points: Option<String>,
-    /// Why.
+    /// How they count beside those of marking.
+    #[serde(default)]
+    pub rule: OverrideRule,
+    /// Why; the student is told.
     pub reason: String,
+    /// What else the student is told; empty where nothing is.
+    #[serde(default)]
+    pub comment: String,
     /// Who set them.
     pub by: Key<Person>,
     /// When.
     pub at: Moment,
+}
+
+/// How points that were set count beside those of marking.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OverrideRule {
+    /// In their place; the last ones for a sheet count.
+    #[default]
+    Exactly,
+    /// As the least that the student has for the item, whatever marking finds, in this issue of its sheets and in later ones.
+    AtLeast,
 }

@@ -1,6 +1,7 @@
 //! Courses: people, assignments, what was handed in, and the rules by which it counts. All of it is data and functions; nothing here
 //! knows a clock, a database, a file or a page. What happens at a moment is told that [`Moment`].
 
+mod account;
 mod assignment;
 mod corrected;
 mod fields;
@@ -25,13 +26,14 @@ mod stored_report;
 mod student_data;
 mod window;
 
+pub use account::{Account, Accounts, GradeMark, Ledger, Said, Standing, points_by_hand};
 pub use assignment::{Assignment, Correction, CorrectionChoice, Extension, Item};
-pub use corrected::{Effect, Remarked, WorkedSheet, effects};
+pub use corrected::{Effect, Regraded, Regrading, Remarked, WorkedSheet, effects};
 pub use fields::FieldFault;
-pub use gradebook::{Column, GradeMark, GradeRow, Gradebook, GradedItem, GradedSheet, points_by_hand};
+pub use gradebook::{Column, GradeRow, Gradebook};
 pub use gradebook_table::ReadGrades;
 pub use hand_in::{Accepted, HandIn, Refusal};
-pub use handed_in::{Attempt, Draft, HintShown, Override, Sheet};
+pub use handed_in::{Attempt, Draft, HintShown, Override, OverrideRule, Sheet};
 pub use key::Key;
 pub use local_time::{NoMoment, zone};
 pub use moment::Moment;
@@ -44,7 +46,7 @@ pub use reserved::{Reserved, simulator_of};
 pub use roster::{RosterChange, RosterRecords, RosterRow, roster_changes, roster_records};
 pub use score::Score;
 pub use share::{NoShare, Share};
-pub use statistics::statistics;
+pub use statistics::{ClassStatistics, ItemStatistics, statistics};
 pub use stored_report::{Found, NextHint, ShownPart, ShownReport, StoredPart, StoredReport};
 pub use student_data::{AttemptData, ByHandData, SheetData, StudentData};
 pub use window::{ExtensionForm, Late, Phase, Window};

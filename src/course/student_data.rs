@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::assignment::Extension;
 use super::corrected::WorkedSheet;
-use super::handed_in::{Draft, HintShown, Override};
+use super::handed_in::{Draft, HintShown, Override, OverrideRule};
 use super::moment::Moment;
 use super::people::{Course, Member, Person};
 use super::stored_report::{ShownReport, StoredReport};
@@ -70,8 +70,12 @@ pub struct AttemptData<'a> {
 pub struct ByHandData<'a> {
     /// The points.
     pub points: Option<&'a str>,
+    /// How they count beside those of marking.
+    pub rule: OverrideRule,
     /// Why.
     pub reason: &'a str,
+    /// What else the student is told.
+    pub comment: &'a str,
     /// When.
     pub at: Moment,
 }
@@ -119,7 +123,13 @@ impl<'a> SheetData<'a> {
             attempts: own.attempts.iter().enumerate().map(attempt).collect(),
             hints: own.hints,
             by_hand: by_hand
-                .map(|own| ByHandData { points: own.points.as_deref(), reason: &own.reason, at: own.at })
+                .map(|own| ByHandData {
+                    points: own.points.as_deref(),
+                    rule: own.rule,
+                    reason: &own.reason,
+                    comment: &own.comment,
+                    at: own.at,
+                })
                 .collect(),
         }
     }

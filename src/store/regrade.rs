@@ -3,12 +3,13 @@
 use sqlx::Row;
 use sqlx::query;
 
-use crate::course::{Assignment, Attempt, Correction, HintShown, Item, Key};
+use crate::course::{Assignment, Attempt, Correction, HintShown, Item, Key, Override};
 
 use super::assignments::{changed, save_item};
 use super::fault::StoreFault;
 use super::open::Store;
 use super::records::to_json;
+use super::sheets::set_points;
 use super::trail::Entry;
 
 /// A corrected problem taken into an item, in one step.
@@ -20,6 +21,8 @@ pub struct Regrade<'a> {
     pub correction: &'a Correction,
     /// The attempts with what marking makes of them now.
     pub attempts: &'a [Attempt],
+    /// The points that students keep because nobody was to have fewer.
+    pub kept: &'a [(Key<Override>, Override)],
     /// The revision of the assignment by which this was worked out.
     pub revision: i64,
     /// How many attempts there were then at all sheets of the item.
@@ -32,7 +35,7 @@ impl Store {
     /// # Errors
     /// Where the database refuses, as for everything here.
     pub async fn regrade(&self, key: Key<Correction>, step: &Regrade<'_>, entry: &Entry) -> Result<bool, StoreFault> {
-        let Regrade { item, correction, attempts, revision, handed_in } = *step;
+        let Regrade { item, correction, attempts, kept, revision, handed_in } = *step;
         // The first holds the assignment, so that nobody hands in any more; the second counts what was handed in until then.
         let held = query("UPDATE assignment SET revision = revision + 1 WHERE key = $1 AND revision = $2");
         let held = held.bind(item.assignment.to_string()).bind(revision);
@@ -54,6 +57,9 @@ impl Store {
             statements.push(before.bind(sheet.clone()).bind(number).bind(key.to_string()));
             let now = query("UPDATE attempt SET data = $3 WHERE sheet = $1 AND number = $2");
             statements.push(now.bind(sheet).bind(number).bind(to_json(attempt)?));
+        }
+        for (key, points) in kept {
+            statements.push(set_points(*key, points)?);
         }
         statements.push(changed(item.assignment));
         statements.push(entry.statement()?);

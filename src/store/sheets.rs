@@ -13,6 +13,7 @@ use super::fault::StoreFault;
 use super::open::Store;
 use super::records::to_json;
 use super::trail::Entry;
+use super::writer::Statement;
 
 /// An attempt to be handed in, with what it was marked by.
 #[derive(Clone, Copy, Debug)]
@@ -228,9 +229,7 @@ impl Store {
     /// # Errors
     /// Where the database refuses.
     pub async fn set_points(&self, key: Key<Override>, points: &Override, entry: &Entry) -> Result<(), StoreFault> {
-        let statement = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, $2, NULL, $3, $4)");
-        let statement = statement.bind(key.to_string()).bind(points.sheet.to_string()).bind(points.at.millis());
-        self.write(vec![statement.bind(to_json(points)?), entry.statement()?]).await.map(|_| ())
+        self.write(vec![set_points(key, points)?, entry.statement()?]).await.map(|_| ())
     }
 
     /// The points that were set by hand in an assignment, in their order.
@@ -244,4 +243,26 @@ impl Store {
         );
         self.records(statement.bind(assignment.to_string())).await
     }
+
+    /// The points that were set by hand for one student in an assignment, in their order.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn set_by_hand_of(
+        &self,
+        assignment: Key<Assignment>,
+        member: Key<Member>,
+    ) -> Result<Vec<Override>, StoreFault> {
+        let statement = query(
+            "SELECT d.data FROM decision d JOIN sheet s ON s.key = d.sheet JOIN item i ON i.key = s.item \
+             WHERE i.assignment = $1 AND s.member = $2 ORDER BY d.at, d.key",
+        );
+        self.records(statement.bind(assignment.to_string()).bind(member.to_string())).await
+    }
+}
+
+pub(super) fn set_points(key: Key<Override>, points: &Override) -> Result<Statement, StoreFault> {
+    let statement = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, $2, NULL, $3, $4)");
+    let statement = statement.bind(key.to_string()).bind(points.sheet.to_string()).bind(points.at.millis());
+    Ok(statement.bind(to_json(points)?))
 }

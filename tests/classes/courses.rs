@@ -1,9 +1,12 @@
 //! Courses, request by request, without a network: SQLite in a folder of the test's own, and a clock that the test sets.
 
 mod access;
+mod corrected;
 mod early;
 mod editor;
+mod five_places;
 mod grades;
+mod handed;
 mod old_data;
 mod print;
 mod problems;

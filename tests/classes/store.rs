@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use momentous::course::{Attempt, Course, Draft, HintShown, Key, Member, Moment, Override, Person, Role, Sheet};
+use momentous::course::{
+    Attempt, Course, Draft, HintShown, Key, Member, Moment, Override, OverrideRule, Person, Role, Sheet,
+};
 use momentous::exercise::Exercise;
 use momentous::store::{Address, AssignmentWithItems, HandIn, HandedIn, Store, StoreFault, Ticket, TicketKind};
 
@@ -204,9 +206,7 @@ fn hints_drafts_and_points_by_hand_are_kept() {
         }
         assert_eq!(store.draft(own.sheet.key).await.unwrap().unwrap().answers["v_A2"], "2");
         for (key, points) in [(90, Some("1/3")), (91, None)] {
-            let points = points.map(str::to_owned);
-            let at = NOW.after(i64::from(key));
-            let set = Override { sheet: own.sheet.key, points, reason: "r".into(), by: own.student.key, at };
+            let set = Override { at: NOW.after(i64::from(key)), ..own.set(points, OverrideRule::Exactly) };
             store.set_points(Key::new([key; 16]), &set, &own.entry(key)).await.unwrap();
         }
         let set = store.set_by_hand(own.whole.assignment.key).await.unwrap();

@@ -6,6 +6,7 @@ mod clock;
 mod gate;
 mod grades;
 mod items;
+mod ledger;
 mod library;
 mod limits;
 mod origin;

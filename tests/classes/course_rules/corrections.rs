@@ -1,6 +1,6 @@
 //! A corrected problem, and another policy, over what was handed in before.
 
-use momentous::course::{CorrectionChoice, PolicyForm, Redaction, Remarked, StoredReport, effects, redacted};
+use momentous::course::{PolicyForm, Redaction, Remarked, Score, StoredReport, effects, redacted};
 
 use super::class::{Desk, form, found, key, policy, problem, text};
 
@@ -13,12 +13,12 @@ fn desk() -> Desk {
     desk
 }
 
-/// What a choice makes of the score.
-fn score(desk: &Desk, text: Option<&str>, choice: CorrectionChoice) -> (Option<String>, bool) {
+/// What marking makes of the score by a problem.
+fn score(desk: &Desk, text: Option<&str>) -> Option<String> {
     let problem = text.map(problem);
     let all = effects(&[desk.worked()], &desk.policy, problem.as_ref());
-    let score = all[0].score(choice).map(|own| format!("{}/{}", own.points, own.out_of));
-    (score, all[0].changes(choice))
+    let Remarked::Same(reports) = &all[0].after else { return None };
+    Score::of(reports.last().unwrap()).map(|own| format!("{}/{}", own.points, own.out_of))
 }
 
 #[test]
@@ -26,22 +26,18 @@ fn the_same_problem_marks_all_attempts_as_they_were_marked() {
     let desk = desk();
     let all = effects(&[desk.worked()], &desk.policy, Some(&problem(&text())));
     assert_eq!(all[0].after, Remarked::Same(desk.reports.clone()));
-    assert!(!all[0].changes(CorrectionChoice::Remark));
 }
 
 #[test]
 fn a_corrected_problem_marks_what_it_still_draws_and_the_rest_is_chosen() {
     let desk = desk();
     // By hand: 2 + 2 (9/10)(4/5) + 4/5 = 106/25 of 5.
-    let old = Some("106/25/5".to_owned());
+    assert_eq!(score(&desk, Some(&text())), Some("106/25/5".into()));
     let more = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 3");
-    assert_eq!(score(&desk, Some(&more), CorrectionChoice::Remark), (Some("131/25/6".into()), true));
+    assert_eq!(score(&desk, Some(&more)), Some("131/25/6".into()));
     let other = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: km/h, points: 2");
     for text in [Some(other.as_str()), None] {
-        assert_eq!(score(&desk, text, CorrectionChoice::Remark), (old.clone(), false));
-        assert_eq!(score(&desk, text, CorrectionChoice::FullMarks), (Some("5/5".into()), true));
-        assert_eq!(score(&desk, text, CorrectionChoice::Drop), (None, true));
-        assert_eq!(score(&desk, text, CorrectionChoice::IssueAnew), (None, true));
+        assert_eq!(score(&desk, text), None);
     }
 }
 

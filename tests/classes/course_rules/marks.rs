@@ -1,9 +1,12 @@
 //! Marks of a class, their table, their statistics, and the problems that an assignment reserves.
 
 use momentous::bank::Bank;
+use std::collections::BTreeMap;
+
 use momentous::course::{
-    Assignment, Extension, GradeMark, Gradebook, GradedItem, GradedSheet, Item, Member, Override, Person, Reserved,
-    Role, simulator_of, statistics,
+    Accounts, Assignment, Correction, CorrectionChoice, Extension, GradeMark, Gradebook, Item, Ledger, Member,
+    Override, OverrideRule, Person, Regraded, Regrading, Reserved, Role, Sheet, StoredReport, effects, simulator_of,
+    statistics,
 };
 use momentous::quantity::Rational;
 use proptest::prelude::*;
@@ -22,11 +25,37 @@ fn student(byte: u8, name: &str) -> (Member, Person) {
 
 fn by_hand(desk: &Desk, points: Option<&str>) -> Override {
     let points = points.map(str::to_owned);
-    Override { sheet: desk.sheet.key, points, reason: "viva".into(), by: key(9), at: desk.policy.closes }
+    let (reason, comment) = ("viva".into(), "well said".into());
+    let rule = OverrideRule::Exactly;
+    Override { sheet: desk.sheet.key, points, rule, reason, comment, by: key(9), at: desk.policy.closes }
 }
 
-fn graded<'a>(desk: &'a Desk, by_hand: Option<&'a Override>) -> GradedSheet<'a> {
-    GradedSheet { sheet: &desk.sheet, last: desk.reports.last(), by_hand }
+fn correction(item: &Item, choice: CorrectionChoice, never_lower: bool) -> Correction {
+    let (reason, comment) = ("a wrong sign".into(), String::new());
+    Correction { item: item.key, from: "a".into(), to: "b".into(), choice, never_lower, reason, comment, at: at(DAY) }
+}
+
+/// The records of some desks.
+struct Records {
+    sheets: Vec<Sheet>,
+    last: BTreeMap<momentous::course::Key<Sheet>, StoredReport>,
+}
+
+impl Records {
+    fn of(desks: &[&Desk]) -> Self {
+        let sheets = desks.iter().map(|desk| desk.sheet.clone()).collect();
+        let last = desks.iter().filter_map(|desk| Some((desk.sheet.key, desk.reports.last()?.clone())));
+        Self { sheets, last: last.collect() }
+    }
+
+    fn accounts<'a>(
+        &'a self,
+        items: &'a [Item],
+        corrections: &'a [Correction],
+        by_hand: &'a [Override],
+    ) -> Accounts<'a> {
+        Accounts::of(Ledger { items, corrections, sheets: &self.sheets, last: &self.last, by_hand })
+    }
 }
 
 fn row(book: &Gradebook, place: usize) -> Vec<String> {
@@ -42,8 +71,8 @@ fn marks_are_exact_and_by_hand_before_all() {
     ada.hand_in(["-0.5 m/s", "9 m/s", ""], DAY).unwrap();
     bob.hand_in(["9 m/s", "8 m/s", ""], DAY).unwrap();
     let items = [item(1, 7), item(0, 10), Item { dropped: true, ..item(2, 5) }];
-    let items = items.each_ref().map(|item| GradedItem { item, full_marks: false });
-    let nothing = Gradebook::of(&items, &students, &[graded(&ada, None), graded(&bob, None)]);
+    let records = Records::of(&[&ada, &bob]);
+    let nothing = Gradebook::of(&records.accounts(&items, &[], &[]), &students);
     assert_eq!(
         nothing.columns.iter().map(|own| own.heading.as_str()).collect::<Vec<_>>(),
         ["1 impact/two-carts", "2 impact/two-carts"]
@@ -57,16 +86,29 @@ fn marks_are_exact_and_by_hand_before_all() {
             17
         )
     );
-    let [set, back] = [by_hand(&bob, Some("10/3")), by_hand(&ada, None)];
-    let full = [GradedItem { full_marks: true, ..items[0] }, items[1]];
-    let book = Gradebook::of(&full, &students, &[graded(&ada, Some(&back)), graded(&bob, Some(&set))]);
+    let set = [by_hand(&bob, Some("10/3")), by_hand(&ada, Some("9")), by_hand(&ada, None)];
+    let full = [correction(&items[0], CorrectionChoice::FullMarks, false)];
+    let book = Gradebook::of(&records.accounts(&items, &full, &set), &students);
     assert_eq!(
         (row(&book, 0), row(&book, 1)),
         (vec!["4".to_owned(), "7".to_owned()], vec!["10/3".to_owned(), "7".to_owned()])
     );
     assert_eq!(book.rows[1].total.to_string(), "31/3");
-    let old = Item { issue: 2, ..item(0, 10) };
-    let anew = Gradebook::of(&[GradedItem { item: &old, full_marks: false }], &students, &[graded(&ada, None)]);
+    let accounts = records.accounts(&items, &full, &set);
+    let [own, bobs] = [&students[0], &students[1]].map(|(member, _)| accounts.account(member.key));
+    let said = |said: &Option<momentous::course::Said>| said.as_ref().map(|own| own.reason.clone());
+    assert_eq!(
+        (own.total.to_string().as_str(), bobs.total.to_string().as_str()),
+        ("11", "31/3"),
+        "as in the gradebook"
+    );
+    assert_eq!(
+        (said(&bobs.standings[0].by_hand), said(&bobs.standings[1].corrected)),
+        (Some("viva".into()), Some("a wrong sign".into()))
+    );
+    assert_eq!(own.standings[2].mark, GradeMark::Dropped);
+    let old = [Item { issue: 2, ..item(0, 10) }];
+    let anew = Gradebook::of(&records.accounts(&old, &[], &[]), &students);
     assert_eq!(row(&anew, 0), ["missing"], "sheets of an issue before do not count");
     let csv = book.to_csv();
     assert_eq!(
@@ -100,11 +142,41 @@ proptest! {
         let desk = Desk::new(&text(), policy(&form()), 1);
         let points = (Rational::from(above) / Rational::from(below)).to_string();
         let set = by_hand(&desk, Some(&points));
-        let own = item(0, 1000);
-        let book = Gradebook::of(&[GradedItem { item: &own, full_marks: false }], &pairs, &[graded(&desk, Some(&set))]);
+        let (own, set) = ([item(0, 1000)], [set]);
+        let book = Gradebook::of(&Records::of(&[&desk]).accounts(&own, &[], &set), &pairs);
         let read = book.read_csv(&book.to_csv()).unwrap();
         prop_assert_eq!(read.len(), names.len());
         prop_assert!(book.differing(&read).is_empty());
+    }
+}
+
+/// A correction that never lowers: by the corrected problem the answer is worth less, and new sheets are worth nothing yet.
+#[test]
+fn a_regrade_can_be_told_to_lower_nobodys_points() {
+    let mut desk = Desk::new(&text(), policy(&form()), 1);
+    desk.hand_in(["-0.5 m/s", "9 m/s", ""], DAY).unwrap();
+    let less = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 1");
+    let effect = &effects(&[desk.worked()], &desk.policy, Some(&problem(&less)))[0];
+    let (records, items) = (Records::of(&[&desk]), [item(0, 10)]);
+    let accounts = records.accounts(&items, &[], &[]);
+    let after = |choice, never_lower| {
+        let Regraded { mark, keeps } = accounts.regraded(effect, &items[0], Regrading { choice, never_lower });
+        (mark.points().map(ToString::to_string), keeps.map(|points| points.to_string()))
+    };
+    let some = |points: &str| Some(points.to_owned());
+    // By hand: 2 of 5 parts' points are 4 of 10, and 1 of 4 are 5/2.
+    assert_eq!(after(CorrectionChoice::Remark, false), (some("5/2"), None));
+    assert_eq!(after(CorrectionChoice::Remark, true), (some("4"), some("4")));
+    assert_eq!(after(CorrectionChoice::FullMarks, true), (some("10"), None));
+    assert_eq!(after(CorrectionChoice::Drop, true), (None, None));
+    assert_eq!(after(CorrectionChoice::IssueAnew, false), (None, None));
+    assert_eq!(after(CorrectionChoice::IssueAnew, true), (some("4"), some("4")));
+    // Full marks stay where the next correction lowers nothing.
+    let full = correction(&items[0], CorrectionChoice::FullMarks, false);
+    for (never_lower, points) in [(true, "10"), (false, "4")] {
+        let both = [full.clone(), correction(&items[0], CorrectionChoice::Remark, never_lower)];
+        let standing = records.accounts(&items, &both, &[]).standing(key(1), &items[0]);
+        assert_eq!(standing.mark.points().unwrap().to_string(), points);
     }
 }
 
@@ -118,7 +190,17 @@ fn statistics_count_what_was_typed_and_score_what_counts() {
     for desk in &mut desks[2..] {
         desk.hand_in(["9 m/s", "8..1 m/s", "67.5 J"], DAY).unwrap();
     }
-    let all = statistics(desks.iter().map(|desk| (&desk.sheet, desk.reports.as_slice())));
+    let students: Vec<(Member, Person)> = (1..=4).map(|byte| student(byte, "S")).collect();
+    let students: Vec<(&Member, &Person)> = students.iter().map(|(member, person)| (member, person)).collect();
+    let (items, set) = ([item(0, 10)], [by_hand(&desks[3], Some("10"))]);
+    let records = Records::of(&desks.iter().collect::<Vec<_>>());
+    let accounts = records.accounts(&items, &[], &set);
+    let book = Gradebook::of(&accounts, &students);
+    let found = statistics(&accounts, &book, desks.iter().map(|desk| (&desk.sheet, desk.reports.as_slice())));
+    // By hand: (2 + 2 + 9/10) 2, (2 + 2) 2, 0, and 10 by hand, of 10 each.
+    assert_eq!((found.students, found.items[0].mean.to_string().as_str()), (4, "139/20"));
+    assert_eq!(found.mean.unwrap().to_string(), "139/200");
+    let all = found.parts;
     let part = |id: &str| all.items.iter().find(|item| item.item.part == id).unwrap();
     // Four first attempts; the second of one student has one answer that was typed. It is worth 9/10 of its point.
     assert_eq!((all.students, all.rows.read, part("v_A2").answers, part("T_lost").answers), (4, 5, 4, 5));

@@ -1,7 +1,8 @@
 //! Rosters, and what is handed to a student about the student.
 
 use momentous::course::{
-    Course, Member, Override, Person, Role, RosterChange, RosterRow, StudentData, roster_changes, roster_records,
+    Course, Member, Override, OverrideRule, Person, Role, RosterChange, RosterRow, StudentData, roster_changes,
+    roster_records,
 };
 use momentous::grade::DecimalMark;
 
@@ -121,7 +122,9 @@ fn what_a_student_is_handed_has_no_seed_and_nothing_that_is_not_released() {
     let set = Override {
         sheet: desk.sheet.key,
         points: Some("3".into()),
+        rule: OverrideRule::Exactly,
         reason: "viva".into(),
+        comment: "well said".into(),
         by: key(9),
         at: desk.policy.opens,
     };
@@ -132,12 +135,15 @@ fn what_a_student_is_handed_has_no_seed_and_nothing_that_is_not_released() {
     };
     let before = json("2026-11-25T11:00");
     assert!(before.contains("-0.5 m/s") && before.contains("Cart A"), "{before}");
-    for word in ["seed", "secret", "verdict", "viva", &desk.sheet.issued.digest] {
+    for word in ["seed", "secret", "verdict", "viva", "well said", &desk.sheet.issued.digest] {
         assert!(!before.contains(word), "{word}: {before}");
     }
     let after = json("2026-12-04T18:00");
     assert!(
-        after.contains("\"verdict\":\"right\"") && after.contains("viva") && !after.contains("very secret"),
+        after.contains("\"verdict\":\"right\"")
+            && after.contains("viva")
+            && after.contains("well said")
+            && !after.contains("very secret"),
         "{after}"
     );
     assert_eq!(serde_json::from_str::<serde_json::Value>(&after).unwrap()["sheets"].as_array().map(Vec::len), Some(1));

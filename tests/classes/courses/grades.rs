@@ -1,104 +1,9 @@
 //! What those who teach see of answers, and decide about them.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use momentous::course::{Key, Release};
 
-use momentous::bank::Bank;
-use momentous::course::{Item, Key, Moment, ProblemFile};
-use momentous::fault::Source;
-use momentous::problem::{compile, load};
-use momentous::store::AssignmentWithItems;
-
-use super::university::{BEGIN, DAY, University};
-
-const CARTS: &str = "impact/two-carts";
-
-/// The text of the problem in the bank.
-fn text() -> String {
-    Bank::built_in().find(CARTS).unwrap().text.to_string()
-}
-
-/// The right answers of a student who has seen the first item, as they are printed.
-fn right(university: &University, login: &str) -> BTreeMap<String, String> {
-    let sheets = university.wait(async |store| store.sheets_of(University::member(login)).await).unwrap();
-    let source = Bank::built_in().find(CARTS).unwrap().clone();
-    let problem = compile(load(source).unwrap(), Some(university.course.secret.as_bytes())).unwrap();
-    let exercise = sheets[0].issued.draw(&Arc::new(problem)).unwrap();
-    exercise.worked().form.parts.iter().map(|part| (part.id.clone(), exercise.printed(part))).collect()
-}
-
-/// A class in which Ada has handed in what is right at the first part, which is 2 of 5 points of a sheet worth 10, and nonsense at the
-/// second; Bob has not opened anything.
-struct Handed {
-    university: University,
-    whole: AssignmentWithItems,
-}
-
-impl Handed {
-    fn new() -> Self {
-        let university = University::new();
-        let whole = university.assignment(&[(CARTS, "forward", 10)], |_| {});
-        let own = Self { university, whole };
-        let mut ada = own.university.browser_of("ada");
-        let address = own.item("");
-        ada.get(&address).text(200);
-        let answers = right(&own.university, "ada");
-        own.university.set_clock(DAY / 2);
-        let fields = [("request", "1"), ("answer.v_A2", answers["v_A2"].as_str()), ("answer.v_B2", "ask 555-0199 <b>")];
-        ada.post(&address, &fields).to();
-        own
-    }
-
-    /// An address below the first item.
-    fn item(&self, path: &str) -> String {
-        self.university.address(&format!("/items/{}{path}", self.whole.items[0].key))
-    }
-
-    /// Below the page of Ada's answers.
-    fn answers(&self, path: &str) -> String {
-        self.item(&format!("/students/{}{path}", University::member("ada")))
-    }
-
-    /// An address below the assignment.
-    fn assignment(&self, path: &str) -> String {
-        self.university.address(&format!("/assignments/{}{path}", self.whole.assignment.key))
-    }
-
-    /// Ada's row of the table.
-    fn row(&self) -> String {
-        let table = self.university.browser_of("ida").get(&self.assignment("/gradebook.csv")).text(200);
-        table.lines().find(|line| line.starts_with("ada,")).unwrap().to_owned()
-    }
-
-    /// Publishes another file of the problem in the course.
-    fn publish(&self, text: &str) {
-        let source = Source::new(CARTS, text);
-        let file = ProblemFile {
-            digest: load(source).unwrap().digest,
-            problem: CARTS.to_owned(),
-            text: text.to_owned(),
-            course: Some(self.university.course.key),
-            published: Some(Moment::from_millis(BEGIN + DAY)),
-            saved: Moment::from_millis(BEGIN + DAY),
-        };
-        self.university.wait(async |store| store.save_problem_file(&file, None).await).unwrap();
-    }
-
-    /// The fields of the form to take the published file in.
-    fn choice<'a>(page: &'a str, choice: &'a str) -> [(&'a str, &'a str); 4] {
-        let value = |name: &str| {
-            let (_, rest) = page.split_once(&format!("name=\"{name}\" value=\"")).unwrap();
-            rest.split('"').next().unwrap()
-        };
-        [("revision", value("revision")), ("item", value("item")), ("digest", value("digest")), ("choice", choice)]
-    }
-
-    fn kept(&self) -> Item {
-        let key = self.whole.assignment.key;
-        let whole = self.university.wait(async |store| store.assignment(key).await).unwrap().unwrap();
-        whole.items[0].clone()
-    }
-}
+use super::handed::Handed;
+use super::university::{DAY, University};
 
 #[test]
 fn a_gradebook_says_what_each_has_and_what_is_missing() {
@@ -184,6 +89,27 @@ fn points_set_by_hand_have_a_reason_and_nothing_before_is_lost() {
 }
 
 #[test]
+fn points_set_by_hand_reach_the_student_with_reason_and_comment_once_verdicts_do() {
+    for (verdicts, shown) in [(Release::AtOnce, [true, true]), (Release::AtClose, [false, true])] {
+        let handed = Handed::with(|policy| policy.verdicts = verdicts);
+        let mut ida = handed.university.browser_of("ida");
+        let fields = [("points", "22/3"), ("reason", "an oral <exam>"), ("comment", "Well said.\nMind the units.")];
+        ida.post(&handed.answers("/points"), &fields).to();
+        let mut ada = handed.university.browser_of("ada");
+        for (when, shown) in [DAY / 2, 4 * DAY].into_iter().zip(shown) {
+            handed.university.set_clock(when);
+            let sheet = ada.get(&handed.item("")).text(200);
+            for said in ["7.33 of 10</strong> points, by hand", "an oral &lt;exam&gt;", "Mind the units."] {
+                assert_eq!(sheet.contains(said), shown, "{said}: {sheet}");
+            }
+            let list = ada.get(&handed.assignment("")).text(200);
+            assert_eq!(list.contains("7.33 of 10"), shown, "{list}");
+        }
+        assert!(ida.get(&handed.answers("")).text(200).contains("To the student: Well said."));
+    }
+}
+
+#[test]
 fn a_student_who_has_opened_nothing_can_have_points_and_finds_the_same_sheet() {
     let handed = Handed::new();
     let mut ida = handed.university.browser_of("ida");
@@ -229,81 +155,14 @@ fn a_redacted_answer_is_gone_and_its_points_stay() {
 fn statistics_say_how_easy_a_part_was() {
     let handed = Handed::new();
     let page = handed.university.browser_of("ann").get(&handed.assignment("/statistics")).text(200);
-    assert!(page.contains("of 1 student;") && page.contains("forward: v_A2") && page.contains("100 %"), "{page}");
-}
-
-#[test]
-fn a_corrected_problem_is_previewed_and_taken_in_once() {
-    let handed = Handed::new();
-    let (mut ida, mut second) = (handed.university.browser_of("ida"), handed.university.browser_of("ida"));
-    let address = handed.assignment("/regrade");
-    assert!(ida.get(&address).text(200).contains("No problem of this assignment has changed"));
-    // Of 2 + 2 + 1 points Ada has 2; of 7 + 2 + 1 she has 7.
-    handed.publish(&text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 7"));
-    let page = ida.get(&address).text(200);
-    assert!(page.contains("It draws every sheet as it was handed out (1)"), "{page}");
+    assert!(page.contains("1 student has points; the mean is 40 %") && page.contains("4 of 10"), "{page}");
     assert!(
-        page.contains("<th scope=\"row\">ada &lt;script&gt;</th><td>4</td><td>7</td><td>10</td><td>–</td>"),
+        page.contains("3 answers were marked") && page.contains("forward: v_A2") && page.contains("100 %"),
         "{page}"
     );
-    assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10", "a preview changes nothing");
-    let fields = Handed::choice(&page, "remark");
-    assert_eq!(
-        ida.post(&address, &[&fields[..3], &[("choice", "issue_anew")]].concat()).status,
-        400,
-        "it is not offered"
-    );
-    ida.post(&address, &fields).to();
-    assert_eq!(handed.row(), "ada,ada <script>,A,7,7,10");
-    let late = second.post(&address, &fields).text(409);
-    assert!(late.contains("nothing was done") || late.contains("Nothing was done"), "{late}");
-    assert!(ida.get(&address).text(200).contains("No problem of this assignment has changed"));
-    // What is handed in from now on is marked by the corrected problem.
-    let answers = right(&handed.university, "ada");
-    let mut ada = handed.university.browser_of("ada");
-    ada.post(&handed.item(""), &[("request", "3"), ("answer.T_lost", &answers["T_lost"])]).to();
-    assert_eq!(handed.row(), "ada,ada <script>,A,8,8,10");
 }
 
-#[test]
-fn an_answer_that_comes_between_preview_and_change_is_not_overlooked() {
-    let handed = Handed::new();
-    handed.publish(&text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 7"));
-    let mut ida = handed.university.browser_of("ida");
-    let page = ida.get(&handed.assignment("/regrade")).text(200);
-    let answers = right(&handed.university, "ada");
-    let mut ada = handed.university.browser_of("ada");
-    ada.post(&handed.item(""), &[("request", "2"), ("answer.T_lost", &answers["T_lost"])]).to();
-    ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, "remark")).to();
-    assert_eq!(handed.row(), "ada,ada <script>,A,8,8,10", "both attempts are marked anew");
-}
-
-#[test]
-fn where_a_problem_draws_something_else_the_instructor_chooses() {
-    let other = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: km/h, points: 2");
-    for (choice, row, issue) in [
-        ("full_marks", "ada,ada <script>,A,10,10,10", 0),
-        ("drop", "ada,ada <script>,A,0,0", 0),
-        ("issue_anew", "ada,ada <script>,A,,0,10", 1),
-    ] {
-        let handed = Handed::new();
-        handed.publish(&other);
-        let mut ida = handed.university.browser_of("ida");
-        let page = ida.get(&handed.assignment("/regrade")).text(200);
-        assert!(page.contains("Of 1 sheet it draws 1 otherwise"), "{page}");
-        let refused = ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, "remark"));
-        assert_eq!(refused.status, 400, "nothing can be marked again");
-        ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, choice)).to();
-        assert_eq!((handed.row().as_str(), handed.kept().issue), (row, issue), "{choice}");
-        assert!(
-            ida.get(&handed.assignment("/regrade")).text(200).contains("No problem of this assignment has changed"),
-            "{choice}"
-        );
-        let mut ada = handed.university.browser_of("ada");
-        let sheet = ada.get(&handed.item("")).text(200);
-        assert_eq!(sheet.contains("km"), choice == "issue_anew", "{choice}: {sheet}");
-    }
-}
+/// The key of the class.
 
 #[test]
 fn students_take_their_own_data_and_nobody_elses() {

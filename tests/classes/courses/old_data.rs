@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use momentous::course::{Extension, Key, Moment, Override};
+use momentous::course::{Extension, Key, Moment, Override, OverrideRule};
 use momentous::store::{Address, Inspection, Store};
 use momentous::web::Settings;
 use sqlx::{AnyConnection, Connection, Executor};
@@ -116,7 +116,8 @@ fn write_the_data_of_this_version() {
         store.extend(&extension, &University::entry(90)).await.unwrap();
         let sheets = store.sheets_of(University::member("ada")).await.unwrap();
         let (sheet, by) = (sheets[0].key, University::key("ida"));
-        let points = Override { sheet, points: Some("19/2".into()), reason: "a clear drawing".into(), by, at };
+        let (reason, comment, rule) = ("a clear drawing".into(), String::new(), OverrideRule::Exactly);
+        let points = Override { sheet, points: Some("19/2".into()), rule, reason, comment, by, at };
         store.set_points(Key::new([91; 16]), &points, &University::entry(91)).await.unwrap();
         store.backup(&file).await.unwrap();
         let mut connection = AnyConnection::connect(&copy).await.unwrap();

@@ -236,9 +236,10 @@ fn pages_ask_the_database_a_counted_number_of_times() {
     );
 }
 
-/// Session, membership, item, assignment with its items, extension, sheet, attempts, hints, draft.
-const SHEET: (u64, u64) = (10, 6);
-/// The same without the draft.
+/// Session, membership, item, assignment with its items, extension, sheet, attempts, hints, draft; for the points corrections, sheets, and
+/// what was set by hand.
+const SHEET: (u64, u64) = (13, 7);
+/// The same without the draft and the points.
 const HAND_IN: (u64, u64) = (9, 6);
 /// Session, membership, assignments, extension.
 const COURSE: (u64, u64) = (4, 3);

@@ -1,6 +1,6 @@
 //! What is decided about answers: corrections taken in, and the end of what is kept.
 
-use momentous::course::{Attempt, Correction, CorrectionChoice, Item, Key, Override};
+use momentous::course::{Attempt, Correction, CorrectionChoice, Item, Key, OverrideRule};
 use momentous::store::{HandIn, Inspection, Records, Regrade, Store};
 
 use super::NOW;
@@ -16,7 +16,9 @@ async fn hand_in(store: &Store, own: &Sample, number: u32) -> Attempt {
 }
 
 fn correction(item: &Item) -> Correction {
-    Correction { item: item.key, from: "a".into(), to: "b".into(), choice: CorrectionChoice::Remark, at: NOW }
+    let (choice, comment) = (CorrectionChoice::Remark, String::new());
+    let (from, to, reason) = ("a".into(), "b".into(), "r".into());
+    Correction { item: item.key, from, to, choice, never_lower: true, reason, comment, at: NOW }
 }
 
 #[test]
@@ -30,7 +32,9 @@ fn of_two_who_take_a_correction_in_one_is_told_that_something_changed() {
         let attempts = [Attempt { report, ..attempt }];
         let (revision, correction) = (own.revision(&store).await, correction(&item));
         let handed_in = store.attempts_at(item.key).await.unwrap();
-        let step = Regrade { item: &item, correction: &correction, attempts: &attempts, revision, handed_in };
+        let least = [(Key::new([79; 16]), own.set(Some("3"), OverrideRule::AtLeast))];
+        let step =
+            Regrade { item: &item, correction: &correction, attempts: &attempts, kept: &least, revision, handed_in };
         let [one, other] = [own.entry(80), own.entry(81)];
         let (one, other) = tokio::join!(
             store.regrade(Key::new([80; 16]), &step, &one),
@@ -41,6 +45,9 @@ fn of_two_who_take_a_correction_in_one_is_told_that_something_changed() {
         assert_eq!((kept.len(), kept[0].report.get()), (1, "\"marked anew\""));
         assert_eq!(store.corrections(own.whole.assignment.key).await.unwrap(), [correction]);
         assert_eq!(store.trail(own.course.key, 10).await.unwrap().len(), 3, "who was refused left nothing");
+        let set = store.set_by_hand_of(own.whole.assignment.key, own.member.key).await.unwrap();
+        assert_eq!(set, [least[0].1.clone()]);
+        assert!(store.set_by_hand_of(own.whole.assignment.key, Key::new([99; 16])).await.unwrap().is_empty());
         assert!(own.revision(&store).await > revision);
     });
 }
@@ -54,7 +61,7 @@ fn a_correction_that_overlooks_an_attempt_is_not_taken_in() {
         let (revision, correction) = (own.revision(&store).await, correction(&item));
         let handed_in = store.attempts_at(item.key).await.unwrap();
         hand_in(&store, &own, 1).await;
-        let step = Regrade { item: &item, correction: &correction, attempts: &[], revision, handed_in };
+        let step = Regrade { item: &item, correction: &correction, attempts: &[], kept: &[], revision, handed_in };
         assert!(!store.regrade(Key::new([82; 16]), &step, &own.entry(82)).await.unwrap());
         let step = Regrade { handed_in: handed_in + 1, ..step };
         assert!(store.regrade(Key::new([82; 16]), &step, &own.entry(82)).await.unwrap());
@@ -68,8 +75,7 @@ fn the_answers_of_a_course_end_and_its_people_stay() {
         let store = database.serve().await;
         let own = Sample::kept(&store).await;
         hand_in(&store, &own, 1).await;
-        let by = own.student.key;
-        let points = Override { sheet: own.sheet.key, points: None, reason: "r".into(), by, at: NOW };
+        let points = own.set(None, OverrideRule::Exactly);
         store.set_points(Key::new([83; 16]), &points, &own.entry(83)).await.unwrap();
         assert_eq!(store.last_close(own.course.key).await.unwrap(), Some(own.whole.assignment.policy.closes));
         let records = Records { sheets: 1, attempts: 1, by_hand: 1 };

@@ -1,8 +1,8 @@
 //! A course with one student and one sheet.
 
 use momentous::course::{
-    Assignment, Course, Extension, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, Sheet,
-    SolutionRelease,
+    Assignment, Course, Extension, Item, Key, Member, Moment, Override, OverrideRule, Person, Policy, Release, Role,
+    Share, Sheet, SolutionRelease,
 };
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
@@ -85,6 +85,13 @@ impl Sample {
     pub fn entry(&self, key: u8) -> Entry {
         let key = Key::new([key; 16]);
         Entry { key, at: NOW, by: None, course: Some(self.course.key), what: "tried".into(), detail: String::new() }
+    }
+
+    /// Points that somebody set at the sheet.
+    pub fn set(&self, points: Option<&str>, rule: OverrideRule) -> Override {
+        let (sheet, by) = (self.sheet.key, self.student.key);
+        let (points, reason, comment) = (points.map(str::to_owned), "viva".into(), "well said".into());
+        Override { sheet, points, rule, reason, comment, by, at: NOW }
     }
 
     pub async fn revision(&self, store: &Store) -> i64 {

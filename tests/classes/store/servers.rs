@@ -70,9 +70,11 @@ fn a_correction_waits_for_what_is_handed_in_through_another_server() {
         let mut handing_in = other(database, &[hold, add]).await;
         let (held, item, entry) = (store.clone(), own.whole.items[0].clone(), own.entry(80));
         let (from, to, choice) = ("a".to_owned(), "b".to_owned(), CorrectionChoice::Remark);
-        let correction = Correction { item: item.key, from, to, choice, at: NOW };
+        let (reason, comment, never_lower) = (String::new(), String::new(), false);
+        let correction = Correction { item: item.key, from, to, choice, never_lower, reason, comment, at: NOW };
         let regraded = tokio::spawn(async move {
-            let step = Regrade { item: &item, correction: &correction, attempts: &[], revision, handed_in: 0 };
+            let step =
+                Regrade { item: &item, correction: &correction, attempts: &[], kept: &[], revision, handed_in: 0 };
             held.regrade(Key::new([80; 16]), &step, &entry).await.unwrap()
         });
         until_it_waits(database, &regraded).await;

@@ -2,12 +2,13 @@
 
 use serde::Serialize;
 
-use crate::course::{Attempt, Item, Override, Role, Sheet, StoredPart, StoredReport, is_redacted};
+use crate::course::{Attempt, Item, Override, OverrideRule, Role, Sheet, StoredPart, StoredReport, is_redacted};
 use crate::grade::Points;
 use crate::laws::wrong;
 use crate::store::{AssignmentWithItems, Membership};
 
 use super::super::items;
+use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
@@ -23,6 +24,8 @@ struct AnswersPage {
     member: String,
     name: String,
     points: u32,
+    /// What the student has for it.
+    standing: Option<Has>,
     /// When the student was given the problem: by opening it, on paper, or with points set by hand.
     seen: Option<String>,
     /// The text of the sheet as it was shown.
@@ -63,7 +66,10 @@ struct PartShown {
 #[derive(Serialize)]
 struct ByHandShown {
     points: Option<String>,
+    /// Whether a regrade kept them as the least.
+    kept: bool,
     reason: String,
+    comment: String,
     at: String,
 }
 
@@ -72,6 +78,7 @@ struct ByHandShown {
 pub(super) struct Typed {
     pub(super) points: String,
     pub(super) reason: String,
+    pub(super) comment: String,
     pub(super) fault: Option<String>,
 }
 
@@ -134,8 +141,8 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
     };
     let reports = reports(&attempts)?;
     let counting = reports.last().and_then(|last| last.history.counting());
-    let by_hand = visit.store().set_by_hand(whole.assignment.key).await?;
-    let is_own = |own: &&Override| sheet.as_ref().is_some_and(|sheet| own.sheet == sheet.key);
+    let records = Records::of_student(visit, whole, student.member.key).await?;
+    let is_own = |own: &&Override| records.is_at(own, item.key);
     let page = AnswersPage {
         title: format!("{}: {}", student.person.shown(), item.problem),
         assignment: whole.assignment.key.to_string(),
@@ -145,10 +152,11 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
         member: student.member.key.to_string(),
         name: student.person.shown().to_owned(),
         points: item.points,
+        standing: records.standing(student.member.key, item.key).map(|own| Has::of(&own)),
         seen: sheet.as_ref().map(|sheet| sheet.seen.shown(zone)),
         statement: sheet.as_ref().map(|sheet| sheet.issued.statement.clone()).unwrap_or_default(),
         attempts: attempts.iter().zip(&reports).map(|(own, report)| shown(own, report, counting, zone)).collect(),
-        by_hand: by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
+        by_hand: records.by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
         decides: visit.place()?.member.role == Role::Instructor,
         is_student: student.member.role == Role::Student,
         typed,
@@ -187,7 +195,9 @@ fn set(own: &Override, zone: &str) -> ByHandShown {
     let points = own.points.as_deref().and_then(|points| points.parse().ok());
     ByHandShown {
         points: points.map(|points| Points(points).to_string()),
+        kept: own.rule == OverrideRule::AtLeast,
         reason: own.reason.clone(),
+        comment: own.comment.clone(),
         at: own.at.shown(zone),
     }
 }

@@ -1,6 +1,6 @@
 //! What an instructor decides about one student's answers: points set by hand, and answers taken out of the records.
 
-use crate::course::{Override, Redaction, points_by_hand, redacted};
+use crate::course::{Override, OverrideRule, Redaction, points_by_hand, redacted};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -11,13 +11,15 @@ use super::answers::{Place, Typed, page};
 /// Sets points by hand, or lets those of marking count again. What was set before stays in the records.
 pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, NotShown> {
     let place = Place::of(visit).await?;
-    let [points, reason] = ["points", "reason"].map(|name| visit.fields.text(name).trim().to_owned());
+    let [points, reason, comment] =
+        ["points", "reason", "comment"].map(|name| visit.fields.text(name).trim().to_owned());
     let wrong = async |fault: String| {
-        let typed = Typed { points: points.clone(), reason: reason.clone(), fault: Some(fault) };
+        let (points, reason, comment) = (points.clone(), reason.clone(), comment.clone());
+        let typed = Typed { points, reason, comment, fault: Some(fault) };
         Ok(page(visit, &place, typed).await?.wrong())
     };
     if reason.is_empty() {
-        return wrong("say why: it is kept with the marks".to_owned()).await;
+        return wrong("say why: it is kept with the marks, and the student reads it".to_owned()).await;
     }
     let read = match points_by_hand(&points, place.item.points) {
         Ok(read) => read,
@@ -31,7 +33,9 @@ pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, 
     let before = visit.store().set_by_hand(place.whole.assignment.key).await?;
     let last = before.iter().filter(|own| own.sheet == sheet.key).map(|own| own.at.after(1)).max();
     let at = last.map_or(visit.now, |last| last.max(visit.now));
-    let points = Override { sheet: sheet.key, points: read, reason: reason.clone(), by, at };
+    let rule = OverrideRule::Exactly;
+    let (reason, comment) = (reason.clone(), comment.clone());
+    let points = Override { sheet: sheet.key, points: read, rule, reason, comment, by, at };
     visit.store().set_points(session::key(), &points, &visit.entry(what, detail)).await?;
     Ok(Reply::To(place.address(visit)?))
 }

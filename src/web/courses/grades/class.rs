@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use crate::course::{
-    Attempt, Correction, CorrectionChoice, Extension, Gradebook, GradedItem, GradedSheet, HintShown, Item, Key, Member,
-    Override, Role, Sheet, StoredReport, Window, WorkedSheet,
+    Attempt, Extension, Gradebook, HintShown, Key, Member, Role, Sheet, StoredReport, Window, WorkedSheet,
 };
 use crate::store::{AssignmentWithItems, Membership, StoreFault};
 
+use super::super::ledger::Records;
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;
 
@@ -49,55 +49,21 @@ pub(super) fn reports(attempts: &[Attempt]) -> Result<Vec<StoredReport>, NotShow
 pub(super) struct Class {
     pub(super) whole: AssignmentWithItems,
     pub(super) students: Vec<Membership>,
-    pub(super) sheets: Vec<Sheet>,
-    /// What was kept of the last attempt at each sheet.
-    pub(super) last: BTreeMap<Key<Sheet>, StoredReport>,
-    by_hand: Vec<Override>,
-    corrections: Vec<Correction>,
+    pub(super) records: Records,
 }
 
 impl Class {
     /// The class of the assignment in the address. The number of reads does not depend on the number of students.
     pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
         let whole = assignment(visit).await?;
-        let (store, key) = (visit.store(), whole.assignment.key);
-        let last = store.last_attempts(key).await?;
-        let reports = reports(&last)?;
-        Ok(Self {
-            students: students(visit).await?,
-            sheets: store.sheets(key).await?,
-            last: last.iter().map(|attempt| attempt.sheet).zip(reports).collect(),
-            by_hand: store.set_by_hand(key).await?,
-            corrections: store.corrections(key).await?,
-            whole,
-        })
+        Ok(Self { students: students(visit).await?, records: Records::of_class(visit, &whole).await?, whole })
     }
 
     /// The marks.
     pub(super) fn gradebook(&self) -> Gradebook {
-        // Of several that concern one record the last one stands.
-        let by_hand: BTreeMap<Key<Sheet>, &Override> = self.by_hand.iter().map(|own| (own.sheet, own)).collect();
-        let items: Vec<GradedItem<'_>> = self
-            .whole
-            .items
-            .iter()
-            .map(|item| GradedItem { item, full_marks: has_full_marks(item, &self.corrections) })
-            .collect();
         let students: Vec<_> = self.students.iter().map(|own| (&own.member, &own.person)).collect();
-        let graded = self.sheets.iter().map(|sheet| GradedSheet {
-            sheet,
-            last: self.last.get(&sheet.key),
-            by_hand: by_hand.get(&sheet.key).copied(),
-        });
-        let sheets: Vec<GradedSheet<'_>> = graded.collect();
-        Gradebook::of(&items, &students, &sheets)
+        Gradebook::of(&self.records.accounts(), &students)
     }
-}
-
-/// Whether the last correction of an item gave full marks to everybody.
-pub(super) fn has_full_marks(item: &Item, corrections: &[Correction]) -> bool {
-    let last = corrections.iter().rfind(|own| own.item == item.key);
-    last.is_some_and(|own| own.choice == CorrectionChoice::FullMarks)
 }
 
 /// A sheet with everything that was handed in on it.

@@ -24,12 +24,18 @@ pub(super) struct Corrected {
 }
 
 impl Corrected {
-    /// The choices that there are: sheets are marked again only where the file draws all of them alike.
-    pub(super) fn choices(&self) -> Vec<CorrectionChoice> {
-        let draws_alike = self.fault.is_none() && !self.effects.iter().any(|own| own.after == Remarked::Differs);
-        let first = draws_alike.then_some(CorrectionChoice::Remark);
-        let anew = (!draws_alike && self.fault.is_none()).then_some(CorrectionChoice::IssueAnew);
-        first.into_iter().chain([CorrectionChoice::FullMarks, CorrectionChoice::Drop]).chain(anew).collect()
+    /// Whether the file draws every sheet as it was handed out.
+    pub(super) fn draws_alike(&self) -> bool {
+        self.fault.is_none() && !self.effects.iter().any(|own| own.after == Remarked::Differs)
+    }
+
+    /// Whether there is this choice: sheets are marked again only where the file draws all of them alike.
+    pub(super) fn offers(&self, choice: CorrectionChoice) -> bool {
+        match choice {
+            CorrectionChoice::Remark => self.draws_alike(),
+            CorrectionChoice::FullMarks | CorrectionChoice::Drop => true,
+            CorrectionChoice::IssueAnew => !self.draws_alike() && self.fault.is_none(),
+        }
     }
 }
 

@@ -49,12 +49,7 @@ struct Cell {
 }
 
 fn cell(item: String, mark: &GradeMark) -> Cell {
-    let how = match mark {
-        GradeMark::Missing | GradeMark::Marked { .. } => "",
-        GradeMark::ByHand { .. } => "by hand",
-        GradeMark::Full { .. } => "full marks",
-    };
-    Cell { item, points: mark.points().map(|points| Points(points.clone()).to_string()), how }
+    Cell { item, points: mark.points().map(|points| Points(points.clone()).to_string()), how: mark.how() }
 }
 
 /// Students by items: what each has, and what is missing.

@@ -4,10 +4,14 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{Attempt, Correction, CorrectionChoice, Effect, Item, Remarked, Score};
+use crate::course::{
+    Accounts, Attempt, Correction, CorrectionChoice, Effect, GradeMark, Item, Key, Override, OverrideRule, Person,
+    Regrading, Remarked,
+};
 use crate::grade::Points;
 use crate::store::{AssignmentWithItems, Regrade, StoreFault};
 
+use super::super::ledger::Records;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::session;
@@ -15,19 +19,47 @@ use super::super::visit::Visit;
 use super::class::assignment;
 use super::correction::{Corrected, corrected};
 
-/// The choices, with their names in forms and what they say.
-const CHOICES: [(CorrectionChoice, &str, &str); 4] = [
-    (CorrectionChoice::Remark, "remark", "Mark what was handed in by the corrected problem"),
-    (CorrectionChoice::FullMarks, "full_marks", "Give everybody full marks"),
-    (CorrectionChoice::Drop, "drop", "Drop the item: it no longer counts"),
-    (CorrectionChoice::IssueAnew, "issue_anew", "Issue new sheets: what was handed in no longer counts"),
+/// A way to take a correction in.
+struct Way {
+    regrading: Regrading,
+    /// Its name in forms.
+    name: &'static str,
+    says: &'static str,
+}
+
+const fn way(choice: CorrectionChoice, never_lower: bool, name: &'static str, says: &'static str) -> Way {
+    Way { regrading: Regrading { choice, never_lower }, name, says }
+}
+
+/// Every way.
+const WAYS: [Way; 6] = [
+    way(CorrectionChoice::Remark, false, "remark", "Mark what was handed in by the corrected problem"),
+    way(
+        CorrectionChoice::Remark,
+        true,
+        "remark_never_lower",
+        "Mark it by the corrected problem, and lower nobody's points",
+    ),
+    way(CorrectionChoice::FullMarks, false, "full_marks", "Give everybody full marks"),
+    way(CorrectionChoice::Drop, false, "drop", "Drop the item: it no longer counts"),
+    way(CorrectionChoice::IssueAnew, false, "issue_anew", "Issue new sheets: what was handed in no longer counts"),
+    way(
+        CorrectionChoice::IssueAnew,
+        true,
+        "issue_anew_never_lower",
+        "Issue new sheets, and lower nobody's points: those so far are the least",
+    ),
 ];
+
+/// What stands in the field of the reason at first.
+const USUAL_REASON: &str = "The problem was corrected.";
 
 #[derive(Serialize)]
 struct RegradePage {
     title: String,
     assignment: String,
     revision: i64,
+    reason: &'static str,
     items: Vec<ItemShown>,
 }
 
@@ -69,31 +101,38 @@ pub(in crate::web::courses) async fn regrade(visit: &Visit) -> Result<Reply, Not
     let members = visit.store().members(visit.course()?.key).await?;
     let names: BTreeMap<_, _> = members.iter().map(|own| (own.member.key, own.person.shown().to_owned())).collect();
     let items = corrected(visit, &whole, &decided).await?;
+    let records = Records::of_class(visit, &whole).await?;
+    let accounts = records.accounts();
     let name = |effect: &Effect| names.get(&effect.member).cloned().unwrap_or_default();
     let page = RegradePage {
         title: format!("Regrade: {}", whole.assignment.title),
         assignment: whole.assignment.key.to_string(),
         revision: whole.revision,
-        items: items.iter().map(|own| shown(own, name)).collect(),
+        reason: USUAL_REASON,
+        items: items.iter().map(|own| shown(own, &accounts, name)).collect(),
     };
     visit.page("courses/grades/regrade", page).await
 }
 
-fn shown(own: &Corrected, name: impl Fn(&Effect) -> String) -> ItemShown {
-    let choices = own.choices();
+fn shown(own: &Corrected, accounts: &Accounts<'_>, name: impl Fn(&Effect) -> String) -> ItemShown {
+    let ways: Vec<&Way> = WAYS.iter().filter(|way| own.offers(way.regrading.choice)).collect();
     let count = |is: &dyn Fn(&Effect) -> bool| own.effects.iter().filter(|effect| is(effect)).count();
-    let points = |score: Option<Score>| {
-        score.map_or_else(|| "\u{2013}".to_owned(), |score| Points(score.scaled(own.item.points).points).to_string())
+    let before = |effect: &Effect| accounts.standing(effect.member, &own.item).mark;
+    let after = |effect: &Effect, way: &Way| accounts.regraded(effect, &own.item, way.regrading).mark;
+    let changes = |effect: &Effect, way: &Way| after(effect, way).points() != before(effect).points();
+    let points = |mark: &GradeMark| {
+        mark.points().map_or_else(|| "\u{2013}".to_owned(), |points| Points(points.clone()).to_string())
     };
     let change = |effect: &Effect| Change {
         name: name(effect),
-        before: points(effect.before.clone()),
-        after: choices.iter().map(|choice| points(effect.score(*choice))).collect(),
+        before: points(&before(effect)),
+        after: ways.iter().map(|way| points(&after(effect, way))).collect(),
     };
-    let is_changed = |effect: &&Effect| choices.iter().any(|choice| effect.changes(*choice));
-    let mut changes: Vec<Change> = own.effects.iter().filter(is_changed).map(change).collect();
-    changes.sort_by_cached_key(|own| own.name.to_lowercase());
-    let offered = CHOICES.into_iter().filter(|(choice, ..)| choices.contains(choice));
+    let is_changed = |effect: &&Effect| ways.iter().any(|way| changes(effect, way));
+    let mut changed: Vec<Change> = own.effects.iter().filter(is_changed).map(change).collect();
+    changed.sort_by_cached_key(|own| own.name.to_lowercase());
+    let choice =
+        |way: &&Way| ChoiceShown { name: way.name, says: way.says, changes: count(&|effect| changes(effect, way)) };
     ItemShown {
         key: own.item.key.to_string(),
         problem: own.item.problem.clone(),
@@ -102,10 +141,8 @@ fn shown(own: &Corrected, name: impl Fn(&Effect) -> String) -> ItemShown {
         sheets: own.effects.len(),
         differ: count(&|effect| effect.after == Remarked::Differs),
         redacted: count(&|effect| effect.after == Remarked::Redacted),
-        choices: offered
-            .map(|(choice, name, says)| ChoiceShown { name, says, changes: count(&|effect| effect.changes(choice)) })
-            .collect(),
-        changes,
+        choices: ways.iter().map(choice).collect(),
+        changes: changed,
     }
 }
 
@@ -123,14 +160,17 @@ pub(in crate::web::courses) async fn regrade_apply(visit: &Visit) -> Result<Repl
     let items = corrected(visit, &whole, &decided).await?;
     let is_asked = |own: &&Corrected| own.item.key == asked && own.file.digest == field("digest");
     let own = items.iter().find(is_asked).ok_or_else(changed)?;
-    let choice =
-        CHOICES.into_iter().find(|(choice, name, _)| *name == field("choice") && own.choices().contains(choice));
-    let (choice, name, _) = choice.ok_or_else(|| NotShown::field("choose one of the choices of the page"))?;
+    let way = WAYS.iter().find(|way| way.name == field("choice") && own.offers(way.regrading.choice));
+    let Way { regrading, name, .. } = way.ok_or_else(|| NotShown::field("choose one of the choices of the page"))?;
+    let said = |name: &str| field(name).trim().to_owned();
     let correction = Correction {
         item: own.item.key,
         from: own.item.digest.clone().unwrap_or_default(),
         to: own.file.digest.clone(),
-        choice,
+        choice: regrading.choice,
+        never_lower: regrading.never_lower,
+        reason: said("reason"),
+        comment: said("comment"),
         // The last one counts, whatever became of the clock.
         at: decided.iter().map(|own| own.at.after(1)).fold(visit.now, Ord::max),
     };
@@ -138,10 +178,19 @@ pub(in crate::web::courses) async fn regrade_apply(visit: &Visit) -> Result<Repl
         // The sheets that are drawn from it from now on need its text.
         visit.store().save_problem_file(&own.file, None).await?;
     }
-    let (item, attempts) = (after(&own.item, &own.file.digest, choice), remarked(own, choice)?);
-    let step =
-        Regrade { item: &item, correction: &correction, attempts: &attempts, revision: whole.revision, handed_in };
-    let detail = format!("{} from {} to {}: {name}", own.item.problem, correction.from, correction.to);
+    let records = Records::of_class(visit, &whole).await?;
+    let kept = kept(own, &records.accounts(), *regrading, &correction, visit.person()?.key);
+    let (item, attempts) = (after(own, regrading.choice), remarked(own, regrading.choice)?);
+    let step = Regrade {
+        item: &item,
+        correction: &correction,
+        attempts: &attempts,
+        kept: &kept,
+        revision: whole.revision,
+        handed_in,
+    };
+    let detail =
+        format!("{} from {} to {}: {name}. {}", own.item.problem, correction.from, correction.to, correction.reason);
     if visit.store().regrade(session::key(), &step, &visit.entry("corrected problem taken in", detail)).await? {
         Ok(Reply::To(of(visit, &whole)?))
     } else {
@@ -160,11 +209,12 @@ fn changed() -> NotShown {
     )
 }
 
-/// The item after a choice. Where old sheets stand, so does the file from which they were drawn.
-fn after(item: &Item, digest: &str, choice: CorrectionChoice) -> Item {
-    let (mut item, digest) = (item.clone(), Some(digest.to_owned()));
+/// The item after a choice. Where old sheets stand that the file does not draw, so does the file from which they were drawn.
+fn after(own: &Corrected, choice: CorrectionChoice) -> Item {
+    let (mut item, digest) = (own.item.clone(), Some(own.file.digest.clone()));
     match choice {
         CorrectionChoice::Remark => item.digest = digest,
+        CorrectionChoice::FullMarks if own.draws_alike() => item.digest = digest,
         CorrectionChoice::FullMarks => {}
         CorrectionChoice::Drop => item.dropped = true,
         CorrectionChoice::IssueAnew => {
@@ -175,10 +225,36 @@ fn after(item: &Item, digest: &str, choice: CorrectionChoice) -> Item {
     item
 }
 
+/// What students keep of their points, each as a record of its own.
+fn kept(
+    own: &Corrected,
+    accounts: &Accounts<'_>,
+    regrading: Regrading,
+    correction: &Correction,
+    by: Key<Person>,
+) -> Vec<(Key<Override>, Override)> {
+    let keeps = |effect: &Effect| {
+        let points = accounts.regraded(effect, &own.item, regrading).keeps?.to_string();
+        let (rule, reason) = (OverrideRule::AtLeast, correction.reason.clone());
+        let kept = Override {
+            sheet: effect.sheet,
+            points: Some(points),
+            rule,
+            reason,
+            comment: String::new(),
+            by,
+            at: correction.at,
+        };
+        Some((session::key(), kept))
+    };
+    own.effects.iter().filter_map(keeps).collect()
+}
+
 /// The attempts with what marking makes of them now; those of which nothing changes are left out.
 fn remarked(own: &Corrected, choice: CorrectionChoice) -> Result<Vec<Attempt>, NotShown> {
     let mut changed = Vec::new();
-    if choice != CorrectionChoice::Remark {
+    // Beside full marks it is said what was right by the corrected problem.
+    if !matches!(choice, CorrectionChoice::Remark | CorrectionChoice::FullMarks) || !own.draws_alike() {
         return Ok(changed);
     }
     for (kept, effect) in own.sheets.iter().zip(&own.effects) {

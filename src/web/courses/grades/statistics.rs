@@ -1,16 +1,16 @@
 //! What the answers of a class say about the problems.
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 
 use crate::course;
-use crate::grade::Statistics;
+use crate::course::ClassStatistics;
+use crate::grade::Points;
+use crate::quantity::Rational;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-use super::class::{assignment, handed_in_sheets, students};
+use super::class::{Class, handed_in_sheets};
 
 #[derive(Serialize)]
 struct StatisticsPage {
@@ -18,8 +18,18 @@ struct StatisticsPage {
     assignment: String,
     answers: u64,
     students: usize,
-    mean: String,
+    /// The mean share of all points; nothing where nobody has any.
+    mean: Option<String>,
+    items: Vec<ItemShown>,
     parts: Vec<PartShown>,
+}
+
+#[derive(Serialize)]
+struct ItemShown {
+    heading: String,
+    students: usize,
+    mean: String,
+    out_of: u32,
 }
 
 #[derive(Serialize)]
@@ -42,22 +52,29 @@ struct Counted {
 
 /// How easy each part was, how well it tells students apart, and which wrong answers were usual.
 pub(in crate::web::courses) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
-    let whole = assignment(visit).await?;
-    let students: BTreeSet<_> = students(visit).await?.into_iter().map(|own| own.member.key).collect();
-    let mut all = handed_in_sheets(visit, &whole).await?;
-    all.retain(|own| students.contains(&own.sheet.member));
-    let (title, key) = (format!("Statistics: {}", whole.assignment.title), whole.assignment.key.to_string());
-    let found =
-        visit.work(move |_| Ok(course::statistics(all.iter().map(|own| (&own.sheet, own.reports.as_slice()))))).await?;
-    visit.page("courses/grades/statistics", shown(title, key, found)).await
+    let class = Class::of(visit).await?;
+    let all = handed_in_sheets(visit, &class.whole).await?;
+    let whole = &class.whole.assignment;
+    let (title, key) = (format!("Statistics: {}", whole.title), whole.key.to_string());
+    let found = visit.work(move |_| {
+        let (accounts, book) = (class.records.accounts(), class.gradebook());
+        Ok(course::statistics(&accounts, &book, all.iter().map(|own| (&own.sheet, own.reports.as_slice()))))
+    });
+    visit.page("courses/grades/statistics", shown(title, key, found.await?)).await
 }
 
 fn percent(share: f64) -> String {
     format!("{:.0} %", share * 100.0)
 }
 
-fn shown(title: String, assignment: String, found: Statistics) -> StatisticsPage {
-    let parts = found.items.into_iter().map(|own| PartShown {
+fn shown(title: String, assignment: String, found: ClassStatistics) -> StatisticsPage {
+    let items = found.items.into_iter().map(|own| ItemShown {
+        heading: own.heading,
+        students: own.students,
+        mean: if own.students == 0 { "\u{2013}".to_owned() } else { Points(own.mean).to_string() },
+        out_of: own.out_of,
+    });
+    let parts = found.parts.items.into_iter().map(|own| PartShown {
         problem: own.item.problem,
         form: own.item.form,
         part: own.item.part,
@@ -70,9 +87,10 @@ fn shown(title: String, assignment: String, found: Statistics) -> StatisticsPage
     StatisticsPage {
         title,
         assignment,
-        answers: found.answers,
+        answers: found.parts.answers,
         students: found.students,
-        mean: percent(found.mean),
+        mean: found.mean.map(|mean| format!("{} %", Points(mean * Rational::from(100)))),
+        items: items.collect(),
         parts: parts.collect(),
     }
 }

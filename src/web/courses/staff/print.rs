@@ -73,6 +73,15 @@ impl Paper {
     }
 }
 
+/// Which version of a problem that was corrected is printed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Version {
+    /// The one that students have.
+    HandedOut,
+    /// The corrected one, whatever became of the marks.
+    Right,
+}
+
 /// A drawn sheet, whose it is, and what it is worth.
 struct Printed {
     student: String,
@@ -98,14 +107,14 @@ pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotSho
 
 /// The sheets of every student.
 pub(in crate::web::courses) async fn sheets(visit: &Visit) -> Result<Reply, NotShown> {
-    let printed = drawn(visit).await?;
+    let printed = drawn(visit, Version::HandedOut).await?;
     let pages = printed.iter().map(|own| Page::Sheet(sheet(own))).collect();
     document(visit, "sheets", pages).await
 }
 
 /// The answers of every student.
 pub(in crate::web::courses) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
-    let printed = drawn(visit).await?;
+    let printed = drawn(visit, Version::Right).await?;
     let named = |own: &Printed| {
         let student = own.student.clone();
         own.exercise
@@ -149,7 +158,7 @@ async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown> {
 
 /// Every student's sheets, student by student. What is printed is handed out: from then on its problems are pinned, and students find
 /// the same numbers in their pages.
-async fn drawn(visit: &Visit) -> Result<Vec<Printed>, NotShown> {
+async fn drawn(visit: &Visit, version: Version) -> Result<Vec<Printed>, NotShown> {
     let whole = items::pinned_now(visit, assignment::of(visit).await?).await?;
     let students = students(visit).await?;
     let mut problems: BTreeMap<Key<Item>, (Item, Arc<Problem>)> = BTreeMap::new();
@@ -178,6 +187,15 @@ async fn drawn(visit: &Visit) -> Result<Vec<Printed>, NotShown> {
     for own in visit.store().sheets(whole.assignment.key).await? {
         if problems.get(&own.item).is_some_and(|(item, _)| item.issue == own.issue) {
             sheets.insert((own.member, own.item), own);
+        }
+    }
+    if version == Version::Right {
+        let corrections = visit.store().corrections(whole.assignment.key).await?;
+        for (item, problem) in problems.values_mut() {
+            let digest = item.right_digest(&corrections).map(str::to_owned);
+            if digest != item.digest {
+                *problem = items::problem(visit, &Item { digest, ..item.clone() }).await?;
+            }
         }
     }
     let order: Vec<Key<Item>> = counted(&whole).map(|item| item.key).collect();

@@ -1,13 +1,11 @@
 //! A course and its assignments as a student sees them.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 
-use crate::course::{Assignment, Attempt, Item, Key, Phase, Score, Sheet, StoredReport, Window};
+use crate::course::{Assignment, GradeMark, Item, Phase, Standing, Window};
 use crate::grade::Points;
-use crate::quantity::Rational;
 
+use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
@@ -76,7 +74,7 @@ struct AssignmentPage {
     own: OwnAssignment,
     items: Vec<OwnItem>,
     /// The points of all items, once verdicts are shown.
-    total: Option<Points>,
+    total: Option<String>,
     out_of: u32,
 }
 
@@ -86,8 +84,10 @@ struct OwnItem {
     problem: String,
     title: String,
     out_of: u32,
-    attempts: usize,
-    points: Option<Points>,
+    /// How often something was handed in.
+    attempts: u32,
+    /// What one has for it, once verdicts are shown.
+    has: Option<Has>,
 }
 
 /// The items of an assignment, with what one has reached.
@@ -100,45 +100,33 @@ pub(in crate::web::courses) async fn assignment(visit: &Visit) -> Result<Reply, 
     if whole.assignment.course != place.course.key || !is_seen {
         return Err(missing());
     }
-    let attempts = visit.store().attempts_of(whole.assignment.key, place.member.key).await?;
-    let sheets = visit.store().sheets_of(place.member.key).await?;
+    let records = Records::of_student(visit, &whole, place.member.key).await?;
+    let account = records.accounts().account(place.member.key);
     let released = window.shows_verdicts(visit.now);
     let mut items = Vec::new();
-    for item in whole.items.iter().filter(|item| !item.dropped) {
-        items.push(OwnItem::of(visit, item, &sheets, &attempts, released).await?);
+    for standing in account.standings.iter().filter(|own| own.mark != GradeMark::Dropped) {
+        let Some(item) = whole.items.iter().find(|item| item.key == standing.item) else { continue };
+        items.push(OwnItem::of(visit, item, records.attempts_at(item), released.then_some(standing)).await?);
     }
-    let total =
-        items.iter().filter_map(|item| item.points.as_ref()).fold(Rational::ZERO, |sum, points| sum + &points.0);
     let page = AssignmentPage {
         title: whole.assignment.title.clone(),
         own: OwnAssignment::of(visit, &whole.assignment, &window)?,
-        total: released.then_some(Points(total)),
-        out_of: items.iter().map(|item| item.out_of).sum(),
+        total: released.then(|| Points(account.total.clone()).to_string()),
+        out_of: account.out_of,
         items,
     };
     visit.page("courses/assignment", page).await
 }
 
 impl OwnItem {
-    async fn of(
-        visit: &Visit,
-        item: &Item,
-        sheets: &[Sheet],
-        attempts: &BTreeMap<Key<Sheet>, Vec<Attempt>>,
-        released: bool,
-    ) -> Result<Self, NotShown> {
-        let sheet = sheets.iter().find(|sheet| sheet.item == item.key && sheet.issue == item.issue);
-        let own = sheet.and_then(|sheet| attempts.get(&sheet.key)).map_or(&[][..], Vec::as_slice);
-        let last = own.last().map(StoredReport::of).transpose().map_err(|error| NotShown::Store(error.into()))?;
-        let points =
-            last.filter(|_| released).and_then(|last| Some(Points(Score::of(&last)?.scaled(item.points).points)));
+    async fn of(visit: &Visit, item: &Item, attempts: u32, standing: Option<&Standing>) -> Result<Self, NotShown> {
         Ok(Self {
             key: item.key.to_string(),
             problem: item.problem.clone(),
             title: super::super::items::problem(visit, item).await?.title().to_owned(),
             out_of: item.points,
-            attempts: own.len(),
-            points,
+            attempts,
+            has: standing.map(Has::of),
         })
     }
 }

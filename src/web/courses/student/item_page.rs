@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{Found, Phase, Score, ShownPart, StoredReport};
+use crate::course::{Found, Phase, ShownPart, StoredReport};
 use crate::exercise::calls::{HintResponse, SheetResponse};
 use crate::grade::{Entry, Points};
 use crate::render::Fragment;
 
+use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::session;
@@ -27,8 +28,8 @@ struct ItemPage {
     fields: Vec<FieldState>,
     /// What each attempt was: its number and when the server had it.
     receipts: Vec<Receipt>,
-    /// The points of the item, once verdicts are shown and something was handed in.
-    points: Option<Points>,
+    /// What one has for the item, once verdicts are shown.
+    has: Option<Has>,
     out_of: u32,
     phase: &'static str,
     /// The share of the points that is left now, where answers are late.
@@ -109,6 +110,12 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
     };
     let phase = own.window.phase(visit.now);
     let costs = |share: &crate::course::Share| (!share.is_nothing()).then(|| share.percent());
+    let has = if own.window.shows_verdicts(visit.now) {
+        let records = Records::of_sheet(visit, &own.whole, &own.sheet, own.last.as_ref()).await?;
+        records.standing(own.sheet.member, own.item.key).as_ref().map(Has::of)
+    } else {
+        None
+    };
     let page = ItemPage {
         title: sheet.title.clone(),
         assignment: own.whole.assignment.key.to_string(),
@@ -117,11 +124,7 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
         request: session::key::<()>().to_string(),
         fields: sheet.fields.iter().map(|own| field(&own.id)).collect(),
         receipts: receipts(own, zone),
-        points: own
-            .last
-            .as_ref()
-            .filter(|_| own.window.shows_verdicts(visit.now))
-            .and_then(|last| Some(Points(Score::of(last)?.scaled(own.item.points).points))),
+        has,
         out_of: own.item.points,
         left: match &phase {
             Phase::Late(late) => Some(Points(&late.factor * crate::quantity::Rational::from(100)).to_string()),
