@@ -15,6 +15,9 @@ use super::people::Member;
 use super::policy::{Policy, Release, SolutionRelease};
 use super::policy_form::Instants;
 
+/// The milliseconds between the close and what is released by it. An answer whose headers came before the close has thirty seconds for
+/// the rest; whoever sends it has seen nothing of what is released.
+pub(super) const RELEASED_AFTER: i64 = 60_000;
 /// The milliseconds of most days.
 const DAY: i64 = 86_400_000;
 
@@ -62,7 +65,7 @@ pub enum Phase {
     Late(Late),
     /// Answers are no longer taken; others may have more time.
     Over,
-    /// It has closed: what is released at close is shown.
+    /// It has closed: what is released at close is shown a minute later.
     Closed,
 }
 
@@ -114,13 +117,18 @@ impl Window {
     /// Whether the student may see verdicts at a moment.
     #[must_use]
     pub fn shows_verdicts(&self, at: Moment) -> bool {
-        at >= self.opens && (self.verdicts == Release::AtOnce || at > self.closes)
+        at >= self.opens && (self.verdicts == Release::AtOnce || self.is_released(at))
     }
 
     /// Whether the student may see worked solutions at a moment.
     #[must_use]
     pub fn shows_solutions(&self, at: Moment) -> bool {
-        self.solutions == SolutionRelease::AtClose && at >= self.opens && at > self.closes
+        self.solutions == SolutionRelease::AtClose && at >= self.opens && self.is_released(at)
+    }
+
+    /// Whether what is released at close is shown.
+    fn is_released(&self, at: Moment) -> bool {
+        at > self.closes.after(RELEASED_AFTER)
     }
 
     /// How late an answer is that comes after it was due.
@@ -243,7 +251,8 @@ mod tests {
             (window.due, "open, nothing", "late 1: 9/10, nothing"),
             (window.due.after(DAY), "late 1: 9/10, nothing", "late 2: 4/5, nothing"),
             (window.due.after(2 * DAY), "late 2: 4/5, nothing", "over, nothing"),
-            (window.closes, "over, nothing", "closed, verdicts"),
+            (window.closes, "over, nothing", "closed, nothing"),
+            (window.closes.after(RELEASED_AFTER), "closed, nothing", "closed, verdicts"),
         ] {
             assert_eq!([said(&window, edge).as_str(), &said(&window, edge.after(1))], [before, after]);
         }

@@ -54,7 +54,7 @@ pub use sampling::no_variant::{MOST_ATTEMPTS, NoVariant, Rejection};
 pub use sampling::rounding::Judged;
 pub use sampling::sampler::Sampler;
 pub use sampling::say::quantity as say_quantity;
-pub use sampling::secret::{is_guessable, secret_mark};
+pub use sampling::secret::{guesses, is_guessable, secret_mark};
 pub use sampling::sign::Sign;
 pub use sampling::stream::{Scheme, Streams, Words};
 pub use sampling::variant::{Variant, Worked};

@@ -4,7 +4,7 @@ use sqlx::Row;
 use sqlx::any::AnyRow;
 use sqlx::query;
 
-use crate::course::{Assignment, Correction, Course, Extension, Item, Key, Member, Moment};
+use crate::course::{Assignment, Correction, Course, Extension, Item, Key, Member, Moment, Reserved};
 
 use super::fault::StoreFault;
 use super::open::Store;
@@ -96,7 +96,7 @@ impl Store {
         self.records(statement.bind(course.to_string())).await
     }
 
-    /// Every assignment that is open for somebody at a moment, with its items and extensions.
+    /// Every assignment whose problems are reserved at a moment, with its items and extensions.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -104,16 +104,17 @@ impl Store {
         &self,
         now: Moment,
     ) -> Result<Vec<(AssignmentWithItems, Vec<Extension>)>, StoreFault> {
-        let open = "SELECT data, revision FROM assignment WHERE opens <= $1 AND closes >= $1 ORDER BY key";
-        let found = self.rows(query(open).bind(now.millis())).await?;
+        let closed = Reserved::closed_since(now).millis();
+        let open = "SELECT data, revision FROM assignment WHERE opens <= $1 AND closes >= $2 ORDER BY key";
+        let found = self.rows(query(open).bind(now.millis()).bind(closed)).await?;
         if found.is_empty() {
             return Ok(Vec::new());
         }
-        let items = "SELECT i.data FROM item i JOIN assignment a ON a.key = i.assignment WHERE a.opens <= $1 AND a.closes >= $1";
-        let mut items: Vec<Item> = self.records(query(items).bind(now.millis())).await?;
+        let items = "SELECT i.data FROM item i JOIN assignment a ON a.key = i.assignment WHERE a.opens <= $1 AND a.closes >= $2";
+        let mut items: Vec<Item> = self.records(query(items).bind(now.millis()).bind(closed)).await?;
         items.sort_by_key(|item| item.position);
-        let more = "SELECT e.data FROM extension e JOIN assignment a ON a.key = e.assignment WHERE a.opens <= $1 AND a.closes >= $1";
-        let more: Vec<Extension> = self.records(query(more).bind(now.millis())).await?;
+        let more = "SELECT e.data FROM extension e JOIN assignment a ON a.key = e.assignment WHERE a.opens <= $1 AND a.closes >= $2";
+        let more: Vec<Extension> = self.records(query(more).bind(now.millis()).bind(closed)).await?;
         let whole = |row: &AnyRow| {
             let (assignment, revision): (Assignment, i64) = (record(row)?, row.try_get(1)?);
             let items = items.iter().filter(|item| item.assignment == assignment.key).cloned().collect();

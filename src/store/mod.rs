@@ -33,5 +33,5 @@ pub use people::Membership;
 pub use regrade::Regrade;
 pub use retention::Records;
 pub use sheets::{HandIn, HandedIn};
-pub use tickets::{Ticket, TicketKind};
+pub use tickets::{Reach, Ticket, TicketKind};
 pub use trail::Entry;

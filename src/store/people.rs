@@ -8,6 +8,7 @@ use crate::course::{Course, Key, Member, Person};
 use super::fault::StoreFault;
 use super::open::Store;
 use super::records::to_json;
+use super::tickets::Ticket;
 use super::trail::Entry;
 use super::writer::Statement;
 
@@ -53,14 +54,16 @@ impl Store {
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn erase_person(&self, erased: &Person, entry: &Entry) -> Result<(), StoreFault> {
+    pub async fn erase_person(&self, erased: &Person, entries: &[Entry]) -> Result<(), StoreFault> {
         let key = erased.key.to_string();
-        let statements = vec![
+        let mut statements = vec![
             save(erased)?,
             query("DELETE FROM password WHERE person = $1").bind(key.clone()),
             query("DELETE FROM ticket WHERE person = $1").bind(key),
-            entry.statement()?,
         ];
+        for entry in entries {
+            statements.push(entry.statement()?);
+        }
         self.write(statements).await.map(|_| ())
     }
 
@@ -97,19 +100,28 @@ impl Store {
         Ok(found.first().map(|row| row.try_get(0)).transpose()?)
     }
 
-    /// Keeps the hash of a person's password, and ends every session of that person.
+    /// Keeps the hash of a person's password, and ends every session and link of that person but for a new session.
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn set_password(&self, person: Key<Person>, hash: String, entry: &Entry) -> Result<(), StoreFault> {
+    pub async fn set_password(
+        &self,
+        person: Key<Person>,
+        hash: String,
+        next: Option<Ticket>,
+        entries: &[Entry],
+    ) -> Result<(), StoreFault> {
         let person = person.to_string();
-        let statements = vec![
+        let mut statements = vec![
             query("INSERT INTO password (person, hash) VALUES ($1, $2) ON CONFLICT (person) DO UPDATE SET hash = excluded.hash")
                 .bind(person.clone())
                 .bind(hash),
             query("DELETE FROM ticket WHERE person = $1").bind(person),
-            entry.statement()?,
         ];
+        statements.extend(next.map(Ticket::kept));
+        for entry in entries {
+            statements.push(entry.statement()?);
+        }
         self.write(statements).await.map(|_| ())
     }
 }

@@ -12,9 +12,10 @@ use serde::Serialize;
 
 use crate::exercise::calls::{Refused, RefusedKind};
 
+use super::again::Again;
 use super::app::{App, SharedApp};
 use super::headers::ANEW;
-use super::workers::NotDone;
+use super::workers::{Admitted, NotDone};
 
 /// What a page that shows a refusal knows.
 #[derive(Serialize)]
@@ -23,6 +24,8 @@ struct RefusedPage<'a> {
     status: u16,
     refused: &'a Refused,
     sentences: Vec<String>,
+    /// The form that was refused.
+    again: Option<Again>,
 }
 
 /// What each kind of refusal is: its status, and the title of its page.
@@ -42,58 +45,56 @@ const NO_CACHE: [(HeaderName, HeaderValue); 1] = [(header::CACHE_CONTROL, ANEW)]
 
 /// Makes a page on a worker.
 pub(super) async fn page(
-    app: SharedApp,
+    app: &SharedApp,
+    admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
 ) -> Response {
-    let own = SharedApp::clone(&app);
-    let made = app.workers.work(move || make(&own).or_else(|refused| refused_page(&own, &refused))).await;
-    match made {
+    let own = SharedApp::clone(app);
+    match admitted.work(move || make(&own)).await {
         Ok(Ok(text)) => (NO_CACHE, Html(text)).into_response(),
-        Ok(Err((status, text))) => (status, NO_CACHE, Html(text)).into_response(),
-        Err(reason) => not_done(reason).into_response(),
+        Ok(Err(refused)) => self::refused(app, &refused),
+        Err(reason) => not_done(app, reason, None),
     }
-}
-
-/// A page that says why there is none of the kind that was asked for.
-fn refused_page(app: &App, refused: &Refused) -> Result<String, (StatusCode, String)> {
-    let (status, title) = kind(refused.kind);
-    Err((status, said(app, status, title, refused)))
 }
 
 /// Makes a JSON object on a worker.
 pub(super) async fn json(
-    app: SharedApp,
+    app: &SharedApp,
+    admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
 ) -> Response {
-    let own = SharedApp::clone(&app);
-    match app.workers.work(move || make(&own)).await {
+    let own = SharedApp::clone(app);
+    match admitted.work(move || make(&own)).await {
         Ok(Ok(text)) => (NO_CACHE, [(header::CONTENT_TYPE, "application/json")], text).into_response(),
         Ok(Err(refused)) => (kind(refused.kind).0, NO_CACHE, Json(refused)).into_response(),
-        Err(reason) => not_done(reason).into_response(),
+        Err(reason) => no_call(reason),
     }
 }
 
 /// A page that says why there is none of the kind that was asked for.
-pub(super) async fn refused(app: SharedApp, refused: Refused) -> Response {
-    let (status, title) = kind(refused.kind);
-    refusal(app, status, title, refused).await
+pub(super) fn refused(app: &App, refused: &Refused) -> Response {
+    refusal(app, kind(refused.kind), refused, None)
 }
 
-/// The same with a status and a title of its own.
-pub(super) async fn refusal(app: SharedApp, status: StatusCode, title: &'static str, refused: Refused) -> Response {
-    let own = SharedApp::clone(&app);
-    match app.workers.work(move || said(&own, status, title, &refused)).await {
-        Ok(text) => (status, NO_CACHE, Html(text)).into_response(),
-        Err(reason) => not_done(reason).into_response(),
-    }
+/// The same with a status and a title of its own, and perhaps with the form that was refused. It takes no worker: it is small, and often
+/// there is none.
+pub(super) fn refusal(
+    app: &App,
+    (status, title): (StatusCode, &'static str),
+    refused: &Refused,
+    again: Option<Again>,
+) -> Response {
+    let text = filled(app, (status, title), refused, again).unwrap_or_else(|_| title.to_owned());
+    (status, NO_CACHE, Html(text)).into_response()
 }
 
-fn said(app: &App, status: StatusCode, title: &'static str, refused: &Refused) -> String {
-    filled(app, status, title, refused).unwrap_or_else(|_| title.to_owned())
-}
-
-fn filled(app: &App, status: StatusCode, title: &'static str, refused: &Refused) -> Result<String, Refused> {
-    let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences() };
+fn filled(
+    app: &App,
+    (status, title): (StatusCode, &'static str),
+    refused: &Refused,
+    again: Option<Again>,
+) -> Result<String, Refused> {
+    let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences(), again };
     app.page("refused", &page)
 }
 
@@ -101,20 +102,31 @@ fn filled(app: &App, status: StatusCode, title: &'static str, refused: &Refused)
 pub(super) fn tried(app: &App) -> Result<String, Refused> {
     let refused =
         Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem");
-    filled(app, StatusCode::NOT_FOUND, "Not found", &refused)
+    filled(app, (StatusCode::NOT_FOUND, "Not found"), &refused, None)
 }
 
-pub(super) fn not_done(reason: NotDone) -> (StatusCode, [(HeaderName, HeaderValue); 1], &'static str) {
+/// When to come again.
+const SOON: [(HeaderName, HeaderValue); 1] = [(header::RETRY_AFTER, HeaderValue::from_static("2"))];
+
+const fn status(reason: NotDone) -> StatusCode {
     match reason {
-        NotDone::Busy => (
-            StatusCode::TOO_MANY_REQUESTS,
-            [(header::RETRY_AFTER, HeaderValue::from_static("2"))],
-            "Many people are asking at this moment. Try again in a few seconds.",
-        ),
-        NotDone::Broken => (
-            StatusCode::INTERNAL_SERVER_ERROR,
-            NO_CACHE,
-            "Something went wrong here; nothing that you typed is at fault.",
-        ),
+        NotDone::Busy => StatusCode::TOO_MANY_REQUESTS,
+        NotDone::Broken => StatusCode::INTERNAL_SERVER_ERROR,
     }
+}
+
+/// The same of a call.
+pub(super) fn no_call(reason: NotDone) -> Response {
+    (status(reason), SOON, format!("{reason}\n")).into_response()
+}
+
+/// A page that says why work was not done.
+pub(super) fn not_done(app: &App, reason: NotDone, again: Option<Again>) -> Response {
+    let (title, help) = match reason {
+        NotDone::Busy => ("Busy", "try again in a few seconds"),
+        NotDone::Broken => ("Something went wrong", "nothing that you typed is at fault"),
+    };
+    let refused = Refused::new(RefusedKind::Invalid, reason.to_string()).help(help);
+    let page = refusal(app, (status(reason), title), &refused, again);
+    if reason == NotDone::Busy { (SOON, page).into_response() } else { page }
 }

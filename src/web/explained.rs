@@ -22,7 +22,7 @@ pub(super) async fn explained(State(app): State<SharedApp>, request: Request, ne
     let mut answer = if is_call {
         (status, Json(refused)).into_response()
     } else {
-        answer::refusal(app, status, "Not understood", refused).await
+        answer::refusal(&app, (status, "Not understood"), &refused, None)
     };
     // Which methods an address takes.
     answer.headers_mut().extend(response.headers().get(header::ALLOW).map(|own| (header::ALLOW, own.clone())));

@@ -22,6 +22,10 @@ pub(super) const HEADERS: [(HeaderName, HeaderValue); 5] = [
     ),
 ];
 
+/// Where readers come by TLS: their browsers come no other way for two years.
+pub(super) const BY_TLS: (HeaderName, HeaderValue) =
+    (header::STRICT_TRANSPORT_SECURITY, HeaderValue::from_static("max-age=63072000"));
+
 /// For pages: they follow their bank.
 pub(super) const ANEW: HeaderValue = HeaderValue::from_static("no-cache");
 

@@ -1,7 +1,7 @@
 //! People who are let in from outside the pages: by whoever has the data.
 
 use crate::course::{Moment, Person};
-use crate::store::{Entry, Store, StoreFault, TicketKind};
+use crate::store::{Entry, Membership, Reach, Store, StoreFault, TicketKind};
 
 use super::courses::{Clock, session};
 
@@ -40,10 +40,20 @@ pub async fn link(store: &Store, login: &str, clock: &Clock) -> Result<Option<St
 }
 
 async fn link_for(store: &Store, person: &Person, now: Moment) -> Result<String, StoreFault> {
-    let (token, ticket) = session::token(person.key, TicketKind::Link, now);
-    store.add_tickets(vec![ticket], now, Some(&entry(now, "link made"))).await?;
+    let (token, ticket) = session::token(person.key, (TicketKind::Link, Reach::Anew), now);
+    let courses = store.courses_of(person.key).await?.into_iter();
+    let in_course = |own: Membership| Entry {
+        course: Some(own.course.key),
+        detail: format!("member {}", own.member.key),
+        ..entry(now, LINK)
+    };
+    let entries: Vec<Entry> = courses.map(in_course).chain([entry(now, LINK)]).collect();
+    store.add_tickets(vec![ticket], now, &entries).await?;
     Ok(format!("/sign-in/{token}"))
 }
+
+/// What the trail calls a link that whoever runs the server made.
+const LINK: &str = "link made by the operator";
 
 fn entry(at: Moment, what: &str) -> Entry {
     Entry { key: session::key(), at, by: None, course: None, what: what.to_owned(), detail: String::new() }

@@ -1,9 +1,12 @@
 //! The web application: a request in, a call of the engine, a page out. No physics and no marking stands here, nor in the
 //! scripts of its pages: a browser draws what the engine computed.
 
+mod again;
 mod answer;
 mod app;
+mod arrival;
 mod assets;
+mod connections;
 mod courses;
 mod explained;
 mod headers;
@@ -19,6 +22,7 @@ mod pages;
 mod parameters;
 pub mod retention;
 mod routes;
+mod sender;
 mod server;
 mod settings;
 mod workers;

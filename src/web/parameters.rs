@@ -16,6 +16,16 @@ impl Parameters {
         Ok(Self(fields))
     }
 
+    /// The fields as they are, to be shown again.
+    pub(super) const fn all_of(fields: Vec<(String, String)>) -> Self {
+        Self(fields)
+    }
+
+    /// Every field.
+    pub(super) fn pairs(&self) -> &[(String, String)] {
+        &self.0
+    }
+
     /// The value of a name; nothing where it is empty.
     pub(super) fn get(&self, name: &str) -> Option<&str> {
         self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())

@@ -11,6 +11,7 @@ use axum::extract::Query;
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::http::StatusCode;
+use axum::http::Uri;
 use axum::http::header;
 use axum::middleware::from_fn_with_state;
 use axum::response::IntoResponse;
@@ -25,15 +26,17 @@ use tower_http::set_header::SetResponseHeaderLayer;
 use crate::exercise::calls::{Engine, Refused, RefusedKind};
 use crate::store::StoreFault;
 
+use super::again::Again;
 use super::answer;
 use super::app::{App, SharedApp};
-use super::courses::{Rest, Withheld, with_courses};
+use super::courses::{Rest, Visitor, Withheld, with_courses};
 use super::explained::explained;
-use super::headers::{FOR_EVER, HEADERS};
+use super::headers::{BY_TLS, FOR_EVER, HEADERS};
 use super::health::health;
 use super::observed::observed;
 use super::pages;
 use super::parameters::Parameters;
+use super::workers::{Admitted, Lane, NotDone};
 
 /// The fields of an address or of a form.
 type Fields = Vec<(String, String)>;
@@ -69,7 +72,7 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/watch", get(watch))
         .route("/static/{digest}/{name}", get(asset))
         .route("/api/{call}", post(call))
-        .fallback(|State(app): State<SharedApp>| answer::page(app, |_| Err(no_page())));
+        .fallback(async |State(app): State<SharedApp>| answer::refused(&app, &no_page()));
     for (path, reserved, make) in OF_PROBLEMS {
         own = own.route(path, of_problem(reserved, make));
     }
@@ -82,7 +85,8 @@ pub fn router(app: Arc<App>) -> Router {
         // Nested routes begin without the slash that the start page's address ends with.
         Router::new().nest(&base, own).route(&format!("{base}/"), get(start).with_state(Arc::clone(&app)))
     };
-    for (name, value) in HEADERS {
+    let by_tls = app.settings.is_secure.then_some(BY_TLS);
+    for (name, value) in HEADERS.into_iter().chain(by_tls) {
         all = all.layer(SetResponseHeaderLayer::overriding(name, value));
     }
     let all = all.layer(CompressionLayer::new()).layer(CatchPanicLayer::new());
@@ -91,32 +95,57 @@ pub fn router(app: Arc<App>) -> Router {
 
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
 fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
-    let page = move |app: SharedApp, headers: HeaderMap, problem: String, fields: Fields| async move {
-        let withheld = match reserved {
-            While::Shown => Withheld::default(),
-            While::Refused => match Withheld::from(&app, &headers).await {
-                Ok(withheld) => withheld,
-                Err(fault) => return unreachable_records(&fault),
-            },
+    let page = move |app: SharedApp, (headers, uri): (HeaderMap, Uri), problem: String, fields: Fields| async move {
+        let own = |withheld: Withheld, parameters: Parameters| {
+            move |app: &App| {
+                withheld.check(&problem)?;
+                make(app, problem, &parameters)
+            }
         };
-        answer::page(app, move |app| {
-            withheld.check(&problem)?;
-            make(app, problem, &Parameters::new(fields, &app.settings.limits)?)
-        })
-        .await
+        let parameters = match Parameters::new(fields, &app.settings.limits) {
+            Ok(parameters) => parameters,
+            Err(refused) => return answer::refused(&app, &refused),
+        };
+        match admitted(&app, &headers, reserved).await {
+            Ok((place, withheld)) => answer::page(&app, place, own(withheld, parameters)).await,
+            Err(NotAdmitted::Busy(reason)) => answer::not_done(&app, reason, Again::of(&uri.to_string(), &parameters)),
+            Err(NotAdmitted::Unknown(fault)) => unreachable_records(&fault),
+        }
     };
     get(
         move |State(app): State<SharedApp>,
-              headers: HeaderMap,
+              asked: (HeaderMap, Uri),
               Path(problem): Path<String>,
-              Query(fields): Query<Fields>| { page(app, headers, problem, fields) },
+              Query(fields): Query<Fields>| { page(app, asked, problem, fields) },
     )
     .post(
         move |State(app): State<SharedApp>,
-              headers: HeaderMap,
+              asked: (HeaderMap, Uri),
               Path(problem): Path<String>,
-              Form(fields): Form<Fields>| { page(app, headers, problem, fields) },
+              Form(fields): Form<Fields>| { page(app, asked, problem, fields) },
     )
+}
+
+/// Why nothing is done for a visitor.
+enum NotAdmitted {
+    Busy(NotDone),
+    Unknown(StoreFault),
+}
+
+/// A place in the queue of whoever asks, and what is withheld from that person. What is read for those who are not known is bounded by
+/// their queue as their work is.
+async fn admitted<'app>(
+    app: &'app App,
+    headers: &HeaderMap,
+    reserved: While,
+) -> Result<(Admitted<'app>, Withheld), NotAdmitted> {
+    let visitor = Visitor::of(app, headers).await.map_err(NotAdmitted::Unknown)?;
+    let place = app.workers.admit(Visitor::lane(visitor.as_ref())).map_err(NotAdmitted::Busy)?;
+    let withheld = match reserved {
+        While::Shown => Withheld::default(),
+        While::Refused => Withheld::from(app, visitor.as_ref()).await.map_err(NotAdmitted::Unknown)?,
+    };
+    Ok((place, withheld))
 }
 
 /// Where nobody can say what is withheld, nothing is shown.
@@ -127,19 +156,23 @@ fn unreachable_records(fault: &StoreFault) -> Response {
 }
 
 async fn start(State(app): State<SharedApp>, Query(fields): Query<Fields>) -> Response {
-    answer::page(app, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?)).await
+    match app.workers.admit(Lane::Anyone) {
+        Ok(place) => {
+            answer::page(&app, place, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?))
+                .await
+        }
+        Err(reason) => answer::not_done(&app, reason, None),
+    }
 }
 
 async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path<String>, body: Bytes) -> Response {
-    let withheld = if OF_SIMULATORS.contains(&call.as_str()) {
-        Withheld::default()
-    } else {
-        match Withheld::from(&app, &headers).await {
-            Ok(withheld) => withheld,
-            Err(fault) => return unreachable_records(&fault),
-        }
+    let reserved = if OF_SIMULATORS.contains(&call.as_str()) { While::Shown } else { While::Refused };
+    let (place, withheld) = match admitted(&app, &headers, reserved).await {
+        Ok(admitted) => admitted,
+        Err(NotAdmitted::Busy(reason)) => return answer::no_call(reason),
+        Err(NotAdmitted::Unknown(fault)) => return unreachable_records(&fault),
     };
-    answer::json(app, move |app| {
+    answer::json(&app, place, move |app| {
         let engine = app.engine();
         let problems = Rest { problems: engine.problems, withheld: &withheld };
         Engine { problems: &problems, ..engine }.call(&call, &body)
@@ -149,7 +182,10 @@ async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path
 
 /// The state of the watched files, for pages that reload themselves.
 async fn watch(State(app): State<SharedApp>) -> Response {
-    answer::json(app, |app| Ok(app.library.stamp().to_string())).await
+    match app.workers.admit(Lane::Anyone) {
+        Ok(place) => answer::json(&app, place, |app| Ok(app.library.stamp().to_string())).await,
+        Err(reason) => answer::no_call(reason),
+    }
 }
 
 async fn asset(State(app): State<SharedApp>, Path((_, name)): Path<(String, String)>) -> Response {

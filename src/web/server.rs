@@ -3,6 +3,7 @@
 use std::io;
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::time::Duration;
 
 use tokio::net::TcpListener;
 use tokio::runtime::Builder;
@@ -12,6 +13,7 @@ use crate::store::Store;
 use crate::store::StoreFault;
 
 use super::app::App;
+use super::connections;
 use super::courses::{Clock, Courses};
 use super::invite;
 use super::metrics_page::metrics_router;
@@ -38,7 +40,11 @@ pub enum NotServed {
 /// The link with which the first operator signs in.
 const FIRST: &str = "operator";
 
-/// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first. `clock` says what is in time.
+/// How long work that nobody waits for any more may hold the end up.
+const ENDING: Duration = Duration::from_secs(2);
+
+/// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first, those of fifteen seconds.
+/// `clock` says what is in time.
 /// `ready` hears the address as soon as there is one, and the path of a link for the first operator where nobody can sign in yet.
 ///
 /// # Errors
@@ -50,7 +56,11 @@ pub fn serve(
 ) -> Result<(), NotServed> {
     let (bind, metrics, data) = (settings.bind, settings.metrics, settings.data.clone());
     let mut app = App::new(settings)?;
-    Builder::new_multi_thread().enable_all().build()?.block_on(async {
+    let runtime = Builder::new_multi_thread().enable_all().build()?;
+    let served = runtime.block_on(async {
+        let listener = listening(bind).await?;
+        let address = listener.local_addr()?;
+        app.settings.bind = address;
         let mut first = None;
         if let Some(address) = data {
             let store = Store::serve(&address).await?;
@@ -60,17 +70,18 @@ pub fn serve(
             app = app.with_courses(Courses::new(store, clock));
         }
         let app = Arc::new(app);
-        let listener = listening(bind).await?;
         if let Some(address) = metrics {
             let (listener, page) = (listening(address).await?, metrics_router(Arc::clone(&app)));
             tokio::spawn(async move { axum::serve(listener, page).await });
         }
         // Whoever hears the address may tell it to stop.
         let stop = told_to_stop()?;
-        ready(listener.local_addr()?, first);
-        axum::serve(listener, router(app)).with_graceful_shutdown(stop).await?;
+        ready(address, first);
+        connections::serve(listener, router(app), stop).await;
         Ok(())
-    })
+    });
+    runtime.shutdown_timeout(ENDING);
+    served
 }
 
 async fn listening(address: SocketAddr) -> Result<TcpListener, NotServed> {

@@ -3,6 +3,8 @@
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
+use ipnet::IpNet;
+
 use crate::exercise::calls::Limits;
 use crate::store::Address;
 
@@ -17,6 +19,8 @@ pub struct Settings {
     pub host: Option<String>,
     /// Whether readers reach it by TLS: cookies then go no other way.
     pub is_secure: bool,
+    /// The proxies before the server: for whom they ask is believed.
+    pub trusted_proxies: Vec<IpNet>,
     /// Where the data of courses are; without one there are no courses.
     pub data: Option<Address>,
     /// A folder of problems that is followed as its files are saved.
@@ -40,6 +44,7 @@ impl Default for Settings {
             base_path: String::new(),
             host: None,
             is_secure: false,
+            trusted_proxies: Vec::new(),
             data: None,
             watch: None,
             templates: None,
@@ -47,6 +52,21 @@ impl Default for Settings {
             metrics: None,
             log: false,
             limits: Limits::default(),
+        }
+    }
+}
+
+impl Settings {
+    /// How readers reach the pages.
+    pub(super) const fn scheme(&self) -> &'static str {
+        if self.is_secure { "https" } else { "http" }
+    }
+
+    /// The address at which this machine reaches the pages.
+    pub(super) fn local(&self) -> SocketAddr {
+        match self.bind.ip() {
+            ip if !ip.is_unspecified() => self.bind,
+            _ => SocketAddr::from(([127, 0, 0, 1], self.bind.port())),
         }
     }
 }

@@ -6,7 +6,7 @@ use momentous::course::{
     Attempt, Course, Draft, HintShown, Key, Member, Moment, Override, OverrideRule, Person, Role, Sheet,
 };
 use momentous::exercise::Exercise;
-use momentous::store::{Address, AssignmentWithItems, HandIn, HandedIn, Store, StoreFault, Ticket, TicketKind};
+use momentous::store::{Address, AssignmentWithItems, HandIn, HandedIn, Reach, Store, StoreFault, Ticket, TicketKind};
 
 use database::{Database, on_both, postgres_with};
 use sample::Sample;
@@ -15,6 +15,8 @@ mod class;
 mod client;
 mod database;
 mod decided;
+mod flooded;
+mod in_time;
 mod killed;
 mod letters;
 pub mod sample;
@@ -103,17 +105,18 @@ fn an_extension_keeps_a_problem_reserved_until_the_last_has_closed() {
         let own = Sample::kept(&store).await;
         let closes = own.whole.assignment.policy.closes;
         let open = async |moment| store.open_assignments(moment).await.unwrap().len();
-        assert_eq!([open(closes).await, open(closes.after(1)).await], [1, 0]);
+        // A minute after the close nothing is on its way any more.
+        assert_eq!([open(closes.after(60_000)).await, open(closes.after(60_001)).await], [1, 0]);
         assert_eq!(store.open_assignments(closes).await.unwrap()[0].0.items, own.whole.items);
         store.extend(&own.extension(closes.after(1000)), &own.entry(60)).await.unwrap();
-        assert_eq!([open(closes.after(1000)).await, open(closes.after(1001)).await], [1, 0]);
+        assert_eq!([open(closes.after(61_000)).await, open(closes.after(61_001)).await], [1, 0]);
         assert_eq!(store.open_assignments(closes).await.unwrap()[0].1.len(), 1);
         let found = store.extension(own.whole.assignment.key, own.member.key).await.unwrap().unwrap();
         assert_eq!(found.reason, "was ill");
         assert_eq!(store.extensions_of(own.member.key).await.unwrap(), [found]);
         let shorter = AssignmentWithItems { revision: own.revision(&store).await, ..own.whole.clone() };
         assert!(store.save_assignment(&shorter, &own.entry(61)).await.unwrap());
-        assert_eq!(open(closes.after(999)).await, 1, "a change of the assignment forgets no extension");
+        assert_eq!(open(closes.after(60_999)).await, 1, "a change of the assignment forgets no extension");
     });
 }
 
@@ -124,7 +127,7 @@ fn a_course_knows_who_has_a_password_and_who_is_elsewhere() {
         let own = Sample::kept(&store).await;
         let course = own.course.key;
         assert!(store.with_password(course).await.unwrap().is_empty());
-        store.set_password(own.student.key, "a hash".into(), &own.entry(90)).await.unwrap();
+        store.set_password(own.student.key, "a hash".into(), None, &[own.entry(90)]).await.unwrap();
         assert_eq!(store.with_password(course).await.unwrap().into_iter().collect::<Vec<_>>(), [own.student.key]);
         assert!(store.elsewhere(course).await.unwrap().is_empty());
         let other = Course { key: Key::new([91; 16]), ..own.course.clone() };
@@ -144,14 +147,56 @@ fn a_ticket_is_taken_once_and_ends() {
     on_both(async |database| {
         let store = database.serve().await;
         let own = Sample::kept(&store).await;
-        let ticket =
-            Ticket { hash: "h".into(), person: own.student.key, kind: TicketKind::Link, expires: NOW.after(10) };
-        store.add_tickets(vec![ticket], NOW, None).await.unwrap();
-        assert_eq!(store.holder("h", TicketKind::Link, NOW).await.unwrap(), Some(own.student.clone()));
-        assert_eq!(store.holder("h", TicketKind::Session, NOW).await.unwrap(), None, "a link is no session");
-        assert_eq!(store.holder("h", TicketKind::Link, NOW.after(10)).await.unwrap(), None);
-        let both = tokio::join!(store.take_ticket("h"), store.take_ticket("h"));
+        let ticket = |hash: &str, kind, reach| Ticket {
+            hash: hash.into(),
+            person: own.student.key,
+            kind,
+            reach,
+            expires: NOW.after(10),
+        };
+        store.add_tickets(vec![ticket("h", TicketKind::Link, Reach::Anew)], NOW, &[]).await.unwrap();
+        let holder = async |hash, kind, at| store.holder(hash, kind, at).await.unwrap();
+        assert_eq!(holder("h", TicketKind::Link, NOW).await, Some((own.student.clone(), Reach::Anew)));
+        assert_eq!(holder("h", TicketKind::Session, NOW).await, None, "a link is no session");
+        assert_eq!(holder("h", TicketKind::Link, NOW.after(10)).await, None);
+        let session = |hash| Some(ticket(hash, TicketKind::Session, Reach::All));
+        let entries = [own.entry(73)];
+        let both = tokio::join!(
+            store.take_ticket("h", session("one"), &entries),
+            store.take_ticket("h", session("two"), &entries)
+        );
         assert_eq!(u8::from(both.0.unwrap()) + u8::from(both.1.unwrap()), 1);
+        let [one, two] = [holder("one", TicketKind::Session, NOW).await, holder("two", TicketKind::Session, NOW).await];
+        assert_eq!([one, two].into_iter().flatten().collect::<Vec<_>>(), [(own.student.clone(), Reach::All)]);
+    });
+}
+
+#[test]
+fn a_newer_link_ends_older_ones() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let [here, there] = [own.course.key, Key::new([91; 16])];
+        let add = async |hash: &str, kind, reach| {
+            let ticket = Ticket { hash: hash.into(), person: own.student.key, kind, reach, expires: NOW.after(10) };
+            store.add_tickets(vec![ticket], NOW, &[]).await.unwrap();
+        };
+        let left = async |hashes: &[&'static str]| {
+            let mut left = Vec::new();
+            for hash in hashes {
+                let kind = if hash.starts_with('s') { TicketKind::Session } else { TicketKind::Link };
+                left.extend(store.holder(hash, kind, NOW).await.unwrap().map(|_| *hash));
+            }
+            left
+        };
+        add("session", TicketKind::Session, Reach::Course(here)).await;
+        add("here", TicketKind::Link, Reach::Course(here)).await;
+        add("there", TicketKind::Link, Reach::Course(there)).await;
+        add("here 2", TicketKind::Link, Reach::Course(here)).await;
+        let all = ["session", "here", "there", "here 2", "operator's"];
+        assert_eq!(left(&all).await, ["session", "there", "here 2"], "a course ends its own");
+        add("operator's", TicketKind::Link, Reach::Anew).await;
+        assert_eq!(left(&all).await, ["session", "operator's"], "the operator ends all");
     });
 }
 
@@ -160,10 +205,10 @@ fn an_erased_person_leaves_its_answers_without_a_name() {
     on_both(async |database| {
         let store = database.serve().await;
         let own = Sample::kept(&store).await;
-        store.set_password(own.student.key, "hash".into(), &own.entry(70)).await.unwrap();
+        store.set_password(own.student.key, "hash".into(), None, &[own.entry(70)]).await.unwrap();
         assert_eq!(store.password(own.student.key).await.unwrap().as_deref(), Some("hash"));
         let erased = Person { login: String::new(), name: String::new(), erased: Some(NOW), ..own.student.clone() };
-        store.erase_person(&erased, &own.entry(71)).await.unwrap();
+        store.erase_person(&erased, &[own.entry(71)]).await.unwrap();
         assert_eq!(store.password(own.student.key).await.unwrap(), None);
         assert_eq!(store.person_named("s17").await.unwrap(), None);
         assert_eq!(store.person(own.student.key).await.unwrap().unwrap().shown(), "(erased)");

@@ -85,7 +85,7 @@ impl Check {
 
     /// Whether the addresses are free, and nothing goes readably through a network.
     fn addresses(&self) -> Vec<Finding> {
-        let Setup { bind, base_url, metrics, no_courses, .. } = &self.setup;
+        let Setup { bind, base_url, trusted_proxy, metrics, no_courses, .. } = &self.setup;
         let mut findings = Vec::new();
         if !self.running {
             for (address, option) in [(Some(bind), "--bind"), (metrics.as_ref(), "--metrics")] {
@@ -104,6 +104,11 @@ impl Check {
             let help = "put a proxy with TLS before it, let it listen to that alone (--bind 127.0.0.1:8080), and name the address \
                 of the pages: --base-url https://physics.example.edu";
             let what = format!("passwords and answers go through the network as anyone can read them, to {bind}");
+            findings.push(Finding::wrong(what, help));
+        }
+        if base_url.host.is_some() && bind.ip().is_loopback() && trusted_proxy.is_empty() && !no_courses {
+            let help = "name the proxy: --trusted-proxy 127.0.0.1";
+            let what = "every reader seems to come from the proxy, so that whoever tries passwords for a name keeps its owner out";
             findings.push(Finding::wrong(what, help));
         }
         if metrics.is_some_and(|metrics| metrics == *bind && metrics.port() != 0) {

@@ -1,9 +1,11 @@
 //! How the server is set up: the options that `momentous serve` and `momentous serve check` share.
 
+use std::net::IpAddr;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use clap::Args;
+use ipnet::IpNet;
 
 use crate::web::Settings;
 
@@ -19,6 +21,10 @@ pub(super) struct Setup {
     /// Where readers reach the pages, where a proxy stands before them
     #[arg(long, value_name = "URL", default_value = "")]
     pub(super) base_url: BaseUrl,
+    /// A proxy before the server, by its address or network: the readers' addresses are taken from its `X-Forwarded-For`. More than one
+    /// can be given
+    #[arg(long, value_name = "ADDRESS", value_parser = proxy)]
+    pub(super) trusted_proxy: Vec<IpNet>,
     #[command(flatten)]
     pub(super) data: Data,
     /// Serve practice and simulators only, and keep nothing
@@ -43,6 +49,7 @@ impl Setup {
             base_path: self.base_url.path.clone(),
             host: self.base_url.host.clone(),
             is_secure: self.base_url.is_secure,
+            trusted_proxies: self.trusted_proxy.clone(),
             data: (!self.no_courses).then(|| self.data.address.clone()),
             metrics: self.metrics,
             watch: self.watch.clone(),
@@ -50,4 +57,12 @@ impl Setup {
             ..Settings::default()
         }
     }
+}
+
+/// An address, or a network such as `10.0.0.0/8`.
+fn proxy(text: &str) -> Result<IpNet, String> {
+    let address = || text.parse::<IpAddr>().map(|address| IpNet::from(address.to_canonical()));
+    text.parse::<IpNet>()
+        .or_else(|_| address())
+        .map_err(|_| "write an address such as 127.0.0.1, or a network such as 10.0.0.0/8".to_owned())
 }

@@ -53,6 +53,18 @@ pub(in crate::problem) fn letter(byte: u8) -> char {
 /// ```
 #[must_use]
 pub fn is_guessable(secret: &[u8]) -> bool {
+    guesses(secret) < SAFE
+}
+
+/// After how many tries a text is found by somebody who thinks as people do, as a power of two: words, simple rows and repetitions first.
+///
+/// ```
+/// use momentous::problem::guesses;
+/// assert!(guesses(b"aaaaaaaaaa") < 10.0);
+/// assert!(guesses(b"a few short words") > 30.0);
+/// ```
+#[must_use]
+pub fn guesses(secret: &[u8]) -> f64 {
     let secret = &secret[..secret.len().min(LOOKED_AT)];
     let mut guesses = 0.0;
     let mut place = 0;
@@ -73,7 +85,7 @@ pub fn is_guessable(secret: &[u8]) -> bool {
         guesses += own;
         place += length;
     }
-    guesses < SAFE
+    guesses
 }
 
 /// What a byte adds where it is neither of a word nor of a row, as a power of two.

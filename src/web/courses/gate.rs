@@ -21,7 +21,7 @@ pub enum Who {
 impl Who {
     /// Whether a visitor may see the page. Somebody who is not in a course is not told that there is one.
     pub(super) fn admits(self, visit: &Visit) -> Result<(), NotShown> {
-        let Some(person) = &visit.person else {
+        let Some(person) = visit.visitor.as_ref().map(|visitor| &visitor.person) else {
             return if self == Self::Anyone { Ok(()) } else { Err(NotShown::SignIn) };
         };
         match self {

@@ -20,6 +20,7 @@ mod state;
 mod student;
 mod table;
 mod visit;
+mod visitor;
 mod withheld;
 
 pub use clock::Clock;
@@ -29,4 +30,5 @@ pub use table::{Address, addresses};
 
 pub(super) use around::Around;
 pub(super) use routes::with_courses;
+pub(super) use visitor::Visitor;
 pub(super) use withheld::{Rest, Withheld};

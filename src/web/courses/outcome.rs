@@ -17,6 +17,8 @@ pub(in crate::web) enum NotShown {
     Forbidden(&'static str),
     /// A form that did not come from a page of this server.
     Origin,
+    /// A form whose end did not come in time.
+    Slow,
     /// Too many in a short time.
     TooMany,
     /// The state has changed since the page was made: how.

@@ -6,7 +6,7 @@ use axum::http::{HeaderMap, HeaderValue, header};
 use sha2::{Digest, Sha256};
 
 use crate::course::{Key, Moment, Person};
-use crate::store::{Ticket, TicketKind};
+use crate::store::{Reach, Ticket, TicketKind};
 
 /// How long somebody stays signed in.
 const SESSION: i64 = 14 * DAY;
@@ -51,13 +51,13 @@ pub(super) fn hash(token: &str) -> String {
 }
 
 /// A new token for a person, and what is kept of it.
-pub(in crate::web) fn token(person: Key<Person>, kind: TicketKind, now: Moment) -> (String, Ticket) {
+pub(in crate::web) fn token(person: Key<Person>, (kind, reach): (TicketKind, Reach), now: Moment) -> (String, Ticket) {
     let token = hex(&random::<BYTES>());
     let lasts = match kind {
         TicketKind::Session => SESSION,
         TicketKind::Link => LINK,
     };
-    let ticket = Ticket { hash: hash(&token), person, kind, expires: now.after(lasts) };
+    let ticket = Ticket { hash: hash(&token), person, kind, reach, expires: now.after(lasts) };
     (token, ticket)
 }
 
@@ -94,7 +94,7 @@ mod tests {
 
     #[test]
     fn the_database_never_sees_a_token() {
-        let (token, ticket) = token(Key::new([1; 16]), TicketKind::Link, Moment::from_millis(0));
+        let (token, ticket) = token(Key::new([1; 16]), (TicketKind::Link, Reach::All), Moment::from_millis(0));
         assert_eq!((token.len(), ticket.hash.len()), (64, 64));
         assert_ne!(token, ticket.hash);
         assert_eq!(hash(&token), ticket.hash);

@@ -1,5 +1,6 @@
 //! Somebody asks for a page.
 
+use std::net::IpAddr;
 use std::str::FromStr;
 use std::sync::Arc;
 
@@ -10,26 +11,26 @@ use crate::store::{Entry, Membership, Store};
 
 use super::super::app::{App, SharedApp};
 use super::super::parameters::Parameters;
+use super::super::workers::Lane;
 use super::around::{Around, AroundCourse};
 use super::outcome::NotShown;
 use super::reply::Reply;
 use super::session;
 use super::state::Courses;
+use super::visitor::Visitor;
 
 /// Somebody asks for a page, or sends a form.
 pub(super) struct Visit {
     pub(super) app: SharedApp,
     pub(super) courses: Arc<Courses>,
-    /// The host and port that the browser asked, or that was said at the start.
-    pub(super) host: String,
     /// When the server had the request.
     pub(super) now: Moment,
-    /// Who asks, once signed in.
-    pub(super) person: Option<Person>,
     /// The place of that person in the course of the address.
     pub(super) place: Option<Membership>,
-    /// The hash of the session's token.
-    pub(super) session: Option<String>,
+    /// The session of that person.
+    pub(super) visitor: Option<Visitor>,
+    /// From where the request comes.
+    pub(super) from: IpAddr,
     /// The parts of the address that are names: `course`, `item`.
     pub(super) path: Vec<(String, String)>,
     /// The fields of the address, or of the form.
@@ -43,7 +44,12 @@ impl Visit {
 
     /// Who asks.
     pub(super) fn person(&self) -> Result<&Person, NotShown> {
-        self.person.as_ref().ok_or(NotShown::SignIn)
+        self.visitor().map(|visitor| &visitor.person)
+    }
+
+    /// Who asks, with the session.
+    pub(super) fn visitor(&self) -> Result<&Visitor, NotShown> {
+        self.visitor.as_ref().ok_or(NotShown::SignIn)
     }
 
     /// The place of who asks in the course of the address.
@@ -71,10 +77,16 @@ impl Visit {
         format!("{}{path}", self.app.settings.base_path)
     }
 
-    /// The address of a page of this server as it is sent to others.
+    /// The address of a page of this server as it is sent to others: never one that a browser made up.
     pub(super) fn public(&self, path: &str) -> String {
-        let scheme = if self.app.settings.is_secure { "https" } else { "http" };
-        format!("{scheme}://{}{}", self.host, self.address(path))
+        let settings = &self.app.settings;
+        let host = settings.host.clone().unwrap_or_else(|| settings.local().to_string());
+        format!("{}://{host}{}", settings.scheme(), self.address(path))
+    }
+
+    /// Whether such an address leads to this machine only, because the server was not told where others reach it.
+    pub(super) fn leads_here_only(&self) -> bool {
+        self.app.settings.host.is_none() && self.app.settings.local().ip().is_loopback()
     }
 
     /// The address of a page of the course.
@@ -87,11 +99,30 @@ impl Visit {
         Entry {
             key: session::key(),
             at: self.now,
-            by: self.person.as_ref().map(|person| person.key),
+            by: self.visitor.as_ref().map(|visitor| visitor.person.key),
             course: self.place.as_ref().map(|place| place.course.key),
             what: what.to_owned(),
             detail: detail.into(),
         }
+    }
+
+    /// The same of something that happens to a person: in the trail of every course of that person, and in that of the address.
+    pub(super) async fn entries(&self, person: Key<Person>, what: &str) -> Result<Vec<Entry>, NotShown> {
+        let own = self.place.as_ref().map(|place| place.course.key);
+        let places = self.store().courses_of(person).await?;
+        let mut entries: Vec<Entry> = places
+            .iter()
+            .map(|place| {
+                let course = Some(place.course.key);
+                let said =
+                    if course == own || own.is_none() { what.to_owned() } else { format!("{what} in another course") };
+                Entry { course, ..self.entry(&said, format!("member {}", place.member.key)) }
+            })
+            .collect();
+        if places.iter().all(|place| Some(place.course.key) != own) {
+            entries.push(self.entry(what, ""));
+        }
+        Ok(entries)
     }
 
     /// Does what takes a processor's time on a worker.
@@ -100,7 +131,8 @@ impl Visit {
         work: impl FnOnce(&App) -> Result<T, NotShown> + Send + 'static,
     ) -> Result<T, NotShown> {
         let app = SharedApp::clone(&self.app);
-        self.app.workers.work(move || work(&app)).await?
+        let lane = if self.visitor.is_some() { Lane::SignedIn } else { Lane::Door };
+        self.app.workers.work(lane, move || work(&app)).await?
     }
 
     /// A page through the template of that name.
@@ -115,8 +147,8 @@ impl Visit {
     /// What every page of a course knows besides its own.
     pub(super) fn around(&self) -> Around {
         Around {
-            signed_in: self.person.as_ref().map(|person| person.shown().to_owned()),
-            operator: self.person.as_ref().is_some_and(|person| person.operator),
+            signed_in: self.visitor.as_ref().map(|visitor| visitor.person.shown().to_owned()),
+            operator: self.visitor.as_ref().is_some_and(|visitor| visitor.person.operator),
             course: self.place.as_ref().map(|place| AroundCourse {
                 key: place.course.key.to_string(),
                 title: place.course.title.clone(),

@@ -2,17 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use axum::http::HeaderMap;
-
-use crate::course::{Course, Key, Moment, Person, Reserved};
+use crate::course::{Course, Key, Reserved};
 use crate::exercise::calls::{Problems, Refused, RefusedKind};
 use crate::problem::Problem;
-use crate::store::{Store, StoreFault, TicketKind};
+use crate::store::StoreFault;
 
 use super::super::app::App;
 use super::outcome::NotShown;
-use super::session;
 use super::visit::Visit;
+use super::visitor::Visitor;
 
 /// The problems that practice, own numbers, solutions, playing and calls refuse to a visitor: those of open assignments, unless the
 /// visitor teaches their courses.
@@ -20,22 +18,14 @@ use super::visit::Visit;
 pub(in crate::web) struct Withheld(Reserved);
 
 impl Withheld {
-    /// What is withheld from whoever sends a request.
-    pub(in crate::web) async fn from(app: &App, headers: &HeaderMap) -> Result<Self, StoreFault> {
+    /// What is withheld from a visitor, or from somebody who is not known.
+    pub(in crate::web) async fn from(app: &App, visitor: Option<&Visitor>) -> Result<Self, StoreFault> {
         let Some(courses) = &app.courses else { return Ok(Self::default()) };
-        let now = courses.clock.now();
-        let person = match session::of(headers).map(session::hash) {
-            Some(hash) => courses.store.holder(&hash, TicketKind::Session, now).await?,
-            None => None,
-        };
-        Self::of(&courses.store, person.map(|person| person.key), now).await
-    }
-
-    async fn of(store: &Store, person: Option<Key<Person>>, now: Moment) -> Result<Self, StoreFault> {
+        let (store, now) = (&courses.store, courses.clock.now());
         let open = store.open_assignments(now).await?;
-        let taught: BTreeSet<Key<Course>> = match person {
-            Some(person) if !open.is_empty() => {
-                let places = store.courses_of(person).await?.into_iter();
+        let taught: BTreeSet<Key<Course>> = match visitor {
+            Some(visitor) if !open.is_empty() => {
+                let places = visitor.places(store).await?.into_iter();
                 places.filter(|own| own.member.role.is_staff()).map(|own| own.course.key).collect()
             }
             _ => BTreeSet::new(),

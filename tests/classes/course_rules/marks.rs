@@ -229,8 +229,8 @@ fn problems_of_open_assignments_are_reserved_for_all_but_staff() {
         ("2026-11-23T07:59", false),
         ("2026-11-23T08:00", true),
         ("2026-12-03T18:00", true),
-        ("2026-12-06T18:00", true),
-        ("2026-12-06T18:01", false),
+        ("2026-12-06T18:01", true),
+        ("2026-12-06T18:02", false),
     ] {
         let mut own = Reserved::default();
         own.add(&assignment, &items, &[late.clone(), elsewhere.clone()], at(local));

@@ -3,7 +3,7 @@
 use momentous::course::{Course, Member, Role};
 use momentous::web::{Who, addresses};
 
-use super::university::{DAY, University};
+use super::university::{DAY, RELEASED, University};
 
 /// Everybody, with their role in the first course, and whether they run the server.
 const EVERYBODY: [(Option<&str>, Option<Role>, bool); 6] = [
@@ -86,6 +86,6 @@ fn who_teaches_one_course_looks_up_no_open_problem_of_another_where_it_learns() 
     assert_eq!(ada.get(&look(&university.other, "impact/two-carts")).status, 403, "with its answers");
     assert_eq!(ada.get(&look(&university.other, "impulse/parcel-push")).status, 200);
     assert_eq!(university.browser_of("ida").get(&look(&university.course, "impact/two-carts")).status, 200);
-    university.set_clock(3 * DAY + 1);
+    university.set_clock(3 * DAY + RELEASED);
     assert_eq!(ada.get(&look(&university.other, "impact/two-carts")).status, 200, "it has closed");
 }

@@ -8,7 +8,7 @@ use momentous::course::{Moment, ProblemFile, Release};
 use momentous::fault::Source;
 use momentous::problem::{compile, load};
 
-use super::university::{Answer, BEGIN, Browser, DAY, University};
+use super::university::{Answer, BEGIN, Browser, DAY, RELEASED, University};
 
 /// How the carts rebound is printed nowhere; only the answers tell.
 const PROBLEM: &str = "
@@ -155,7 +155,7 @@ fn tried(hidden: &str) -> [Vec<(String, String)>; 2] {
     tried.post("", &[("request", "late"), ("answer.v_B2", "7 m/s")]);
     tried.pages(&university);
     let before = std::mem::take(&mut tried.seen);
-    university.set_clock(3 * DAY + 1);
+    university.set_clock(3 * DAY + RELEASED);
     tried.pages(&university);
     [before, tried.seen]
 }

@@ -50,3 +50,34 @@ fn a_request_in_the_wrong_form_gets_a_page_with_the_reason() {
     assert_eq!(answer.header("allow"), Some("GET,HEAD"));
     assert!(answer.text(405).contains("This address does not take such a request. Go back"));
 }
+
+#[test]
+fn a_page_that_refuses_holds_what_was_typed() {
+    let university = University::new();
+    let whole = university.assignment(&[("impact/two-carts", "forward", 10)], |policy| policy.attempts = None);
+    let address = first(&university, &whole);
+    let typed = [("request", "abc"), ("answer.v_A2", "<1 m/s")];
+    let holds = |page: &str| {
+        assert!(page.contains(&format!("<form method=\"post\" action=\"{address}\"")), "{page}");
+        assert!(page.contains("type=\"hidden\" name=\"request\" value=\"abc\""), "{page}");
+        assert!(page.contains("name=\"answer.v_A2\" value=\"&lt;1 m"), "{page}");
+        assert!(page.contains("Send again"), "{page}");
+    };
+    let mut ada = university.browser_of("ada");
+    holds(&university.browser().post(&address, &typed).text(401));
+    let draft = format!("{address}/draft");
+    let refused = (0..70).map(|_| ada.post(&draft, &typed)).find(|answer| answer.status == 429).unwrap();
+    assert!(refused.text(429).contains("value=\"&lt;1 m"));
+    holds(&ada.post(&address, &typed).text(429));
+    university.wait(async |store| store.close().await);
+    holds(&ada.post(&address, &typed).text(503));
+}
+
+#[test]
+fn a_roster_that_has_changed_meanwhile_stays_in_the_page() {
+    let university = University::new();
+    let table = "id,name\nzoe,<Zoe>\n";
+    let apply = university.address("/roster/apply");
+    let page = university.browser_of("ida").post(&apply, &[("table", table), ("shown", "0")]).text(409);
+    assert!(page.contains("name=\"table\" rows=\"12\">\nid,name\nzoe,&lt;Zoe&gt;\n</textarea>"), "{page}");
+}

@@ -30,6 +30,8 @@ fn behind_tls_a_cookie_goes_no_other_way() {
     assert_eq!(ada.post(&link, &[]).status, 403, "the form has to come from the public address");
     let cookie = ada.post_from(Some("https://physics.example.edu"), &link, &[]);
     assert!(cookie.header("set-cookie").unwrap().ends_with("; Secure"));
+    assert_eq!(ada.get("/courses").header("strict-transport-security"), Some("max-age=63072000"));
+    assert_eq!(ada.post_from(Some("http://physics.example.edu"), &link, &[]).status, 403, "not by TLS");
 }
 
 #[test]
@@ -65,12 +67,39 @@ fn nobody_learns_which_names_there_are() {
 }
 
 #[test]
-fn passwords_are_tried_few_times_a_minute() {
+fn passwords_are_tried_few_times_a_minute_from_one_address() {
+    let university =
+        University::with(Settings { trusted_proxies: vec!["127.0.0.1/32".parse().unwrap()], ..Settings::default() });
+    let words = "a few short words";
+    university.browser_of("ada").post("/account/password", &[("new", words), ("again", words)]).to();
+    let tried = |from: &str, password: &str, browser: &mut super::university::Browser<'_>| {
+        browser.from = Some(from.to_owned());
+        browser.post("/sign-in", &[("login", "ADA"), ("password", password)])
+    };
+    let statuses = university.at_once(12, |browser| tried("192.0.2.7", "x", browser).status);
+    assert_eq!(statuses.iter().filter(|status| **status == 422).count(), 10, "{statuses:?}");
+    let mut browser = university.browser();
+    let refused = tried("192.0.2.7", words, &mut browser).text(429);
+    assert!(refused.contains("name=\"login\" value=\"ADA\"") && !refused.contains(words), "{refused}");
+    assert_eq!(tried("203.0.113.1, 192.0.2.7", words, &mut browser).status, 429, "what stands before is invented");
+    browser.from = Some("192.0.2.8".to_owned());
+    let right = browser.post("/sign-in", &[("login", "ada"), ("password", words)]);
+    assert_eq!(right.to(), "/courses", "others keep nobody out");
+}
+
+#[test]
+fn a_name_that_nobody_has_is_not_even_looked_up_where_it_is_too_long() {
     let university = University::new();
     let mut browser = university.browser();
-    let mut tried = (0..30).map(|_| browser.post("/sign-in", &[("login", "ADA"), ("password", "x")]).status);
-    assert!(tried.by_ref().take(10).all(|status| status == 422));
-    assert!(tried.any(|status| status == 429));
+    let long = "a".repeat(201);
+    for _ in 0..11 {
+        let before = university.store.reads();
+        let page = browser.post("/sign-in", &[("login", &long), ("password", "x")]).text(422);
+        assert!(!page.contains(&long), "{page}");
+        assert_eq!(university.store.reads(), before, "no table and no database has heard of it");
+    }
+    let longer = "a".repeat(1 << 20);
+    browser.post("/sign-in", &[("login", &longer), ("password", "x")]).text(413);
 }
 
 #[test]

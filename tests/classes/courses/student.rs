@@ -9,7 +9,7 @@ use momentous::exercise::Exercise;
 use momentous::problem::{compile, load};
 use momentous::store::AssignmentWithItems;
 
-use super::university::{Browser, DAY, University};
+use super::university::{Browser, DAY, RELEASED, University};
 
 const CARTS: &str = "impact/two-carts";
 
@@ -150,6 +150,9 @@ fn late_answers_lose_a_share_and_closed_assignments_take_none() {
     university.set_clock(3 * DAY + 1);
     let page = ada.post(&address, &form("3", &[("answer.v_B2", "1 m/s")])).text(422);
     assert!(page.contains("the time for answers is over"));
+    university.set_clock(3 * DAY + RELEASED - 1);
+    ada.get(&format!("{address}/solution")).text(403);
+    university.set_clock(3 * DAY + RELEASED);
     ada.get(&format!("{address}/solution")).text(200);
 }
 
@@ -161,7 +164,7 @@ fn solutions_are_shown_when_they_may_be() {
         let address = format!("{}/solution", first(&university, &whole));
         let mut ada = university.browser_of("ada");
         ada.get(&address).text(403);
-        university.set_clock(3 * DAY + 1);
+        university.set_clock(3 * DAY + RELEASED);
         ada.get(&address).text(after);
     }
 }
@@ -195,7 +198,7 @@ fn a_draft_is_there_again_and_is_never_handed_in() {
     assert_eq!(saved, "{\"saved\":\"Mon, 1 Dec 2025, 09:00\"}");
     let page = ada.get(&address).text(200);
     assert!(page.contains("value=\"&lt;3 m") && page.contains("Saved, not handed in"), "{page}");
-    university.set_clock(3 * DAY + 1);
+    university.set_clock(3 * DAY + RELEASED);
     let sheets = university.wait(async |store| store.sheets_of(University::member("ada")).await).unwrap();
     assert!(university.wait(async |store| store.attempts(sheets[0].key).await).unwrap().is_empty());
 }

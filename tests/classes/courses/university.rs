@@ -11,7 +11,7 @@ use momentous::course::{
 };
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
-use momentous::store::{Address, AssignmentWithItems, Entry, Store};
+use momentous::store::{Address, AssignmentWithItems, Entry, Reach, Store, Ticket, TicketKind};
 use momentous::web::{App, Clock, Courses, Settings, invite, router};
 use tempfile::TempDir;
 use tokio::runtime::{Builder, Runtime};
@@ -21,6 +21,8 @@ use tower::ServiceExt;
 pub const BEGIN: i64 = 1_764_576_000_000;
 /// A day in milliseconds.
 pub const DAY: i64 = 86_400_000;
+/// So many milliseconds after the close what is released by it is shown.
+pub const RELEASED: i64 = 60_001;
 /// More than any response has.
 const LONGEST: usize = 64 << 20;
 
@@ -40,6 +42,8 @@ pub struct University {
 pub struct Browser<'u> {
     university: &'u University,
     cookie: Option<String>,
+    /// What a proxy says of who asks.
+    pub from: Option<String>,
 }
 
 /// A response, read to its end.
@@ -185,7 +189,7 @@ impl University {
 
     /// A browser in which nobody has signed in.
     pub fn browser(&self) -> Browser<'_> {
-        Browser { university: self, cookie: None }
+        Browser { university: self, cookie: None, from: None }
     }
 
     /// A browser in which somebody has signed in by a link.
@@ -194,6 +198,24 @@ impl University {
         let link = self.link(login);
         assert_eq!(browser.post(&link, &[]).status, 303, "{login} signs in");
         browser
+    }
+
+    /// A browser with a session that reaches so far.
+    pub fn browser_reaching(&self, login: &str, reach: Reach) -> Browser<'_> {
+        // As `sha256sum` writes it of the cookie's value.
+        let hash = "3c469e9d6c5875d37a43f353d4f88e61fcf812c66eee3457465a40b0da4153e0".to_owned();
+        let expires = Moment::from_millis(BEGIN + DAY);
+        let ticket = Ticket { hash, person: Self::key(login), kind: TicketKind::Session, reach, expires };
+        self.wait(async |store| store.add_tickets(vec![ticket], Moment::from_millis(BEGIN), &[]).await.unwrap());
+        Browser { cookie: Some("momentous-session=token".to_owned()), ..self.browser() }
+    }
+
+    /// What so many browsers that ask at the same time get.
+    pub fn at_once<T: Send>(&self, browsers: usize, ask: impl Fn(&mut Browser<'_>) -> T + Sync) -> Vec<T> {
+        std::thread::scope(|scope| {
+            let started: Vec<_> = (0..browsers).map(|_| scope.spawn(|| ask(&mut self.browser()))).collect();
+            started.into_iter().map(|own| own.join().unwrap()).collect()
+        })
     }
 
     /// The path of a new link for somebody.
@@ -243,6 +265,9 @@ impl Browser<'_> {
         }
         if let Some(origin) = origin {
             request = request.header("origin", origin);
+        }
+        if let Some(from) = &self.from {
+            request = request.header("x-forwarded-for", from);
         }
         if body.is_some() {
             request = request.header("content-type", "application/x-www-form-urlencoded");

@@ -43,6 +43,7 @@ fn what_is_wrong_is_said_with_the_way_out() {
             "help: `momentous check problem_bank/impact/broken.yaml`",
         ),
         (&["--bind", "0.0.0.0:0"], "passwords and answers go through the network", "--base-url https://"),
+        (&["--base-url", "https://a.b"], "every reader seems to come from the proxy", "--trusted-proxy 127.0.0.1"),
         (&["--base-url", "http://a.b"], "passwords and answers go through the network", "--base-url https://"),
         (&["--bind", "127.0.0.1:9", "--metrics", "127.0.0.1:9"], "both to be served on 127.0.0.1:9", "--metrics"),
         (&["--data", "file"], "file is a file, and no folder", "--data"),

@@ -114,7 +114,7 @@ pub(in crate::web::courses) async fn erase(visit: &Visit) -> Result<Reply, NotSh
         erased: Some(visit.now),
         key: own.person.key,
     };
-    let entry = visit.entry("name erased", format!("member {}", own.member.key));
-    visit.store().erase_person(&erased, &entry).await?;
+    let entries = visit.entries(own.person.key, "name erased").await?;
+    visit.store().erase_person(&erased, &entries).await?;
     Ok(Reply::To(visit.in_course(&format!("/members/{}", own.member.key))?))
 }

@@ -46,8 +46,8 @@ impl Class {
         self.with_password.contains(&own.person.key)
     }
 
-    /// Whether instructors of this course may make a link for a member. A link lets its holder be that person everywhere, so nobody
-    /// may make one for somebody who can do more, or who works elsewhere already.
+    /// Whether instructors of this course may make a link for a member. Such a link opens this course and no other; still nobody makes
+    /// one for somebody who can do more.
     pub(super) fn may_link(&self, own: &Membership) -> Result<(), &'static str> {
         let elsewhere = self.elsewhere.get(&own.person.key).map_or(&[][..], Vec::as_slice);
         let has_password = self.has_password(own);
@@ -57,8 +57,6 @@ impl Class {
             Err("this person runs the server")
         } else if elsewhere.iter().any(|member| member.role.is_staff()) {
             Err("this person teaches another course")
-        } else if has_password && !elsewhere.is_empty() {
-            Err("this person is in another course, too")
         } else if has_password && own.member.role.is_staff() {
             Err("this person teaches this course, too")
         } else {

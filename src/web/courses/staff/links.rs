@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::course::Person;
-use crate::store::TicketKind;
+use crate::store::{Entry, Reach, TicketKind};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -21,9 +21,19 @@ pub(super) struct LinkPage {
     pub(super) link: Option<String>,
     /// The page from which the reader came, as an address.
     pub(super) back: String,
+    /// The course that the link opens; nothing where it opens all that the person may see.
+    course: Option<String>,
+    /// Whether the link leads to this machine only.
+    only_here: bool,
 }
 
 impl LinkPage {
+    pub(super) fn new(visit: &Visit, title: &'static str, person: &Person, link: Option<String>, back: String) -> Self {
+        let course = visit.place.as_ref().map(|place| place.course.title.clone());
+        let (name, only_here) = (person.shown().to_owned(), visit.leads_here_only());
+        Self { title, name, link, back, course, only_here }
+    }
+
     pub(super) async fn reply(self, visit: &Visit) -> Result<Reply, NotShown> {
         visit.page("courses/staff/link", self).await
     }
@@ -34,11 +44,29 @@ pub(super) async fn link(visit: &Visit, person: &Person) -> Result<String, NotSh
     Ok(links(visit, std::slice::from_ref(person)).await?.pop().unwrap_or_default())
 }
 
-/// A new link for each person, in their order.
+/// A new link for each person, in their order. Earlier ones end. From the pages of a course a link opens that course alone.
 pub(super) async fn links(visit: &Visit, people: &[Person]) -> Result<Vec<String>, NotShown> {
-    let made = people.iter().map(|person| session::token(person.key, TicketKind::Link, visit.now));
+    let course = visit.place.as_ref().map(|place| place.course.key);
+    let reach = course.map_or(Reach::Anew, Reach::Course);
+    let made = people.iter().map(|person| session::token(person.key, (TicketKind::Link, reach), visit.now));
     let (tokens, tickets): (Vec<String>, Vec<_>) = made.unzip();
-    let entry = visit.entry("links made", format!("{} links", tokens.len()));
-    visit.store().add_tickets(tickets, visit.now, Some(&entry)).await?;
+    let mut entries = Vec::new();
+    match course {
+        None => {
+            for person in people {
+                entries.extend(visit.entries(person.key, "link made by the operator").await?);
+            }
+        }
+        Some(course) => {
+            let elsewhere = visit.store().elsewhere(course).await?.into_iter();
+            let of_these = elsewhere.filter(|own| people.iter().any(|person| person.key == own.person.key));
+            entries.extend(of_these.map(|own| {
+                let entry = visit.entry("link made in another course", format!("member {}", own.member.key));
+                Entry { course: Some(own.course.key), ..entry }
+            }));
+            entries.push(visit.entry("links made", format!("{} links", tokens.len())));
+        }
+    }
+    visit.store().add_tickets(tickets, visit.now, &entries).await?;
     Ok(tokens.into_iter().map(|token| visit.public(&format!("/sign-in/{token}"))).collect())
 }

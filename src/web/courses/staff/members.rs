@@ -49,8 +49,7 @@ pub(in crate::web::courses) async fn add_staff(visit: &Visit) -> Result<Reply, N
         Some(own) => Some(link(visit, &own.person).await?),
         None => None,
     };
-    let back = visit.in_course("/roster")?;
-    LinkPage { title: "Added", name: person.shown().to_owned(), link, back }.reply(visit).await
+    LinkPage::new(visit, "Added", &person, link, visit.in_course("/roster")?).reply(visit).await
 }
 
 /// The member whom a button names.
@@ -83,8 +82,7 @@ pub(in crate::web::courses) async fn member_link(visit: &Visit) -> Result<Reply,
         return Err(NotShown::Conflict(message));
     }
     let link = Some(link(visit, &own.person).await?);
-    let (name, back) = (own.person.shown().to_owned(), visit.in_course("/roster")?);
-    LinkPage { title: "New link", name, link, back }.reply(visit).await
+    LinkPage::new(visit, "New link", &own.person, link, visit.in_course("/roster")?).reply(visit).await
 }
 
 /// A table of links for those who have no password yet.

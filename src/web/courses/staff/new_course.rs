@@ -68,6 +68,5 @@ pub(in crate::web::courses) async fn make(visit: &Visit) -> Result<Reply, NotSho
         Some(_) => None,
         None => Some(link(visit, &person).await?),
     };
-    let back = visit.address("/people");
-    LinkPage { title: "Course made", name: person.shown().to_owned(), link, back }.reply(visit).await
+    LinkPage::new(visit, "Course made", &person, link, visit.address("/people")).reply(visit).await
 }

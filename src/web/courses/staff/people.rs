@@ -79,5 +79,5 @@ pub(in crate::web::courses) async fn new_link(visit: &Visit) -> Result<Reply, No
 
 async fn shown(visit: &Visit, title: &'static str, person: &Person) -> Result<Reply, NotShown> {
     let link = Some(link(visit, person).await?);
-    LinkPage { title, name: person.shown().to_owned(), link, back: visit.address("/people") }.reply(visit).await
+    LinkPage::new(visit, title, person, link, visit.address("/people")).reply(visit).await
 }

@@ -24,6 +24,8 @@ struct RosterPage {
     students: usize,
     /// How many of them can be given links.
     unlinked: usize,
+    /// Whether links lead to this machine only.
+    only_here: bool,
     /// The table that was sent.
     text: String,
     /// What is wrong with it.
@@ -99,6 +101,7 @@ pub(super) async fn with(
         title: "Roster",
         students: members.iter().filter(|own| !own.is_staff && !own.left).count(),
         unlinked: class.unlinked().count(),
+        only_here: visit.leads_here_only(),
         members,
         text,
         faults,

@@ -1,0 +1,87 @@
+//! What was typed into a form that is refused, as the page that refuses it shows it: nothing of it is typed twice.
+
+use serde::Serialize;
+
+use super::parameters::Parameters;
+
+/// Fields that pages fill in, and nobody types.
+const OF_PAGES: [&str; 13] =
+    ["request", "shown", "revision", "do", "to", "member", "person", "remove", "add", "part", "seed", "form", "key"];
+/// Fields whose value is shown nowhere.
+const PASSWORDS: [&str; 4] = ["password", "old", "new", "again"];
+/// What is before the name of a part, in the names of fields.
+const ANSWER: &str = "answer.";
+
+/// A form that can be sent again.
+#[derive(Debug, Serialize)]
+pub(super) struct Again {
+    /// Its address.
+    to: String,
+    fields: Vec<Field>,
+}
+
+#[derive(Debug, PartialEq, Eq, Serialize)]
+struct Field {
+    name: String,
+    value: String,
+    label: String,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Kind {
+    Hidden,
+    Password,
+    Line,
+    Text,
+}
+
+impl Again {
+    /// What was typed, to be sent again; nothing where nothing was.
+    pub(super) fn of(to: &str, typed: &Parameters) -> Option<Self> {
+        let fields: Vec<Field> = typed.pairs().iter().map(Field::of).collect();
+        fields.iter().any(|field| field.kind != Kind::Hidden).then(|| Self { to: to.to_owned(), fields })
+    }
+}
+
+impl Field {
+    fn of((name, value): &(String, String)) -> Self {
+        // The fields of a row are `item.0.key`, `item.0.points`.
+        let own = name.rsplit('.').next().unwrap_or(name);
+        let kind = if OF_PAGES.contains(&own) && !name.starts_with(ANSWER) {
+            Kind::Hidden
+        } else if PASSWORDS.contains(&name.as_str()) {
+            Kind::Password
+        } else if value.contains('\n') {
+            Kind::Text
+        } else {
+            Kind::Line
+        };
+        let label = name.strip_prefix(ANSWER).unwrap_or(name).to_owned();
+        let value = if kind == Kind::Password { String::new() } else { value.clone() };
+        Self { name: name.clone(), value, label, kind }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_typed_is_held_but_for_passwords() {
+        let pair = |(name, value): (&str, &str)| (name.to_owned(), value.to_owned());
+        let typed = [("request", "ab12"), ("answer.v_A2", "1 m/s"), ("table", "id\nada"), ("password", "secret")];
+        let again = Again::of("/x", &Parameters::all_of(typed.map(pair).into())).unwrap();
+        let shown: Vec<_> = again.fields.iter().map(|own| (own.label.as_str(), own.value.as_str(), own.kind)).collect();
+        let expected = [
+            ("request", "ab12", Kind::Hidden),
+            ("v_A2", "1 m/s", Kind::Line),
+            ("table", "id\nada", Kind::Text),
+            ("password", "", Kind::Password),
+        ];
+        assert_eq!(shown, expected);
+        assert!(Again::of("/x", &Parameters::all_of(vec![pair(("request", "ab12"))])).is_none());
+    }
+}

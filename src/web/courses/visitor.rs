@@ -1,0 +1,59 @@
+//! Who asks, by the session that a browser sends along.
+
+use axum::http::HeaderMap;
+
+use crate::course::{Course, Key, Moment, Person};
+use crate::store::{Membership, Reach, Store, StoreFault, TicketKind};
+
+use super::super::app::App;
+use super::super::workers::Lane;
+use super::session;
+
+/// Somebody who has signed in.
+#[derive(Clone, Debug)]
+pub(in crate::web) struct Visitor {
+    pub(super) person: Person,
+    /// How far the session reaches.
+    pub(super) reach: Reach,
+    /// The hash of its token.
+    pub(super) session: String,
+}
+
+impl Visitor {
+    /// Whoever sends a request; nothing where nobody has signed in, or where there are no courses.
+    pub(in crate::web) async fn of(app: &App, headers: &HeaderMap) -> Result<Option<Self>, StoreFault> {
+        match &app.courses {
+            Some(courses) => Self::at(&courses.store, headers, courses.clock.now()).await,
+            None => Ok(None),
+        }
+    }
+
+    /// The same at a moment. A session of one course runs no server.
+    pub(super) async fn at(store: &Store, headers: &HeaderMap, now: Moment) -> Result<Option<Self>, StoreFault> {
+        let Some(session) = session::of(headers).map(session::hash) else { return Ok(None) };
+        let holder = store.holder(&session, TicketKind::Session, now).await?;
+        Ok(holder.map(|(person, reach)| {
+            let operator = person.operator && !matches!(reach, Reach::Course(_));
+            Self { person: Person { operator, ..person }, reach, session }
+        }))
+    }
+
+    /// Whether the session reaches into a course.
+    pub(super) fn reaches(&self, course: Key<Course>) -> bool {
+        match self.reach {
+            Reach::All | Reach::Anew => true,
+            Reach::Course(own) => own == course,
+        }
+    }
+
+    /// The visitor's places in courses, as far as the session reaches.
+    pub(super) async fn places(&self, store: &Store) -> Result<Vec<Membership>, StoreFault> {
+        let all = store.courses_of(self.person.key).await?;
+        Ok(all.into_iter().filter(|own| self.reaches(own.course.key)).collect())
+    }
+
+    /// Whose work is done for a visitor of practice, or for nobody who is known.
+    pub(in crate::web) fn lane(visitor: Option<&Self>) -> Lane {
+        if visitor.is_some() { Lane::SignedIn } else { Lane::Anyone }
+    }
+}
