@@ -68,6 +68,9 @@ pub struct Draft {
     pub answers: BTreeMap<String, String>,
     /// When it was saved.
     pub saved: Moment,
+    /// When it was handed in at the close, or found to hold nothing that could be.
+    #[serde(default)]
+    pub settled: Option<Moment>,
 }
 
 /// Points that were set by hand, or kept by a regrade.

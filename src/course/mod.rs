@@ -2,6 +2,7 @@
 //! knows a clock, a database, a file or a page. What happens at a moment is told that [`Moment`].
 
 mod account;
+mod answers;
 mod assignment;
 mod corrected;
 mod fields;
@@ -27,6 +28,7 @@ mod student_data;
 mod window;
 
 pub use account::{Account, Accounts, GradeMark, Ledger, Said, Standing, points_by_hand};
+pub use answers::{alike, is_due_at_close, worth};
 pub use assignment::{Assignment, Correction, CorrectionChoice, Extension, Item};
 pub use corrected::{Effect, Regraded, Regrading, Remarked, WorkedSheet, effects};
 pub use fields::FieldFault;
@@ -38,7 +40,7 @@ pub use key::Key;
 pub use local_time::{NoMoment, zone};
 pub use moment::Moment;
 pub use people::{Course, Member, Person, Role};
-pub use policy::{Policy, Release, SolutionRelease};
+pub use policy::{Policy, Release, SolutionRelease, Solvers, Unsubmitted};
 pub use policy_form::PolicyForm;
 pub use problem_file::ProblemFile;
 pub use redaction::{NotRedacted, Redaction, is_redacted, redacted};

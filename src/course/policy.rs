@@ -35,6 +35,12 @@ pub struct Policy {
     pub verdicts: Release,
     /// When students see the worked solutions.
     pub solutions: SolutionRelease,
+    /// What becomes of answers that were saved and not handed in.
+    #[serde(default)]
+    pub unsubmitted: Unsubmitted,
+    /// Whether the site solves problems of these kinds for others than those who teach, while it is open.
+    #[serde(default)]
+    pub solvers: Solvers,
 }
 
 /// When verdicts are shown.
@@ -85,6 +91,54 @@ impl SolutionRelease {
     }
 }
 
+/// What becomes of answers that were saved and not handed in, when no more are taken.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Unsubmitted {
+    /// They do not count.
+    #[default]
+    Leave,
+    /// They are handed in, as they were saved last.
+    HandIn,
+}
+
+impl Unsubmitted {
+    /// Both, the usual one first.
+    pub const ALL: [Self; 2] = [Self::Leave, Self::HandIn];
+    /// Their names in forms.
+    pub(super) const NAMES: [&str; 2] = ["leave", "hand_in"];
+
+    /// The name in forms.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+}
+
+/// Whether simulators and pages of own numbers solve problems of the kinds of an assignment while it is open.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Solvers {
+    /// They do.
+    #[default]
+    Shown,
+    /// They do for those who teach. It is a hurdle and no wall: whoever has the program can solve what is printed.
+    Hidden,
+}
+
+impl Solvers {
+    /// Both, the usual one first.
+    pub const ALL: [Self; 2] = [Self::Shown, Self::Hidden];
+    /// Their names in forms.
+    pub(super) const NAMES: [&str; 2] = ["shown", "hidden"];
+
+    /// The name in forms.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+}
+
 impl Policy {
     /// What attempts and hints cost, in the terms of marking. The best sheet counts.
     #[must_use]
@@ -114,6 +168,12 @@ mod tests {
             assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
         }
         for own in SolutionRelease::ALL {
+            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        }
+        for own in Unsubmitted::ALL {
+            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        }
+        for own in Solvers::ALL {
             assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
         }
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::fields::{Faults, FieldFault};
 use super::moment::Moment;
-use super::policy::{Policy, Release, SolutionRelease};
+use super::policy::{Policy, Release, SolutionRelease, Solvers, Unsubmitted};
 use super::share::Share;
 
 /// The most attempts that can be asked for; no number at all allows any number.
@@ -55,6 +55,10 @@ pub struct PolicyForm {
     pub verdicts: String,
     /// `at_close` or `never`; at close where it is empty.
     pub solutions: String,
+    /// `leave` or `hand_in`; left where it is empty.
+    pub unsubmitted: String,
+    /// `shown` or `hidden`; shown where it is empty.
+    pub solvers: String,
 }
 
 /// The instants that an instructor types for a policy or an extension.
@@ -94,6 +98,10 @@ impl Policy {
             faults.take("verdicts", release(&form.verdicts, &Release::NAMES)).and_then(|at| Release::ALL.get(at));
         let solutions = faults.take("solutions", release(&form.solutions, &SolutionRelease::NAMES));
         let solutions = solutions.and_then(|at| SolutionRelease::ALL.get(at));
+        let unsubmitted = faults.take("unsubmitted", release(&form.unsubmitted, &Unsubmitted::NAMES));
+        let unsubmitted = unsubmitted.and_then(|at| Unsubmitted::ALL.get(at));
+        let solvers =
+            faults.take("solvers", release(&form.solvers, &Solvers::NAMES)).and_then(|at| Solvers::ALL.get(at));
         let made = || {
             let Instants { due, late_until, closes } = instants?;
             Some(Self {
@@ -108,6 +116,8 @@ impl Policy {
                 closes,
                 verdicts: *verdicts?,
                 solutions: *solutions?,
+                unsubmitted: *unsubmitted?,
+                solvers: *solvers?,
             })
         };
         faults.or(made())
@@ -129,6 +139,8 @@ impl Policy {
             closes: self.closes.typed(zone),
             verdicts: self.verdicts.name().to_owned(),
             solutions: self.solutions.name().to_owned(),
+            unsubmitted: self.unsubmitted.name().to_owned(),
+            solvers: self.solvers.name().to_owned(),
         }
     }
 }
@@ -203,6 +215,8 @@ mod tests {
             closes: "2026-12-02T18:00".into(),
             verdicts: "at_close".into(),
             solutions: "never".into(),
+            unsubmitted: "hand_in".into(),
+            solvers: "hidden".into(),
         }
     }
 
@@ -223,6 +237,8 @@ mod tests {
             ("closes", "2026-03-29T02:30", "closes: this time does not exist"),
             ("verdicts", "now", "verdicts: choose `at_once` or `at_close`"),
             ("solutions", "at_once", "solutions: choose `at_close` or `never`"),
+            ("unsubmitted", "yes", "unsubmitted: choose `leave` or `hand_in`"),
+            ("solvers", "no", "solvers: choose `shown` or `hidden`"),
         ] {
             let faults = Policy::read(&form(field, text), "Europe/Berlin").unwrap_err();
             let said: Vec<String> = faults.iter().map(|own| format!("{}: {}", own.field, own.message)).collect();

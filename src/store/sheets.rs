@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
 use sqlx::AssertSqlSafe;
+use sqlx::Row;
+use sqlx::any::AnyRow;
 use sqlx::query;
 
 use crate::course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Override, Sheet};
@@ -11,7 +13,7 @@ use crate::course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Ov
 use super::address::Address;
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::to_json;
+use super::records::{record, to_json};
 use super::trail::Entry;
 use super::writer::Statement;
 
@@ -222,6 +224,24 @@ impl Store {
     /// Where the database refuses.
     pub async fn draft(&self, sheet: Key<Sheet>) -> Result<Option<Draft>, StoreFault> {
         self.one(query("SELECT data FROM draft WHERE sheet = $1").bind(sheet.to_string())).await
+    }
+
+    /// What was typed and not handed in at an assignment, of everybody or of one student, each with its sheet.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn drafts(
+        &self,
+        assignment: Key<Assignment>,
+        of: Option<Key<Member>>,
+    ) -> Result<Vec<(Draft, Sheet)>, StoreFault> {
+        let statement = query(
+            "SELECT d.data, s.data FROM draft d JOIN sheet s ON s.key = d.sheet JOIN item i ON i.key = s.item \
+             WHERE i.assignment = $1 AND (s.member = $2 OR $2 = '') ORDER BY d.sheet",
+        );
+        let of = of.map(|member| member.to_string()).unwrap_or_default();
+        let both = |row: &AnyRow| Ok((record(row)?, serde_json::from_str(row.try_get::<&str, _>(1)?)?));
+        self.rows(statement.bind(assignment.to_string()).bind(of)).await?.iter().map(both).collect()
     }
 
     /// Sets points by hand.

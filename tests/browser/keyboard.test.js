@@ -95,7 +95,7 @@ test("an assignment is done by keyboard alone, from the link to the receipts", a
       await page.keyboard.press("Control+A");
       await page.keyboard.type("2,5 m/s left");
       await page.locator("[data-reading][data-state=read]").first().waitFor();
-      await reach(page, "button", "Save without handing in");
+      await reach(page, "button", "Read and save");
       await Promise.all([page.waitForEvent("load"), page.keyboard.press("Space")]);
       assert.match((await page.locator("[data-saved]").textContent()) ?? "", /^Saved, not handed in/);
       assert.equal(await page.locator(`[name="${first}"]`).inputValue(), "2,5 m/s left");

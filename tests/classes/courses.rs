@@ -15,4 +15,5 @@ mod refused;
 mod sign_in;
 mod staff;
 mod student;
+mod typed;
 mod university;

@@ -247,7 +247,7 @@ fn hints_drafts_and_points_by_hand_are_kept() {
         assert_eq!(store.hints(own.sheet.key).await.unwrap(), [hint]);
         for text in ["1", "2"] {
             let answers = BTreeMap::from([("v_A2".to_owned(), text.to_owned())]);
-            store.save_draft(&Draft { sheet: own.sheet.key, answers, saved: NOW }).await.unwrap();
+            store.save_draft(&Draft { sheet: own.sheet.key, answers, saved: NOW, settled: None }).await.unwrap();
         }
         assert_eq!(store.draft(own.sheet.key).await.unwrap().unwrap().answers["v_A2"], "2");
         for (key, points) in [(90, Some("1/3")), (91, None)] {
@@ -296,7 +296,7 @@ fn a_folder_is_served_by_one_and_read_beside_it() {
             Address::Postgres(_) => {
                 // Two servers over one database see at once what the other keeps.
                 let second = second.unwrap();
-                let draft = Draft { sheet: own.sheet.key, answers: BTreeMap::new(), saved: NOW };
+                let draft = Draft { sheet: own.sheet.key, answers: BTreeMap::new(), saved: NOW, settled: None };
                 second.save_draft(&draft).await.unwrap();
                 assert_eq!(store.draft(own.sheet.key).await.unwrap(), Some(draft));
             }

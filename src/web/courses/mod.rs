@@ -2,6 +2,7 @@
 
 mod account;
 mod around;
+mod at_close;
 mod clock;
 mod gate;
 mod grades;

@@ -1,5 +1,6 @@
 // @ts-check
-// A sheet of a course: under each field stands how its text is read, and what is typed is saved while one goes on.
+// A sheet of a course: under each field stands how its text is read, what is typed is saved while one goes on, and beside the button
+// stands what it hands in.
 
 import { read_live } from "./reading.js";
 
@@ -19,6 +20,21 @@ async function send(address, fields, signal) {
 }
 
 /**
+ * Says beside the button which answers of a form are new.
+ * @param {HTMLFormElement} form
+ */
+function say_new(form) {
+  const typed = new FormData(form);
+  for (const line of form.querySelectorAll("[data-new]")) {
+    if (!(line instanceof HTMLElement)) continue;
+    const text = String(typed.get(line.dataset.new ?? "") ?? "").trim();
+    line.hidden = text === "" || text === line.dataset.handedIn?.trim();
+    const shown = line.querySelector("[data-typed]");
+    if (shown) shown.textContent = text;
+  }
+}
+
+/**
  * @param {HTMLFormElement} form
  */
 function live(form) {
@@ -31,13 +47,23 @@ function live(form) {
     fields.set("do", "script");
     const said = await send(`${here}/draft`, fields).catch(() => undefined);
     if (!(saved instanceof HTMLElement)) return;
-    saved.textContent = said ? `Saved, not handed in: ${said.saved}` : "Not saved: the server cannot be reached.";
+    saved.textContent = said ? `Saved, not handed in: ${said.saved}` : "Not saved: the time for answers is over, or the server cannot be reached.";
     saved.dataset.state = said ? "saved" : "lost";
   };
   form.addEventListener("input", () => {
+    say_new(form);
     clearTimeout(rest);
     rest = setTimeout(save, REST);
   });
+  form.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" || !(event.target instanceof HTMLInputElement)) return;
+    // Enter reads and saves, as it does without this script by the first button of the form; it hands in nothing.
+    event.preventDefault();
+    clearTimeout(rest);
+    void save();
+  });
+  // What a browser fills in when one comes back is new, too.
+  say_new(form);
   form.addEventListener("submit", () => clearTimeout(rest));
   read_live(form, (part, text, signal) => {
     const reading = send(`${here}/read`, new URLSearchParams({ part, text }), signal);

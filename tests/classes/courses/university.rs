@@ -7,7 +7,8 @@ use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::http::{HeaderMap, Method, Request};
 use momentous::course::{
-    Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease,
+    Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
+    Unsubmitted,
 };
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
@@ -161,6 +162,8 @@ impl University {
             closes: Moment::from_millis(BEGIN + 3 * DAY),
             verdicts: Release::AtOnce,
             solutions: SolutionRelease::AtClose,
+            unsubmitted: Unsubmitted::Leave,
+            solvers: Solvers::Shown,
         };
         change(&mut policy);
         let title = "Sheet <b>1</b>".to_owned();

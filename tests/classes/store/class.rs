@@ -3,7 +3,8 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use momentous::course::{
-    Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease,
+    Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
+    Unsubmitted,
 };
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
@@ -122,6 +123,8 @@ fn policy(now: Moment) -> Policy {
         closes: now.after(24 * HOUR),
         verdicts: Release::AtOnce,
         solutions: SolutionRelease::AtClose,
+        unsubmitted: Unsubmitted::Leave,
+        solvers: Solvers::Shown,
     }
 }
 

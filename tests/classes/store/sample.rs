@@ -2,7 +2,7 @@
 
 use momentous::course::{
     Assignment, Course, Extension, Item, Key, Member, Moment, Override, OverrideRule, Person, Policy, Release, Role,
-    Share, Sheet, SolutionRelease,
+    Share, Sheet, SolutionRelease, Solvers, Unsubmitted,
 };
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
@@ -117,5 +117,7 @@ fn policy() -> Policy {
         closes: NOW.after(3000),
         verdicts: Release::AtOnce,
         solutions: SolutionRelease::AtClose,
+        unsubmitted: Unsubmitted::Leave,
+        solvers: Solvers::Shown,
     }
 }

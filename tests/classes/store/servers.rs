@@ -131,7 +131,7 @@ fn a_database_that_was_away_is_found_again() {
         while number(&mut connection, left).await > 0 {}
         for millis in 1..=2 {
             let saved = Moment::from_millis(millis);
-            let draft = Draft { sheet: own.sheet.key, answers: BTreeMap::new(), saved };
+            let draft = Draft { sheet: own.sheet.key, answers: BTreeMap::new(), saved, settled: None };
             store.save_draft(&draft).await.unwrap();
             assert_eq!(store.draft(own.sheet.key).await.unwrap(), Some(draft));
         }

@@ -7,6 +7,7 @@ use crate::grade::Points;
 use crate::laws::wrong;
 use crate::store::{AssignmentWithItems, Membership};
 
+use super::super::at_close;
 use super::super::items;
 use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
@@ -97,6 +98,7 @@ impl Place {
         let missing = || NotShown::missing("there is no such problem in this course");
         let item = whole.items.iter().find(|own| own.key == key).cloned().ok_or_else(missing)?;
         let student = member(visit).await?;
+        at_close::hand_in(visit, &whole, Some(student.member.key)).await?;
         let sheet = visit.store().sheet(item.key, student.member.key, item.issue).await?;
         Ok(Self { whole, item, student, sheet })
     }

@@ -7,6 +7,7 @@ use crate::course::{
 };
 use crate::store::{AssignmentWithItems, Membership, StoreFault};
 
+use super::super::at_close;
 use super::super::ledger::Records;
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;
@@ -16,7 +17,9 @@ pub(super) async fn assignment(visit: &Visit) -> Result<AssignmentWithItems, Not
     let found = visit.store().assignment(visit.key("assignment")?).await?;
     let course = visit.course()?.key;
     let own = found.filter(|whole| whole.assignment.course == course);
-    own.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))
+    let own = own.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))?;
+    at_close::hand_in(visit, &own, None).await?;
+    Ok(own)
 }
 
 /// The member of the address, which belongs to the course of the address.

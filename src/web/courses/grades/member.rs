@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::course::{Draft, Key, Override, Person, Role, Sheet, StudentData, Window};
 use crate::store::Membership;
 
+use super::super::at_close;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
@@ -67,6 +68,9 @@ pub(in crate::web::courses) async fn data(visit: &Visit) -> Result<Reply, NotSho
         windows.insert(assignment.key, window);
         by_hand.extend(store.set_by_hand(assignment.key).await?);
         let whole = store.assignment(assignment.key).await?;
+        if let Some(whole) = &whole {
+            at_close::hand_in(visit, whole, Some(own.member.key)).await?;
+        }
         items.extend(whole.into_iter().flat_map(|own| own.items).map(|item| (item.key, item.assignment)));
     }
     let (mut sheets, mut drafts): (Vec<(HandedInSheet, Vec<Override>)>, Vec<Draft>) = Default::default();

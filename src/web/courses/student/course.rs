@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::course::{Assignment, GradeMark, Item, Phase, Standing, Window};
 use crate::grade::Points;
 
+use super::super::at_close;
 use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -100,6 +101,7 @@ pub(in crate::web::courses) async fn assignment(visit: &Visit) -> Result<Reply, 
     if whole.assignment.course != place.course.key || !is_seen {
         return Err(missing());
     }
+    at_close::hand_in(visit, &whole, Some(place.member.key)).await?;
     let records = Records::of_student(visit, &whole, place.member.key).await?;
     let account = records.accounts().account(place.member.key);
     let released = window.shows_verdicts(visit.now);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use crate::course::{self, Attempt, Draft, Refusal};
+use crate::course::{self, Attempt, Draft, Phase, Refusal, alike};
 use crate::exercise::calls::{ReadResponse, Refused, within};
 use crate::store::{HandIn, HandedIn};
 
@@ -30,8 +30,11 @@ pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, Not
     within(request.len(), LONGEST_KEY, "bytes make the key of a request")?;
     for _ in 0..AGAIN {
         let own = OwnSheet::of(visit).await?;
-        if own.attempts.iter().any(|attempt| !request.is_empty() && attempt.request == request) {
-            return Ok(Reply::To(own.address(visit)? + "#marks"));
+        if let Some(before) = repeated(&own, &request, &answers) {
+            return again(visit, &own, before);
+        }
+        if own.attempts.last().is_some_and(|last| alike(&last.answers, &answers)) {
+            return refused(visit, &own, Refusal::NothingNew).await;
         }
         let (exercise, last, hints) = (Arc::clone(&own.exercise), own.last.clone(), own.hints.clone());
         let (policy, window) = (own.whole.assignment.policy.clone(), own.window.clone());
@@ -50,18 +53,47 @@ pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, Not
         let number = own.attempts.last().map_or(0, |last| last.number) + 1;
         let report =
             serde_json::value::to_raw_value(&accepted.stored).map_err(|error| NotShown::Store(error.into()))?;
-        let request = if request.is_empty() { format!("number {number}") } else { request.clone() };
+        let request = key(&own, &request, number);
         let attempt = Attempt { sheet: own.sheet.key, number, received: at, answers: answers.clone(), report, request };
         let hand_in = HandIn { attempt: &attempt, assignment: own.whole.assignment.key, revision: own.whole.revision };
         match visit.store().hand_in(hand_in).await? {
-            HandedIn::Kept | HandedIn::Before(_) => return Ok(Reply::To(own.address(visit)? + "#marks")),
+            HandedIn::Kept => return Ok(Reply::To(own.address(visit)? + "#marks")),
+            HandedIn::Before(before) if alike(&before.answers, &answers) => return again(visit, &own, &before),
             // Something came between; what it was decides anew.
-            HandedIn::Stale => {}
+            HandedIn::Before(_) | HandedIn::Stale => {}
         }
     }
     Err(NotShown::Conflict(
         "other answers to this problem were handed in at the same time, and these were not kept".to_owned(),
     ))
+}
+
+/// The attempt that this form was already: it has the same key and says the same, or has no key and says what was handed in last.
+fn repeated<'a>(own: &'a OwnSheet, request: &str, answers: &BTreeMap<String, String>) -> Option<&'a Attempt> {
+    let is_same = |attempt: &&Attempt| alike(&attempt.answers, answers);
+    match request {
+        "" => own.attempts.last().filter(is_same),
+        _ => own.attempts.iter().filter(|attempt| is_of(attempt, request)).find(is_same),
+    }
+}
+
+/// Whether an attempt was sent with a form of this key.
+fn is_of(attempt: &Attempt, request: &str) -> bool {
+    attempt.request.strip_prefix(request).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+}
+
+/// The key under which an attempt is kept: that of its form, and where the form was sent before with other answers, or has none, its number.
+fn key(own: &OwnSheet, request: &str, number: u32) -> String {
+    match request {
+        "" => format!("number {number}"),
+        _ if own.attempts.iter().any(|attempt| is_of(attempt, request)) => format!("{request} {number}"),
+        _ => request.to_owned(),
+    }
+}
+
+/// The page again, which says which attempt it was.
+fn again(visit: &Visit, own: &OwnSheet, before: &Attempt) -> Result<Reply, NotShown> {
+    Ok(Reply::To(format!("{}?again={}#marks", own.address(visit)?, before.number)))
 }
 
 /// What was typed, by part. It is kept for years, so there is not too much of it.
@@ -84,7 +116,11 @@ pub(in crate::web::courses) async fn draft(visit: &Visit) -> Result<Reply, NotSh
     visit.courses.limits.answer(visit.person()?.key)?;
     let answers = answers(visit)?;
     let own = OwnSheet::of(visit).await?;
-    visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now }).await?;
+    if !matches!(own.window.phase(visit.now), Phase::Open | Phase::Late(_)) {
+        // What was saved in time stays what was saved last.
+        return refused(visit, &own, Refusal::Over).await;
+    }
+    visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now, settled: None }).await?;
     if visit.fields.get("do") == Some("script") {
         return Ok(Reply::Json(json!({ "saved": visit.now.shown(&visit.course()?.zone) })));
     }

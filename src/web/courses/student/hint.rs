@@ -48,7 +48,7 @@ fn open(visit: &Visit, own: &OwnSheet) -> Result<(), NotShown> {
 async fn keep_typed(visit: &Visit, own: &OwnSheet) -> Result<(), NotShown> {
     let answers = visit.fields.behind(ANSWER);
     if !answers.is_empty() {
-        visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now }).await?;
+        visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now, settled: None }).await?;
     }
     Ok(())
 }

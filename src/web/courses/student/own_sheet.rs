@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::course::{Attempt, HintShown, Item, Phase, Sheet, StoredReport, Window};
+use crate::course::{Attempt, HintShown, Item, Phase, Sheet, StoredReport, Window, is_redacted};
 use crate::exercise::Exercise;
 use crate::exercise::calls::Refused;
+use crate::grade::Entry;
 use crate::problem::Problem;
 use crate::store::AssignmentWithItems;
 
+use super::super::at_close;
 use super::super::items;
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;
@@ -42,12 +44,20 @@ impl OwnSheet {
         if window.phase(visit.now) == Phase::NotOpen && !place.member.role.is_staff() {
             return Err(no_item());
         }
+        at_close::hand_in(visit, &whole, Some(place.member.key)).await?;
         let problem = items::problem(visit, &item).await?;
         let (sheet, exercise) = drawn(visit, &item, problem).await?;
         let attempts = visit.store().attempts(sheet.key).await?;
         let last = attempts.last().map(StoredReport::of).transpose().map_err(|error| NotShown::Store(error.into()))?;
         let hints = visit.store().hints(sheet.key).await?;
         Ok(Self { whole, item, window, sheet, exercise: Arc::new(exercise), attempts, last, hints })
+    }
+
+    /// What was typed at a part in the last attempt and could not be read, where it was so.
+    pub(super) fn unread(&self, part: &str) -> Option<&str> {
+        let is_unread = self.last.as_ref()?.part(part)?.entry == Entry::Unread;
+        let last = self.attempts.last().filter(|last| is_unread && !is_redacted(last, part))?;
+        last.answers.get(part).map(String::as_str)
     }
 
     /// The address of its page.

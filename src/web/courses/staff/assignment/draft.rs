@@ -14,7 +14,7 @@ use super::super::form::Form;
 use super::super::form::sentences;
 
 /// The fields of a policy.
-pub(super) const POLICY: [&str; 11] = [
+pub(super) const POLICY: [&str; 13] = [
     "attempts",
     "attempt_penalty",
     "hint_penalty",
@@ -26,6 +26,8 @@ pub(super) const POLICY: [&str; 11] = [
     "closes",
     "verdicts",
     "solutions",
+    "unsubmitted",
+    "solvers",
 ];
 
 /// The most problems of an assignment.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::{Release, SolutionRelease, simulator_of};
+use crate::course::{Release, SolutionRelease, Solvers, Unsubmitted, simulator_of};
 use crate::store::AssignmentWithItems;
 
 use super::super::super::items;
@@ -26,6 +26,8 @@ struct EditorPage {
     revision: String,
     verdicts: Vec<Choice>,
     solutions: Vec<Choice>,
+    unsubmitted: Vec<Choice>,
+    solvers: Vec<Choice>,
     zone: String,
     search: String,
     level: String,
@@ -86,6 +88,8 @@ pub(super) async fn page(
         revision: draft.revision,
         verdicts: Release::ALL.map(|own| Choice { name: own.name(), said: verdicts_said(own) }).into(),
         solutions: SolutionRelease::ALL.map(|own| Choice { name: own.name(), said: solutions_said(own) }).into(),
+        unsubmitted: Unsubmitted::ALL.map(|own| Choice { name: own.name(), said: unsubmitted_said(own) }).into(),
+        solvers: Solvers::ALL.map(|own| Choice { name: own.name(), said: solvers_said(own) }).into(),
         zone: zone.clone(),
         search,
         level,
@@ -108,6 +112,20 @@ fn solutions_said(release: SolutionRelease) -> &'static str {
     match release {
         SolutionRelease::AtClose => "when it has closed for them",
         SolutionRelease::Never => "never",
+    }
+}
+
+fn unsubmitted_said(own: Unsubmitted) -> &'static str {
+    match own {
+        Unsubmitted::Leave => "does not count",
+        Unsubmitted::HandIn => "is handed in, as it was saved last",
+    }
+}
+
+fn solvers_said(own: Solvers) -> &'static str {
+    match own {
+        Solvers::Shown => "go on solving",
+        Solvers::Hidden => "solve nothing of these kinds",
     }
 }
 
