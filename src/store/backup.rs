@@ -51,7 +51,9 @@ impl Store {
             Address::Postgres(_) => "BEGIN ISOLATION LEVEL REPEATABLE READ, READ ONLY",
         };
         let mut source = from.begin_with(begin).await?;
-        copy(&mut source, &mut to).await?;
+        let mut transaction = to.begin().await?;
+        copy(&mut source, &mut transaction).await?;
+        transaction.commit().await?;
         source.rollback().await?;
         to.close().await?;
         Ok(())
@@ -90,13 +92,12 @@ async fn sqlite(file: &Path) -> Result<AnyConnection, StoreFault> {
     Ok(connection)
 }
 
-/// Copies every row of every table.
+/// Copies every row of every table, in a transaction of each side.
 async fn copy(from: &mut AnyConnection, to: &mut AnyConnection) -> Result<(), StoreFault> {
     let found: i64 = query("SELECT MAX(number) FROM version").fetch_one(&mut *from).await?.try_get(0)?;
     if found > VERSION {
         return Err(StoreFault::Newer { found, known: VERSION });
     }
-    let mut transaction = to.begin().await?;
     for (table, columns) in TABLES {
         let count = columns.split(", ").count();
         let places: Vec<String> = (1..=count).map(|place| format!("${place}")).collect();
@@ -104,10 +105,9 @@ async fn copy(from: &mut AnyConnection, to: &mut AnyConnection) -> Result<(), St
         // Both texts are made of the table above, of nothing that anybody typed.
         let mut rows = query(AssertSqlSafe(format!("SELECT {columns} FROM {table}"))).fetch(&mut *from);
         while let Some(row) = rows.try_next().await? {
-            bound(query(AssertSqlSafe(insert.clone())), &row, count)?.execute(&mut *transaction).await?;
+            bound(query(AssertSqlSafe(insert.clone())), &row, count)?.execute(&mut *to).await?;
         }
     }
-    transaction.commit().await?;
     Ok(())
 }
 

@@ -12,17 +12,22 @@ use super::fault::StoreFault;
 /// How SQLite keeps what it was given: a commit is on the disk when it returns, also if the power fails then, and readers never
 /// wait for the writer.
 const SQLITE: &str =
-    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA busy_timeout = 10000; PRAGMA foreign_keys = ON";
+    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA busy_timeout = 5000; PRAGMA foreign_keys = ON";
 
 /// The same for PostgreSQL, whatever its configuration says; a stricter setting stays. That it writes to the disk at all (`fsync`) is
 /// not for a connection to say.
 const POSTGRES: &str =
     "SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'";
 
-/// A connection that changes nothing of how the database works.
-pub(super) async fn connect_plainly(url: &str) -> Result<AnyConnection, StoreFault> {
+/// Makes both databases known, before the first connection.
+pub(super) fn install_drivers() {
     static DRIVERS: Once = Once::new();
     DRIVERS.call_once(sqlx::any::install_default_drivers);
+}
+
+/// A connection that changes nothing of how the database works.
+pub(super) async fn connect_plainly(url: &str) -> Result<AnyConnection, StoreFault> {
+    install_drivers();
     Ok(AnyConnection::connect(url).await?)
 }
 
@@ -33,7 +38,8 @@ pub(super) async fn connect(address: &Address) -> Result<AnyConnection, StoreFau
     Ok(connection)
 }
 
-fn settings(address: &Address) -> &'static str {
+/// The statement with which each connection begins.
+pub(super) fn settings(address: &Address) -> &'static str {
     match address {
         Address::Folder(_) => SQLITE,
         Address::Postgres(_) => POSTGRES,

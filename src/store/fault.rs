@@ -32,13 +32,27 @@ pub enum StoreFault {
     Record(#[from] serde_json::Error),
     /// The database refuses.
     #[error("the database: {0}")]
-    Database(#[from] sqlx::Error),
-    /// The writer has ended.
+    Database(sqlx::Error),
+    /// The connections have been closed.
     #[error("the database takes nothing more; the server is about to stop")]
     Stopped,
 }
 
+impl From<sqlx::Error> for StoreFault {
+    fn from(error: sqlx::Error) -> Self {
+        match error {
+            sqlx::Error::PoolClosed => Self::Stopped,
+            other => Self::Database(other),
+        }
+    }
+}
+
 impl StoreFault {
+    /// The database has not answered in time.
+    pub(super) fn late() -> Self {
+        Self::Database(sqlx::Error::Io(std::io::ErrorKind::TimedOut.into()))
+    }
+
     /// Whether a record of the same name was there already.
     #[must_use]
     pub fn is_taken(&self) -> bool {

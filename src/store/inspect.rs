@@ -41,7 +41,7 @@ impl Inspection {
     /// Where the database does not answer or is none of this program's, or a later program wrote it.
     pub async fn of(address: &Address) -> Result<Self, StoreFault> {
         let found = tokio::time::timeout(PATIENCE, inspect(address)).await;
-        found.unwrap_or_else(|_| Err(sqlx::Error::Io(std::io::ErrorKind::TimedOut.into()).into()))
+        found.unwrap_or_else(|_| Err(StoreFault::late()))
     }
 
     /// Whether the next start of the server brings the data to a new version.

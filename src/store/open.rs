@@ -4,6 +4,7 @@ use std::fs;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use sqlx::AnyPool;
 use sqlx::Connection;
 use sqlx::Executor;
 use sqlx::Row;
@@ -12,7 +13,7 @@ use super::address::Address;
 use super::connection::connect;
 use super::fault::StoreFault;
 use super::lock::Lock;
-use super::readers::Readers;
+use super::readers::readers;
 use super::schema;
 use super::writer::{Statement, Writer};
 
@@ -20,8 +21,8 @@ use super::writer::{Statement, Writer};
 #[derive(Clone)]
 pub struct Store {
     pub(super) address: Address,
-    pub(super) readers: Arc<Readers>,
-    pub(super) writer: Writer,
+    pub(super) readers: AnyPool,
+    pub(super) writer: Arc<Writer>,
     pub(super) reads: Arc<AtomicU64>,
     pub(super) rows: Arc<AtomicU64>,
     pub(super) handed_in: Arc<AtomicU64>,
@@ -63,8 +64,8 @@ impl Store {
         transaction.commit().await?;
         Ok(Self {
             address: address.clone(),
-            readers: Arc::new(Readers::new(address.clone())),
-            writer: Writer::start(address.clone(), connection),
+            readers: readers(address)?,
+            writer: Arc::new(Writer::new(address.clone(), connection)),
             reads: Arc::default(),
             rows: Arc::default(),
             handed_in: Arc::default(),
@@ -98,9 +99,19 @@ impl Store {
         self.rows(sqlx::query("SELECT 1")).await.map(|_| ())
     }
 
-    /// Ends every connection that reads; whoever reads later is refused.
+    /// Ends every connection, once nobody reads and writes; whoever comes later is refused.
     pub async fn close(&self) {
+        self.writer.close().await;
         self.readers.close().await;
+    }
+
+    /// Carries out a setting of the connection that writes, such as `PRAGMA max_page_count = 100`, by which tests make a database
+    /// refuse. It holds as long as that connection: until something fails.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn set(&self, setting: &'static str) -> Result<(), StoreFault> {
+        self.writer.set(setting).await
     }
 
     /// How the writer's connection keeps what it was given: for SQLite its journal, and how far a commit waits for the disk (`2` is

@@ -15,7 +15,7 @@ impl Store {
     /// The rows that a statement finds.
     pub(super) async fn rows(&self, statement: Statement) -> Result<Vec<AnyRow>, StoreFault> {
         self.reads.fetch_add(1, Ordering::Relaxed);
-        let rows = self.readers.rows(statement).await?;
+        let rows = statement.fetch_all(&self.readers).await?;
         self.rows.fetch_add(rows.len() as u64, Ordering::Relaxed);
         Ok(rows)
     }

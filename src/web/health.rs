@@ -6,22 +6,27 @@ use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
+use crate::store::Ill;
+
 use super::app::SharedApp;
 use super::headers::ANEW;
 
 /// How long the database may take to answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// `fine`, or that the database does not answer.
+/// `fine`, or what is wrong with the database.
 pub(super) async fn health(State(app): State<SharedApp>) -> Response {
-    let answers = match &app.courses {
-        None => true,
-        Some(courses) => matches!(tokio::time::timeout(PATIENCE, courses.store().ping()).await, Ok(Ok(()))),
+    let health = match &app.courses {
+        None => Ok(()),
+        Some(courses) => {
+            let asked = tokio::time::timeout(PATIENCE, courses.store().health()).await;
+            asked.unwrap_or(Err(Ill::Silent))
+        }
     };
-    let no_cache = [(header::CACHE_CONTROL, ANEW)];
-    if answers {
-        (no_cache, "fine\n").into_response()
-    } else {
-        (StatusCode::SERVICE_UNAVAILABLE, no_cache, "the database does not answer\n").into_response()
-    }
+    let (status, said) = match health {
+        Ok(()) => (StatusCode::OK, "fine\n"),
+        Err(Ill::Silent) => (StatusCode::SERVICE_UNAVAILABLE, "the database does not answer\n"),
+        Err(Ill::TakesNothing) => (StatusCode::SERVICE_UNAVAILABLE, "the database takes nothing new\n"),
+    };
+    (status, [(header::CACHE_CONTROL, ANEW)], said).into_response()
 }

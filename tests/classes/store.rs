@@ -15,6 +15,7 @@ mod class;
 mod client;
 mod database;
 mod decided;
+mod full;
 mod flooded;
 mod in_time;
 mod killed;
@@ -22,6 +23,7 @@ mod letters;
 pub mod sample;
 mod server;
 mod servers;
+mod sweep;
 
 const NOW: Moment = Moment::from_millis(1_764_576_000_000);
 

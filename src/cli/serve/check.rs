@@ -18,6 +18,7 @@ use super::super::output::Output;
 use super::super::style::Style;
 use super::finding::Finding;
 use super::folder;
+use super::health;
 use super::setup::Setup;
 
 /// Say what is misconfigured, and the way out; nothing is changed. Give it the options of the server
@@ -87,7 +88,9 @@ impl Check {
     fn addresses(&self) -> Vec<Finding> {
         let Setup { bind, base_url, trusted_proxy, metrics, no_courses, .. } = &self.setup;
         let mut findings = Vec::new();
-        if !self.running {
+        if self.running {
+            findings.push(health::finding(*bind, &base_url.path));
+        } else {
             for (address, option) in [(Some(bind), "--bind"), (metrics.as_ref(), "--metrics")] {
                 let Some(address) = address else { continue };
                 findings.push(match TcpListener::bind(address) {

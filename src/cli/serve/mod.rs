@@ -6,6 +6,7 @@ mod copy;
 mod data;
 mod finding;
 mod folder;
+mod health;
 mod retention;
 mod setup;
 mod user;

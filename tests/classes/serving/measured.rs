@@ -6,9 +6,11 @@ use std::sync::Arc;
 use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::http::Request;
+use momentous::course::Moment;
 use momentous::store::{Address, Store};
 use momentous::web::{App, Clock, Courses, Settings, metrics_router, router};
 use serde_json::Value;
+use sqlx::{AnyConnection, Connection, Executor};
 use tower::ServiceExt;
 
 use super::server::{Server, folder};
@@ -73,6 +75,14 @@ fn the_health_of_the_database_is_told() {
         let store = Store::serve(&Address::Folder(data.clone())).await.unwrap();
         let app = App::new(Settings::default()).unwrap().with_courses(Courses::new(store.clone(), Clock::default()));
         let pages = router(Arc::new(app));
+        // Nothing new is taken, and that is said before anybody hands in.
+        let url = format!("sqlite://{}", data.join("momentous.sqlite").display());
+        let mut connection = AnyConnection::connect(&url).await.unwrap();
+        let refuse = "CREATE TRIGGER refuse BEFORE INSERT ON draft BEGIN SELECT RAISE(ROLLBACK, 'full'); END";
+        connection.execute(refuse).await.unwrap();
+        assert_eq!(get(&pages, "/health").await, (503, "the database takes nothing new\n".to_owned()));
+        connection.execute("DROP TRIGGER refuse").await.unwrap();
+        store.add_tickets(Vec::new(), Moment::from_millis(0), &[]).await.unwrap();
         assert_eq!(get(&pages, "/health").await, (200, "fine\n".to_owned()));
         store.close().await;
         assert_eq!(get(&pages, "/health").await, (503, "the database does not answer\n".to_owned()));

@@ -16,11 +16,22 @@ pub struct Server {
 impl Server {
     /// A server in a folder, over these data.
     pub fn start(folder: &Path, data: &Address) -> Self {
+        Self::run(Command::new(env!("CARGO_BIN_EXE_momentous")), folder, data)
+    }
+
+    /// The same, whose files can be kept from growing: it is told so, and does not end.
+    #[allow(dead_code, reason = "a bench needs no such server")]
+    pub fn bounded(folder: &Path, data: &Address) -> Self {
+        let mut command = Command::new("/bin/sh");
+        command.args(["-c", "trap '' XFSZ; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_momentous")]);
+        Self::run(command, folder, data)
+    }
+
+    fn run(mut command: Command, folder: &Path, data: &Address) -> Self {
         let data = match data {
             Address::Folder(folder) => folder.display().to_string(),
             Address::Postgres(url) => url.clone(),
         };
-        let mut command = Command::new(env!("CARGO_BIN_EXE_momentous"));
         command.args(["serve", "--quiet", "--bind", "127.0.0.1:0", "--data", &data]).current_dir(folder);
         let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut told = String::new();
