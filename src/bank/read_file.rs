@@ -8,12 +8,11 @@ use crate::fault::Fault;
 use crate::fault::Faults;
 use crate::fault::Input;
 use crate::fault::Source;
-
-/// The longest file that is read as a problem, in bytes: a hundred times what the longest of the bank has.
-const LARGEST: u64 = 256 * 1024;
+use crate::problem::LONGEST_FILE;
 
 pub(super) fn read_file(path: &Path) -> Result<Source, Faults> {
-    let text = Input::open(path).and_then(|file| file.text(LARGEST)).map_err(|error| unreadable(path, &error))?;
+    let text =
+        Input::open(path).and_then(|file| file.text(LONGEST_FILE as u64)).map_err(|error| unreadable(path, &error))?;
     Ok(Source::new(&path.display().to_string(), &text))
 }
 

@@ -13,6 +13,9 @@ use crate::bank::FormAudit;
 use crate::bank::Outcome;
 use crate::bank::Seeds;
 use crate::bank::audit;
+use crate::bank::load_in_course;
+use crate::fault::Source;
+use crate::problem::compile;
 use crate::quantity::Printed;
 
 use super::exit::Exit;
@@ -31,6 +34,7 @@ Examples:
   momentous check impact --simulated 64         the first seeds only by a simulation as well, to be quick
   momentous check impact                        every problem of a topic
   momentous check my-problem.yaml my-folder/
+  momentous check --load my-problem.yaml        whether it loads, at once
   momentous check --format json | jq 'select(.faults)'
 
 It exits with 1 if a promise is broken, and with 2 if a file does not load. A promise that this version does not check is listed as not checked.";
@@ -48,6 +52,9 @@ pub(super) struct Check {
     /// How many seeds to draw for each form
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     seeds: u64,
+    /// Only read and compile each file, and draw nothing
+    #[arg(long, conflicts_with_all = ["seeds", "simulated", "format"])]
+    load: bool,
     /// How many of these to simulate as well, by a method that shares no code with the laws [default: all]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     simulated: Option<u64>,
@@ -63,6 +70,9 @@ impl Check {
 
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let sources = Bank::here()?.select(&self.problems)?;
+        if self.load {
+            return loaded(&sources);
+        }
         let renderer = pages::renderer()?;
         let bar = progress::bar(sources.len() as u64, false);
         let look = |source| {
@@ -91,6 +101,21 @@ impl Check {
             Exit::Fine
         })
     }
+}
+
+/// Says of each file whether it loads.
+fn loaded(sources: &[Source]) -> Result<Exit, Failure> {
+    let compiled = |source: &Source| load_in_course(source.clone()).and_then(|loaded| compile(loaded, None));
+    let read: Vec<_> = sources.par_iter().map(compiled).collect();
+    let mut output = Output::to(None)?;
+    for problem in &read {
+        match problem {
+            Ok(problem) => writeln!(output, "{}  loads", problem.id())?,
+            Err(faults) => writeln!(output, "{faults}")?,
+        }
+    }
+    output.finish()?;
+    Ok(if read.iter().all(Result::is_ok) { Exit::Fine } else { Exit::Unusable })
 }
 
 fn write_text(output: &mut Output, audits: &[Audit], simulated: u64) -> Result<(), Failure> {

@@ -9,8 +9,11 @@
 /// assert_eq!(did_you_mean("mass", ["between", "restitution"]), None);
 /// ```
 pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let near = |candidate: &'a str| (strsim::damerau_levenshtein(name, candidate), candidate);
-    let (distance, best) = candidates.into_iter().map(near).min()?;
     let length = name.chars().count();
-    (distance <= 1 + length / 4 && distance < length).then_some(best)
+    let most = 1 + length / 4;
+    // The distance is at least the difference of the lengths; one that is far is not compared letter by letter.
+    let may_be_near = |candidate: &&str| candidate.chars().count().abs_diff(length) <= most;
+    let near = |candidate: &'a str| (strsim::damerau_levenshtein(name, candidate), candidate);
+    let (distance, best) = candidates.into_iter().filter(may_be_near).map(near).min()?;
+    (distance <= most && distance < length).then_some(best)
 }

@@ -164,7 +164,7 @@ fn of_raw(name: &str, value: &RawValue) -> Result<String, String> {
 
 fn entries<'a>(what: &str, node: &'a Node) -> Result<&'a [Entry], String> {
     match &node.kind {
-        Kind::Mapping(entries) => Ok(entries),
+        Kind::Mapping(mapping) => Ok(mapping.entries()),
         Kind::Scalar(_) | Kind::List(_) => Err(format!("{what} is a mapping, with `key: value` on each line")),
     }
 }

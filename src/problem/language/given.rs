@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::fault::{Code, Fault, Path};
-use crate::quantity::{Decimal, Unit};
+use crate::quantity::{Decimal, Rational, Unit};
 use crate::scene::Term;
 
 use super::domain::{Domain, Grid};
@@ -170,6 +170,17 @@ impl Fraction {
     }
 }
 
+/// The values that stand before already, with their places, in their order.
+fn repeated(values: &[(usize, Decimal)]) -> Vec<(usize, &Decimal)> {
+    let mut sorted: Vec<(Rational, usize, &Decimal)> =
+        values.iter().map(|(index, value)| (value.to_rational(), *index, value)).collect();
+    sorted.sort_by(|one, other| (&one.0, one.1).cmp(&(&other.0, other.1)));
+    let later = sorted.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| (pair[1].1, pair[1].2));
+    let mut later: Vec<_> = later.collect();
+    later.sort_by_key(|(index, _)| *index);
+    later
+}
+
 /// Reads the parts of an entry and keeps their faults.
 struct Reader {
     faults: Vec<Fault>,
@@ -221,16 +232,17 @@ impl Reader {
             return self.take(Err(fault.help("write the values: `one_of: [2, 3, 5]`")), path);
         }
         let before = self.faults.len();
-        let mut values: Vec<Decimal> = Vec::new();
+        let mut values = Vec::new();
         for (index, term) in terms.iter().enumerate() {
             let place = path.index(index);
-            let Some(value) = self.number(term, &place) else { continue };
-            if values.iter().any(|known| known.compare(&value).is_eq()) {
-                let fault = Fault::new(Code::Duplicate, format!("{value} is already among the choices"));
-                self.take::<()>(Err(fault.help("remove it: each choice is as likely as the others")), &place);
-            }
-            values.push(value);
+            values.extend(self.number(term, &place).map(|value| (index, value)));
         }
+        for (index, value) in repeated(&values) {
+            let fault = Fault::new(Code::Duplicate, format!("{value} is already among the choices"));
+            let fault = fault.help("remove it: each choice is as likely as the others");
+            self.take::<()>(Err(fault), &path.index(index));
+        }
+        let values: Vec<Decimal> = values.into_iter().map(|(_, value)| value).collect();
         (self.faults.len() == before).then_some(values)
     }
 }

@@ -39,7 +39,7 @@ impl Spoken {
                 self.within.extend(scalar.text.split(|letter| !is_part(letter)).map(str::to_owned));
             }
             Kind::List(items) => items.iter().for_each(|item| self.listen(item)),
-            Kind::Mapping(entries) => entries.iter().for_each(|entry| self.listen(&entry.value)),
+            Kind::Mapping(mapping) => mapping.entries().iter().for_each(|entry| self.listen(&entry.value)),
         }
     }
 }

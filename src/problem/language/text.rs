@@ -118,25 +118,34 @@ impl Text {
     /// Reads a text.
     ///
     /// # Errors
-    /// Every placeholder that is not closed, is empty, is no name, or has an unknown filter; each fault has its place
-    /// within the text.
+    /// Every placeholder that is not closed, is empty, is no name, or has an unknown filter, the first 50 of them; each fault has its
+    /// place within the text.
     pub fn read(text: &str) -> Result<Self, Vec<Fault>> {
         let mut pieces = Vec::new();
         let mut faults = Vec::new();
+        let find = |what: &str, from: usize| text[from..].find(what).map(|found| from + found);
         let mut at = 0;
-        while let Some(open) = text[at..].find("{{").map(|found| at + found) {
+        // Where the next `}}` stands; looked for again only once it is passed, so that a text is read once however often it is opened.
+        let mut close = find("}}", 0);
+        while let Some(open) = find("{{", at) {
+            if faults.len() == MOST_FAULTS {
+                break;
+            }
             if open > at {
                 pieces.push(Piece::Text(text[at..open].to_owned()));
             }
-            let inside = &text[open + 2..];
-            let Some(length) = inside.find("}}").filter(|length| !inside[..*length].contains("{{")) else {
+            if close.is_some_and(|close| close < open + 2) {
+                close = find("}}", open + 2);
+            }
+            let opened_again = find("{{", open + 2);
+            let Some(end) = close.filter(|close| opened_again.is_none_or(|again| again > *close)) else {
                 let fault = Fault::new(Code::Text, "a placeholder is opened with `{{` but not closed");
                 faults.push(fault.help("close it: `{{ m_A }}`").within(Span { start: open, end: open + 2 }));
                 at = open + 2;
                 continue;
             };
-            at = open + 2 + length + 2;
-            match placeholder(&inside[..length], open + 2) {
+            at = end + 2;
+            match placeholder(&text[open + 2..end], open + 2) {
                 Ok(placeholder) => pieces.push(Piece::Placeholder(placeholder)),
                 Err((message, help, span)) => faults.push(Fault::new(Code::Text, message).help(help).within(span)),
             }
@@ -188,6 +197,9 @@ impl Text {
         filled
     }
 }
+
+/// The most faults that are told of a text: nobody reads more at a time.
+const MOST_FAULTS: usize = 50;
 
 type Wrong = (String, String, Span);
 

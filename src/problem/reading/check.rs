@@ -1,5 +1,6 @@
 //! The first reading of a document, against the schema: every wrong key and every value of a wrong form, all at once.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::RangeInclusive;
 
@@ -72,7 +73,8 @@ impl<'s> Checker<'s> {
                 }
                 "a list"
             }
-            Kind::Mapping(entries) => {
+            Kind::Mapping(mapping) => {
+                let entries = mapping.entries();
                 let keys = |form: &'s Form<'s>| if let Form::Mapping(keys) = form { Some(keys) } else { None };
                 let objects: Vec<&Keys<'s>> = forms.clone().filter_map(keys).collect();
                 if !objects.is_empty() {
@@ -151,14 +153,19 @@ impl<'s> Checker<'s> {
 
     fn mapping(&mut self, entries: &[Entry], objects: &[&'s Keys<'s>], path: &Path, what: What) -> Option<Value> {
         let keys = self.choose(entries, objects, path, what)?;
-        let mut meant = Vec::new();
+        let mut meant = BTreeSet::new();
+        // The keys that there may be, and those of them that are not there; for the first key that may not.
+        let mut offered = None;
         let mut mapping = Mapping::new();
         for Entry { key, value, .. } in entries {
             let usual = if keys.place(key).is_some() { key.as_str() } else { usual_key(key) };
             let Some(place) = keys.place(usual) else {
-                let known: Vec<&str> = keys.names().chain(keys.listed.iter().flatten().copied()).collect();
-                let free = known.iter().copied().filter(|name| entries.iter().all(|entry| entry.key != *name));
-                let free: Vec<&str> = free.collect();
+                let (known, free) = offered.get_or_insert_with(|| {
+                    let known: Vec<&str> = keys.names().chain(keys.listed.iter().flatten().copied()).collect();
+                    let is_free = |name: &&str| entries.iter().all(|entry| entry.key != **name);
+                    let free: Vec<&str> = known.iter().copied().filter(is_free).collect();
+                    (known, free)
+                });
                 meant.extend(did_you_mean(key, free.iter().copied()));
                 let rival = objects.iter().any(|other| other.required.first() == Some(&key.as_str()));
                 let help = match (rival, did_you_mean(key, known.iter().copied())) {
@@ -180,7 +187,7 @@ impl<'s> Checker<'s> {
                     (false, None) if key.split_whitespace().nth(1).is_some() => {
                         "within `{ }` a text with a comma or a colon stands in quotation marks".to_owned()
                     }
-                    (false, None) => format!("the keys here are {}", quoted(&known, "and")),
+                    (false, None) => format!("the keys here are {}", quoted(known, "and")),
                 };
                 let fault = Fault::new(Code::UnknownKey, format!("`{key}` is not a key of {what}"));
                 self.fault(fault.help(help), &path.name(key.as_str()));
@@ -205,7 +212,7 @@ impl<'s> Checker<'s> {
             }
         }
         let is_there = |name: &str| entries.iter().any(|entry| entry.key == name || usual_key(&entry.key) == name);
-        for name in keys.required.iter().filter(|name| !is_there(name) && !meant.contains(name)) {
+        for name in keys.required.iter().filter(|name| !is_there(name) && !meant.contains(*name)) {
             let place = keys.named(name);
             let about = place.and_then(|place| place.about).unwrap_or_default();
             let words = place.map(|place| self.shapes.words(place)).filter(|words| !words.is_empty());

@@ -1,8 +1,12 @@
 //! A YAML document as it was written: every scalar is still text, and everything knows its place.
 
+use std::collections::BTreeMap;
+
 use saphyr_parser::{Event, Parser, ScalarStyle, StrInput};
 
 use crate::fault::{Code, Fault, Source, Span};
+
+use super::syntax::way_out;
 
 /// How deep mappings and lists may lie in one another.
 const DEPTH_LIMIT: usize = 32;
@@ -27,7 +31,7 @@ pub enum Kind {
     /// Items in order.
     List(Vec<Node>),
     /// Keys with their values, in the order of the file.
-    Mapping(Vec<Entry>),
+    Mapping(Mapping),
 }
 
 /// A single value, as text.
@@ -61,6 +65,32 @@ pub struct Entry {
     pub value: Node,
 }
 
+/// Keys with their values, in the order of the file. A key stands once.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mapping {
+    entries: Vec<Entry>,
+    /// Where among them each key stands.
+    places: BTreeMap<String, usize>,
+}
+
+impl Mapping {
+    /// The entries.
+    #[must_use]
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// The entry of exactly that key.
+    fn get(&self, key: &str) -> Option<&Entry> {
+        self.places.get(key).map(|place| &self.entries[*place])
+    }
+
+    fn push(&mut self, entry: Entry) {
+        self.places.insert(entry.key.clone(), self.entries.len());
+        self.entries.push(entry);
+    }
+}
+
 /// What reading a source gave: the tree, unless the text is not YAML, and the faults of form.
 #[derive(Clone, Debug)]
 pub struct Document {
@@ -83,6 +113,7 @@ impl Document {
             parser: Parser::new_from_str(&source.text),
             text: &source.text,
             bytes: Offsets::of(&source.text),
+            line_ends: None,
             faults: Vec::new(),
         };
         let root = reader.document().unwrap_or_else(|fault| {
@@ -98,7 +129,7 @@ impl Node {
     #[must_use]
     pub fn entries(&self) -> &[Entry] {
         match &self.kind {
-            Kind::Mapping(entries) => entries,
+            Kind::Mapping(mapping) => mapping.entries(),
             _ => &[],
         }
     }
@@ -115,8 +146,9 @@ impl Node {
     /// The entry of that key, perhaps in another word for it.
     #[must_use]
     pub fn entry(&self, key: &str) -> Option<&Entry> {
-        let find = |is_key: &dyn Fn(&Entry) -> bool| self.entries().iter().find(|entry| is_key(entry));
-        find(&|entry| entry.key == key).or_else(|| find(&|entry| usual_key(&entry.key) == key))
+        let Kind::Mapping(mapping) = &self.kind else { return None };
+        let mut others = SAME_KEYS.iter().filter(|(_, usual)| *usual == key);
+        mapping.get(key).or_else(|| others.find_map(|(other, _)| mapping.get(other)))
     }
 
     /// Whether nothing was written, or one of YAML's words for it.
@@ -131,6 +163,8 @@ struct Reader<'a> {
     parser: Parser<'a, StrInput<'a>>,
     text: &'a str,
     bytes: Offsets,
+    /// Where its lines end, once somebody has asked.
+    line_ends: Option<Vec<usize>>,
     faults: Vec<Fault>,
 }
 
@@ -214,29 +248,36 @@ impl<'a> Reader<'a> {
     }
 
     fn mapping(&mut self, start: Span, depth: usize) -> Result<Node, Fault> {
-        let mut entries: Vec<Entry> = Vec::new();
+        let mut mapping = Mapping::default();
         loop {
             let (event, span) = self.next()?;
             if event == Event::MappingEnd {
                 let span = self.trim(Span { start: start.start, end: span.end });
-                return Ok(Node { span, kind: Kind::Mapping(entries) });
+                return Ok(Node { span, kind: Kind::Mapping(mapping) });
             }
             let key = self.node((event, span), depth + 1)?;
             let value = self.next()?;
             let value = self.node(value, depth + 1)?;
             match key.kind {
-                Kind::Scalar(scalar) => match entries.iter().find(|entry| entry.key == scalar.text) {
+                Kind::Scalar(scalar) => match mapping.get(&scalar.text) {
                     Some(first) => {
-                        let line = self.text[..first.key_span.start].matches('\n').count() + 1;
+                        let line = self.line(first.key_span.start);
                         let fault = Fault::new(Code::Duplicate, format!("`{}` is repeated", scalar.text));
                         let help = format!("it is already on line {line}: keep one of the two, or rename one");
                         self.faults.push(fault.help(help).at(key.span));
                     }
-                    None => entries.push(Entry { key: scalar.text, key_span: key.span, value }),
+                    None => mapping.push(Entry { key: scalar.text, key_span: key.span, value }),
                 },
                 Kind::List(_) | Kind::Mapping(_) => return Err(self.compound_key(start, key.span)),
             }
         }
+    }
+
+    /// The line of a byte, from 1.
+    fn line(&mut self, byte: usize) -> usize {
+        let text = self.text;
+        let ends = self.line_ends.get_or_insert_with(|| text.match_indices('\n').map(|(end, _)| end).collect());
+        ends.partition_point(|end| *end < byte) + 1
     }
 
     fn compound_key(&self, mapping: Span, key: Span) -> Fault {
@@ -268,44 +309,12 @@ impl<'a> Reader<'a> {
     fn syntax(&self, byte: usize, info: &str) -> Fault {
         let line_start = self.text[..byte].rfind('\n').map_or(0, |newline| newline + 1);
         let line = self.text[line_start..].lines().next().unwrap_or_default();
-        let help = HELP.iter().find(|(clue, place, _)| match place {
-            Clue::InMessage => info.contains(clue),
-            Clue::InLine => line.contains(clue),
-        });
-        let help = help.map_or("check the indentation, the quotes and the brackets around this place", |row| row.2);
+        let help = way_out(info, line);
         let end =
             self.text[byte..].chars().next().filter(|next| *next != '\n').map_or(byte, |next| byte + next.len_utf8());
         Fault::new(Code::Syntax, format!("this is not YAML: {info}")).help(help).at(Span { start: byte, end })
     }
 }
-
-enum Clue {
-    InMessage,
-    InLine,
-}
-
-/// Ways out of faults of syntax, by a clue; the first that fits is told.
-const HELP: &[(&str, Clue, &str)] = &[
-    ("\t", Clue::InLine, "indent with spaces, not with tabs"),
-    (": {{", Clue::InLine, "write a text that begins with `{{` in quotes, or on the next line after `>`"),
-    ("- {{", Clue::InLine, "write a text that begins with `{{` in quotes"),
-    (
-        "mapping values are not allowed",
-        Clue::InMessage,
-        "write a text that contains a colon in quotes; else check the indentation",
-    ),
-    ("unexpected end of stream", Clue::InMessage, "close the quotes"),
-    ("quoted scalar", Clue::InMessage, "close the quotes, on the same line"),
-    ("invalid indentation", Clue::InMessage, "is a bracket, a brace or a quote above not closed?"),
-    ("flow mapping", Clue::InMessage, "separate the entries with commas and close the brace `}`"),
-    ("flow sequence", Clue::InMessage, "separate the items with commas and close the bracket `]`"),
-    (
-        "block mapping",
-        Clue::InMessage,
-        "keys of one mapping begin in the same column, each followed by a colon and a space",
-    ),
-    ("block collection", Clue::InMessage, "items of one list begin in the same column, each with `- `"),
-];
 
 /// From a count of characters to bytes.
 enum Offsets {

@@ -17,6 +17,7 @@ use super::super::language::spoken::Spoken;
 use super::super::language::text::Text;
 use super::check::check;
 use super::document::Document;
+use super::limits;
 use super::position::Index;
 use super::schema::SHAPES;
 
@@ -64,6 +65,9 @@ impl Loaded {
 /// assert_eq!(faults.list[0].help.as_deref(), Some("did you mean `name`? Other keys here: `mass`, `inertia` and `guide`."));
 /// ```
 pub fn load(source: Source) -> Result<Loaded, Faults> {
+    if let Some(fault) = limits::length(&source) {
+        return Err(Faults { source, list: vec![fault] });
+    }
     let Document { root, mut faults } = Document::read(&source);
     let Some(root) = root else { return Err(Index::new(&source, None).locate_all(faults)) };
     let (value, of_form) = check(&root, &SHAPES);
@@ -71,6 +75,7 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
     faults.extend(id_fault(&value));
     faults.extend(forms_faults(&value));
     faults.extend(text_faults(&value));
+    faults.extend(limits::counts(&value));
     let refuse = |root, faults| Err(Index::new(&source, Some(root)).locate_all(faults));
     if !faults.is_empty() {
         faults.extend(givens(written(&value), &Path::root()).1);

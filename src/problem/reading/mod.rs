@@ -3,6 +3,7 @@
 pub(super) mod check;
 mod course_file;
 pub(super) mod document;
+pub(super) mod limits;
 pub(super) mod load;
 pub(super) mod mentions;
 pub(super) mod numerals;
@@ -10,5 +11,6 @@ pub(super) mod origin;
 pub(super) mod position;
 pub(super) mod schema;
 pub(super) mod shape;
+mod syntax;
 pub(super) mod turning;
 pub(super) mod unsound;

@@ -13,6 +13,7 @@ mod limits;
 mod origin;
 mod outcome;
 mod password;
+mod processes;
 mod reply;
 mod routes;
 pub(super) mod session;

@@ -1,12 +1,13 @@
 //! What the pages of courses share.
 
-use tokio::sync::Semaphore;
+use std::sync::Arc;
 
 use crate::store::Store;
 
 use super::clock::Clock;
 use super::library::CourseLibrary;
 use super::limits::Limits;
+use super::processes::Processes;
 
 /// What the pages of courses share: the records, the time, and the problems as their sheets were drawn.
 pub struct Courses {
@@ -14,15 +15,15 @@ pub struct Courses {
     pub(super) clock: Clock,
     pub(super) limits: Limits,
     pub(super) library: CourseLibrary,
-    /// Lets one check of a problem file run at a time.
-    pub(super) checks: Semaphore,
+    /// Who has a teacher's file read or checked in a process of its own.
+    pub(super) processes: Arc<Processes>,
 }
 
 impl Courses {
     /// Courses whose records are kept here.
     #[must_use]
     pub fn new(store: Store, clock: Clock) -> Self {
-        Self { store, clock, limits: Limits::new(), library: CourseLibrary::default(), checks: Semaphore::new(1) }
+        Self { store, clock, limits: Limits::new(), library: CourseLibrary::default(), processes: Processes::new() }
     }
 
     /// The records.

@@ -86,7 +86,7 @@ fn a_check_runs_as_the_command_line_does() {
 
 #[cfg(unix)]
 #[test]
-fn a_check_has_little_memory_and_time_and_no_secrets() {
+fn a_file_is_read_and_checked_with_little_memory_and_time_and_without_secrets() {
     use std::os::unix::fs::PermissionsExt;
 
     let folder = tempfile::tempdir().unwrap();
@@ -97,6 +97,7 @@ fn a_check_has_little_memory_and_time_and_no_secrets() {
     };
     let university = University::with(Settings { program: Some(script.clone()), ..Settings::default() });
     let mut ida = university.browser_of("ida");
+    made("exit 0");
     let check = format!("{}/check", draft(&university, &mut ida));
     made(
         "echo \"memory $(ulimit -v) time $(ulimit -t) file $(ulimit -f)\"; echo \"$@\"; echo \"${HOME-no home}\"; echo '<b>'; exit 1",
@@ -115,4 +116,11 @@ fn a_check_has_little_memory_and_time_and_no_secrets() {
     assert!(ida.post(&check, &[]).text(200).contains("took too much memory or processor time and was ended"));
     made("while :; do echo much; done");
     assert!(ida.post(&check, &[]).text(200).contains("was ended"), "a report has a bound");
+    let new = university.address("/problems/new");
+    made("echo \"$@ within $(ulimit -t) s, ${HOME-no home}\"; exit 2");
+    let page = ida.post(&new, &[("text", "id: a")]).text(422);
+    assert!(page.contains("check --load problem.yaml within 10 s, no home") && page.contains("id: a"), "{page}");
+    made("kill -9 $$");
+    let page = ida.post(&new, &[("text", "id: a")]).text(422);
+    assert!(page.contains("takes more than 10 seconds or too much memory") && page.contains("id: a"), "{page}");
 }

@@ -3,6 +3,7 @@
 mod check;
 mod list;
 mod page;
+mod trial;
 mod write;
 
 pub(in crate::web::courses) use list::list;

@@ -7,16 +7,15 @@ use serde::Serialize;
 use crate::bank::course_letters;
 use crate::course::ProblemFile;
 use crate::fault::{Faults, Source};
-use crate::problem::{compile, digest, load};
+use crate::problem::{digest, load};
 
 use super::super::super::items;
 use super::super::super::library;
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
-
-/// The name of the file in what is said of it.
-const NAME: &str = "problem.yaml";
+use super::trial;
+use super::trial::{NAME, Trial};
 
 #[derive(Serialize)]
 struct WritePage {
@@ -38,14 +37,15 @@ pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShow
 /// Keeps a file that loads, as a draft. One that does not stays in its field, with everything that is wrong with it.
 pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
     let text = visit.fields.text("text").replace("\r\n", "\n");
+    if let Trial::Not(faults) = trial::of(visit, &text).await? {
+        return refused(visit, text, faults).await;
+    }
     let course = visit.course()?.clone();
     let (courses, own, now) = (Arc::clone(&visit.courses), text.clone(), visit.now);
     let read = visit.work(move |_| {
         let read = || -> Result<ProblemFile, Faults> {
             let source = Source::new(NAME, &own);
-            // Compiled under its own name, so that faults are shown in the file that was typed.
-            let problem = compile(load(source.clone())?, Some(course.secret.as_bytes()))?;
-            let problem = problem.id().to_owned();
+            let problem = load(source.clone())?.draft.id;
             let (digest, key) = (digest(&source), Some(course.key));
             let file = ProblemFile { digest, problem, text: own, course: key, published: None, saved: now };
             courses.library.problem(&course, &file, &course_letters(&library::source(&file))?)?;
@@ -55,11 +55,7 @@ pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotSho
     });
     let file = match read.await? {
         Ok(file) => file,
-        Err(faults) => {
-            let faults = Some(faults.to_string());
-            let page = WritePage { title: "New problem", text, faults };
-            return Ok(visit.page("courses/staff/write", page).await?.wrong());
-        }
+        Err(faults) => return refused(visit, text, faults.to_string()).await,
     };
     let before = visit.store().problem_file(visit.course()?.key, &file.digest).await?;
     if before.is_none_or(|before| before.course.is_none()) {
@@ -67,4 +63,9 @@ pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotSho
         visit.store().save_problem_file(&file, Some(&entry)).await?;
     }
     Ok(Reply::To(visit.in_course(&format!("/problems/{}", file.digest))?))
+}
+
+async fn refused(visit: &Visit, text: String, faults: String) -> Result<Reply, NotShown> {
+    let page = WritePage { title: "New problem", text, faults: Some(faults) };
+    Ok(visit.page("courses/staff/write", page).await?.wrong())
 }
