@@ -44,6 +44,21 @@ impl Fragment {
         Self(figure::svg_unstyled(drawing))
     }
 
+    /// Figures among which somebody chooses, all of the same length: which is right is not told by their bytes.
+    #[must_use]
+    pub fn figures(drawings: &[Drawing]) -> Vec<Self> {
+        /// With what every figure ends.
+        const END: &str = "</svg>";
+        let figures: Vec<String> = drawings.iter().map(figure::svg_unstyled).collect();
+        let longest = figures.iter().map(String::len).max().unwrap_or(0);
+        let as_long = |mut figure: String| {
+            let (room, end) = (longest - figure.len(), figure.rfind(END).unwrap_or(figure.len()));
+            figure.insert_str(end, &" ".repeat(room));
+            Self(figure)
+        };
+        figures.into_iter().map(as_long).collect()
+    }
+
     /// Markdown that an author wrote; the name says in faults where it stands.
     ///
     /// # Errors

@@ -14,6 +14,7 @@ mod inspect;
 mod lock;
 mod open;
 mod people;
+mod private;
 mod problem_files;
 mod readers;
 mod records;

@@ -13,6 +13,7 @@ use super::address::Address;
 use super::connection::connect;
 use super::fault::StoreFault;
 use super::lock::Lock;
+use super::private;
 use super::readers::readers;
 use super::schema;
 use super::writer::{Statement, Writer};
@@ -58,6 +59,9 @@ impl Store {
     }
 
     async fn open(address: &Address, lock: Option<Arc<Lock>>) -> Result<Self, StoreFault> {
+        if let Address::Folder(folder) = address {
+            private::keep(&Address::file(folder))?;
+        }
         let mut connection = connect(address).await?;
         let mut transaction = connection.begin().await?;
         schema::migrate(&mut transaction).await?;

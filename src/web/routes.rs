@@ -139,7 +139,12 @@ async fn admitted<'app>(
     headers: &HeaderMap,
     reserved: While,
 ) -> Result<(Admitted<'app>, Withheld), NotAdmitted> {
-    let visitor = Visitor::of(app, headers).await.map_err(NotAdmitted::Unknown)?;
+    let visitor = match (Visitor::of(app, headers).await, reserved) {
+        (Ok(visitor), _) => visitor,
+        // What is never withheld is shown without the records, too.
+        (Err(_), While::Shown) => None,
+        (Err(fault), While::Refused) => return Err(NotAdmitted::Unknown(fault)),
+    };
     let place = app.workers.admit(Visitor::lane(visitor.as_ref())).map_err(NotAdmitted::Busy)?;
     let withheld = match reserved {
         While::Shown => Withheld::default(),
@@ -155,13 +160,14 @@ fn unreachable_records(fault: &StoreFault) -> Response {
         .into_response()
 }
 
-async fn start(State(app): State<SharedApp>, Query(fields): Query<Fields>) -> Response {
-    match app.workers.admit(Lane::Anyone) {
-        Ok(place) => {
+async fn start(State(app): State<SharedApp>, headers: HeaderMap, Query(fields): Query<Fields>) -> Response {
+    match admitted(&app, &headers, While::Shown).await {
+        Ok((place, _)) => {
             answer::page(&app, place, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?))
                 .await
         }
-        Err(reason) => answer::not_done(&app, reason, None),
+        Err(NotAdmitted::Busy(reason)) => answer::not_done(&app, reason, None),
+        Err(NotAdmitted::Unknown(fault)) => unreachable_records(&fault),
     }
 }
 

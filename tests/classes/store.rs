@@ -361,3 +361,37 @@ impl Sample {
         Sheet { key: Key::new([5; 16]), item, member, issue: 0, issued, seen: NOW }
     }
 }
+
+#[test]
+#[cfg(unix)]
+fn nobody_else_reads_the_files_wherever_their_folder_came_from() {
+    use std::fs;
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("data");
+    fs::create_dir(&data).unwrap();
+    fs::set_permissions(&data, fs::Permissions::from_mode(0o755)).unwrap();
+    let open = || {
+        database::block_on(async {
+            let store = Store::serve(&Address::Folder(data.clone())).await.unwrap();
+            Sample::kept(&store).await;
+            let files = fs::read_dir(&data).unwrap().map(|file| file.unwrap());
+            let mut modes: Vec<(String, u32)> = files
+                .map(|file| {
+                    (file.file_name().into_string().unwrap(), file.metadata().unwrap().permissions().mode() & 0o777)
+                })
+                .filter(|(name, _)| name.starts_with("momentous.sqlite"))
+                .collect();
+            modes.sort();
+            modes
+        })
+    };
+    let modes = open();
+    assert!(modes.len() > 1 && modes.iter().all(|(_, mode)| *mode == 0o600), "{modes:?}");
+    fs::set_permissions(data.join("momentous.sqlite"), fs::Permissions::from_mode(0o644)).unwrap();
+    let store = database::block_on(async { Store::beside(&Address::Folder(data.clone())).await.unwrap() });
+    drop(store);
+    let mode = fs::metadata(data.join("momentous.sqlite")).unwrap().permissions().mode() & 0o777;
+    assert_eq!(mode, 0o600, "an earlier program left it open");
+}

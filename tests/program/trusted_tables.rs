@@ -337,3 +337,24 @@ fn an_empty_table_says_so() {
         assert!(!room.names(".").contains(&"marks.csv".to_owned()));
     }
 }
+
+#[test]
+fn a_table_that_another_option_would_read_is_told_which() {
+    let room = Room::empty();
+    let rows = |answers: &str| (0..3).map(|own| format!("s{own};impact/two-carts;1;;{answers}")).collect::<Vec<_>>();
+    let grade = |rows: &[String], more: &[&str]| {
+        let head = HEAD.replace(',', ";");
+        fs::write(room.path("class.csv"), format!("{head}\n{}\n", rows.join("\n"))).unwrap();
+        room.run(&[&["grade", "class.csv", "-o", "marks.csv"], more].concat())
+    };
+    let german = rows(&RIGHT.replace(',', ";").replace('.', ","));
+    let ran = grade(&german, &[]);
+    let told = "9 of 9 answers could not be read, 9 of them because of their decimal marks\nhelp: `--decimal comma`";
+    assert!(ran.err.contains(told), "{}", ran.err);
+    let read = grade(&german, &["--decimal", "comma"]);
+    assert!(read.code == 0 && !read.err.contains("could not be read"), "{}", read.err);
+    let words = grade(&rows("fast;slow;-0,5 m/s"), &[]);
+    assert!(words.err.contains("9 of 9 answers could not be read\nhelp: the reasons stand beside"), "{}", words.err);
+    let one = [rows(&RIGHT.replace(',', ";")), rows("x;y;z")[..1].to_vec()].concat();
+    assert!(!grade(&one, &[]).err.contains("could not be read"));
+}

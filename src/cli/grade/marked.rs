@@ -12,6 +12,7 @@ use crate::exercise::excerpt;
 use crate::grade::Report;
 use crate::grade::RowCounts;
 
+use super::legibility::Legibility;
 use super::portion_marker::PortionMarker;
 use super::problems::Met;
 use super::register::{Entered, Entry, Question};
@@ -40,6 +41,8 @@ pub(super) struct Portion {
     pub is_right: bool,
     /// How many were marked and refused.
     pub counts: RowCounts,
+    /// How many answers could be read.
+    pub legibility: Legibility,
 }
 
 /// Marks a chunk. It has all attempts of a student at a question, or none.
@@ -77,8 +80,14 @@ fn at_one_desk(
     for place in by_question(&groups) {
         let Some(group) = groups.get_mut(place).and_then(Option::take) else { continue };
         let start = rows.length()?;
-        let mut own =
-            Done { place, rows: start..start, marked: Vec::new(), is_right: true, counts: RowCounts::default() };
+        let mut own = Done {
+            place,
+            rows: start..start,
+            marked: Vec::new(),
+            is_right: true,
+            counts: RowCounts::default(),
+            legibility: Legibility::default(),
+        };
         match group {
             Ok(attempts) => own.mark(attempts, desk, &mut rows, keep)?,
             Err((place, message)) => own.refuse(place, message),
@@ -90,10 +99,12 @@ fn at_one_desk(
     let bytes = rows.into_bytes()?;
     let slices: Vec<&[u8]> = done.iter().filter_map(|own| bytes.get(own.rows.clone())).collect();
     let rows = slices.concat();
-    let mut portion = Portion { rows, marked: Vec::new(), is_right: true, counts: RowCounts::default() };
+    let (counts, legibility) = (RowCounts::default(), Legibility::default());
+    let mut portion = Portion { rows, marked: Vec::new(), is_right: true, counts, legibility };
     for own in done {
         portion.is_right &= own.is_right;
         portion.counts += own.counts;
+        portion.legibility += own.legibility;
         portion.marked.extend(own.marked);
     }
     Ok(portion)
@@ -106,6 +117,7 @@ struct Done {
     marked: Vec<Marked>,
     is_right: bool,
     counts: RowCounts,
+    legibility: Legibility,
 }
 
 /// The attempts of one student at one question, or what is wrong with a row.
@@ -163,6 +175,7 @@ impl Done {
             self.counts.marked += 1;
             self.counts.answers += report.parts.len() as u64;
             for part in &report.parts {
+                self.legibility += Legibility::of(part);
                 self.is_right &= part.verdict.is_right() || !part.counts;
                 rows.part(&entry.submission, part)?;
             }

@@ -3,6 +3,7 @@
 mod changes;
 mod gradebook;
 mod junit;
+mod legibility;
 mod marked;
 mod order;
 mod portion_marker;

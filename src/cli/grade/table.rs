@@ -16,6 +16,7 @@ use crate::problem::secret_mark;
 
 use super::Grade;
 use super::gradebook::Students;
+use super::legibility::Legibility;
 use super::marked::{Marked, marked};
 use super::problems::Problems;
 use super::reader::Reader;
@@ -56,7 +57,7 @@ impl Grade {
         })?;
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
         let mut readers = Readers::of(self, students)?;
-        let (mut exit, mut counts) = (Exit::Fine, RowCounts::default());
+        let (mut exit, mut counts, mut legibility) = (Exit::Fine, RowCounts::default(), Legibility::default());
         while !chunk.is_empty() {
             let (format, keep, problems) = (sink.format(), readers.are_there(), reader.problems());
             let (found, next) = rayon::join(|| marked(chunk, &problems, format, keep), || reader.chunk());
@@ -64,6 +65,7 @@ impl Grade {
             for portion in found? {
                 sink.write(&portion.rows)?;
                 counts += portion.counts;
+                legibility += portion.legibility;
                 if !portion.is_right {
                     exit = exit.max(Exit::NotRight);
                 }
@@ -88,6 +90,9 @@ impl Grade {
         sink.finish()?;
         readers.finish(self, counts)?;
         tell(&counts.to_string());
+        if let Some(told) = legibility.told(self.decimal) {
+            tell(&told);
+        }
         if !counts.is_complete() {
             return Err(Failure::unusable("rows were lost: this is a fault of the program; please report it"));
         }

@@ -47,6 +47,12 @@ impl FigureResponse {
     pub(super) fn of(drawing: &Drawing) -> Self {
         Self { svg: Fragment::figure(drawing), caption: drawing.caption.clone() }
     }
+
+    /// Those among which somebody chooses.
+    fn of_choice(drawings: &[Drawing]) -> Vec<Self> {
+        let shown = Fragment::figures(drawings).into_iter().zip(drawings);
+        shown.map(|(svg, drawing)| Self { svg, caption: drawing.caption.clone() }).collect()
+    }
 }
 
 /// Room for an answer: [`Field`] as HTML.
@@ -96,7 +102,7 @@ impl From<Field> for FieldResponse {
             kind,
             unit: field.unit.as_ref().map(Fragment::math),
             options,
-            pictures: field.pictures.iter().map(FigureResponse::of).collect(),
+            pictures: FigureResponse::of_choice(&field.pictures),
             symbols: field.symbols,
             components,
             points: field.points,

@@ -50,7 +50,7 @@ impl Row {
     pub fn cell(&self, position: usize) -> &str {
         let start = position.checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
         let text = self.ends.get(position).and_then(|end| self.text.get(start..*end));
-        meant(text.unwrap_or_default().trim())
+        text.unwrap_or_default()
     }
 
     /// All cells, without the spaces around them.
@@ -64,6 +64,15 @@ impl Row {
     }
 
     fn end_cell(&mut self) {
+        let start = self.ends.last().copied().unwrap_or(0);
+        let written = self.text.get(start..).unwrap_or_default();
+        let meant = meant(written.trim());
+        // What is meant is what is written, or less of it.
+        if meant.len() != written.len() {
+            let meant = meant.into_owned();
+            self.text.truncate(start);
+            self.text.push_str(&meant);
+        }
         self.ends.push(self.text.len());
     }
 }

@@ -4,6 +4,7 @@ mod account;
 mod around;
 mod at_close;
 mod clock;
+mod fields;
 mod gate;
 mod grades;
 mod items;

@@ -1,14 +1,10 @@
 //! From a request to a [`Visit`], and from what comes of it to a response.
 
-use std::collections::BTreeMap;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use axum::Form;
 use axum::Router;
-use axum::body::to_bytes;
-use axum::extract::multipart::MultipartError;
-use axum::extract::{DefaultBodyLimit, FromRequest, Multipart, Query, RawPathParams, Request};
+use axum::extract::{DefaultBodyLimit, RawPathParams, Request};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{MethodFilter, on};
@@ -20,9 +16,9 @@ use crate::store::{Membership, Store, StoreFault};
 use super::super::again::Again;
 use super::super::answer;
 use super::super::app::{App, SharedApp};
-use super::super::arrival::Arrival;
 use super::super::parameters::Parameters;
 use super::super::sender;
+use super::fields;
 use super::gate::Who;
 use super::origin;
 use super::outcome::NotShown;
@@ -96,18 +92,22 @@ async fn visit(
     let course = path.iter().find(|(name, _)| name == "course").and_then(|(_, text)| Key::from_str(text).ok());
     let (visitor, place) = match known(&courses.store, headers, now, course).await {
         Ok(known) => known,
-        Err(fault) => return Err((fault.into(), typed(row, request, longest(row)).await)),
+        Err(fault) => return Err((fault.into(), fields::typed(request, longest(row)).await)),
     };
     let from = sender::of(request.extensions(), headers, &app.settings.trusted_proxies);
     let fields = Parameters::default();
     let mut visit = Visit { app, courses, now, place, visitor, from, path, fields };
     match row.who.admits(&visit) {
         Ok(()) => {}
-        Err(NotShown::SignIn) => return Err((NotShown::SignIn, typed(row, request, LONGEST_KEPT).await)),
+        Err(NotShown::SignIn) => return Err((NotShown::SignIn, fields::typed(request, LONGEST_KEPT).await)),
         // Whoever may not see the page has nothing read.
         Err(reason) => return Err(bare(reason)),
     }
-    let fields = fields_of(row.does, request).await.map_err(bare)?;
+    let fields = match row.does {
+        Does::Shows => fields::of_address(request.uri()),
+        Does::Changes => fields::of_form(request, longest(row)).await,
+    };
+    let fields = fields.map_err(bare)?;
     let has_nul = |(name, value): &(String, String)| name.contains('\0') || value.contains('\0');
     if visit.path.iter().chain(&fields).any(has_nul) {
         // PostgreSQL keeps no such text.
@@ -132,64 +132,6 @@ async fn known(
         _ => None,
     };
     Ok((visitor, place))
-}
-
-/// What was typed into a form that cannot be taken now, where it can be read.
-async fn typed(row: &Row, request: Request, longest: usize) -> Parameters {
-    if row.does == Does::Shows || is_multipart(request.headers()) {
-        return Parameters::default();
-    }
-    let body = to_bytes(request.into_body(), longest).await.unwrap_or_default();
-    Parameters::all_of(serde_urlencoded::from_bytes(&body).unwrap_or_default())
-}
-
-/// The fields of an address or of a form; the contents of a file that is sent along is the value of its field.
-async fn fields_of(does: Does, request: Request) -> Result<Vec<(String, String)>, NotShown> {
-    let unread = |message: String| NotShown::Refused(Refused::new(RefusedKind::Invalid, message));
-    let arrival = request.extensions().get::<Arrival>().copied();
-    let failed = |status, message| match arrival {
-        Some(arrival) if arrival.is_over() => NotShown::Slow,
-        _ => NotShown::Refused(too_large_or(status, message)),
-    };
-    if does == Does::Shows {
-        return match Query::try_from_uri(request.uri()) {
-            Ok(Query(fields)) => Ok(fields),
-            Err(error) => Err(unread(error.body_text())),
-        };
-    }
-    if !is_multipart(request.headers()) {
-        return match Form::from_request(request, &()).await {
-            Ok(Form(fields)) => Ok(fields),
-            Err(error) => Err(failed(error.status(), error.body_text())),
-        };
-    }
-    let mut parts = Multipart::from_request(request, &()).await.map_err(|error| unread(error.body_text()))?;
-    let mut fields: BTreeMap<String, String> = BTreeMap::new();
-    let failed = |error: MultipartError| failed(error.status(), error.body_text());
-    while let Some(part) = parts.next_field().await.map_err(failed)? {
-        let name = part.name().unwrap_or_default().to_owned();
-        let bytes = part.bytes().await.map_err(failed)?;
-        let text = String::from_utf8(bytes.to_vec())
-            .map_err(|_| unread(format!("the file in `{name}` is no text in UTF-8; save it so and send it again")))?;
-        // A file may be sent in place of what is pasted: whichever is not empty counts.
-        if !text.trim().is_empty() || !fields.contains_key(&name) {
-            fields.insert(name, text);
-        }
-    }
-    Ok(fields.into_iter().collect())
-}
-
-fn too_large_or(status: StatusCode, message: String) -> Refused {
-    if status == StatusCode::PAYLOAD_TOO_LARGE {
-        Refused::new(RefusedKind::TooLarge, format!("a form has at most {LONGEST_FORM} bytes"))
-    } else {
-        Refused::new(RefusedKind::Invalid, message)
-    }
-}
-
-fn is_multipart(headers: &HeaderMap) -> bool {
-    let kind = headers.get(header::CONTENT_TYPE).and_then(|value| value.to_str().ok());
-    kind.is_some_and(|kind| kind.starts_with("multipart/form-data"))
 }
 
 /// A page that says why the one that was asked for is not shown. Where the form can be sent again it is there as it was typed.

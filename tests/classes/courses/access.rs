@@ -86,6 +86,31 @@ fn who_teaches_one_course_looks_up_no_open_problem_of_another_where_it_learns() 
     assert_eq!(ada.get(&look(&university.other, "impact/two-carts")).status, 403, "with its answers");
     assert_eq!(ada.get(&look(&university.other, "impulse/parcel-push")).status, 200);
     assert_eq!(university.browser_of("ida").get(&look(&university.course, "impact/two-carts")).status, 200);
+    let there = |path: &str| format!("/courses/{}{path}", university.other.key);
+    assert_eq!(ada.get(&there("/problems/new?from=impact/two-carts")).status, 403, "its file");
+    let text = include_str!("../../../problem_bank/impact/two-carts.yaml");
+    let own = ada.post(&there("/problems/new"), &[("text", text)]).text(422);
+    assert!(own.contains("part of an assignment that is open now") && own.contains("impact/two-carts"), "{own}");
+    let fields = [
+        ("title", "Mine"),
+        ("opens", "2025-12-01T00:00"),
+        ("due", "2025-12-20T00:00"),
+        ("closes", "2025-12-20T00:00"),
+        ("verdicts", "at_once"),
+        ("solutions", "at_close"),
+        ("do", "save"),
+        ("item.0.problem", "impact/two-carts"),
+        ("item.0.points", "5"),
+        ("item.0.order", "1"),
+    ];
+    let mine = ada.post(&there("/assignments/new"), &fields);
+    let mine = mine.to().split("/assignments/").nth(1).unwrap()[..32].to_owned();
+    assert_eq!(ada.get(&there(&format!("/assignments/{mine}/print/key"))).status, 403, "its key");
+    let page = ada.get(&there(&format!("/assignments/{mine}"))).text(200);
+    let item = page.split("/items/").nth(1).unwrap()[..32].to_owned();
+    ada.get(&there(&format!("/items/{item}"))).text(200);
+    assert_eq!(ada.get(&there(&format!("/items/{item}/solution"))).status, 403, "its solution");
     university.set_clock(3 * DAY + RELEASED);
+    ada.get(&there(&format!("/items/{item}/solution"))).text(200);
     assert_eq!(ada.get(&look(&university.other, "impact/two-carts")).status, 200, "it has closed");
 }

@@ -21,6 +21,7 @@ use super::super::items;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
+use super::super::withheld::Withheld;
 use super::assignment;
 
 #[derive(Serialize)]
@@ -114,7 +115,6 @@ pub(in crate::web::courses) async fn sheets(visit: &Visit) -> Result<Reply, NotS
 
 /// The answers of every student.
 pub(in crate::web::courses) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
-    let printed = drawn(visit, Version::Right).await?;
     let named = |own: &Printed| {
         let student = own.student.clone();
         own.exercise
@@ -123,7 +123,11 @@ pub(in crate::web::courses) async fn key(visit: &Visit) -> Result<Reply, NotShow
             .map(move |row| KeyRow { student: Some(student.clone()), ..row })
             .collect::<Vec<_>>()
     };
-    let title = assignment::of(visit).await?.assignment.title;
+    let whole = assignment::of(visit).await?;
+    let withheld = Withheld::from_student(visit).await?;
+    counted(&whole).try_for_each(|item| withheld.check(&item.problem))?;
+    let title = whole.assignment.title;
+    let printed = drawn(visit, Version::Right).await?;
     let rows = printed.iter().flat_map(named).collect();
     document(visit, "key", vec![Page::Key(render::Key { title, rows })]).await
 }

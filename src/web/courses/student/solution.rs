@@ -12,6 +12,7 @@ use super::super::items;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
+use super::super::withheld::Withheld;
 use super::own_sheet::OwnSheet;
 
 #[derive(Serialize)]
@@ -28,6 +29,9 @@ pub(in crate::web::courses) async fn solution(visit: &Visit) -> Result<Reply, No
     let own = OwnSheet::of(visit).await?;
     if !own.window.shows_solutions(visit.now) && !visit.place()?.member.role.is_staff() {
         return Err(NotShown::Forbidden("the solution is shown when the assignment has closed for you, if at all"));
+    }
+    if !own.window.shows_solutions(visit.now) {
+        Withheld::from_student(visit).await?.check(&own.item.problem)?;
     }
     let back = own.address(visit)?;
     let (exercise, note) = right(visit, &own).await?;

@@ -8,6 +8,7 @@ use super::super::super::items;
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
+use super::super::super::withheld::Withheld;
 use super::super::assignment::{Looked, looked};
 use super::check::{Checked, run};
 
@@ -30,6 +31,7 @@ pub(in crate::web::courses) async fn show(visit: &Visit) -> Result<Reply, NotSho
 }
 
 async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Result<Reply, NotShown> {
+    Withheld::from_student(visit).await?.check(&file.problem)?;
     let letters = items::letters(visit, &file).await?;
     let item = Item { digest: Some(file.digest.clone()), letters, ..items::unpinned(&file.problem) };
     let problem = items::problem(visit, &item).await?;

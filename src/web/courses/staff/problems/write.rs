@@ -14,6 +14,7 @@ use super::super::super::library;
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
+use super::super::super::withheld::Withheld;
 use super::trial;
 use super::trial::{NAME, Trial};
 
@@ -29,7 +30,10 @@ struct WritePage {
 pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
     let text = match visit.fields.get("from") {
         None => String::new(),
-        Some(id) => items::current(visit, id).await?.text,
+        Some(id) => {
+            Withheld::from_student(visit).await?.check(id)?;
+            items::current(visit, id).await?.text
+        }
     };
     visit.page("courses/staff/write", WritePage { title: "New problem", text, faults: None }).await
 }
@@ -57,6 +61,9 @@ pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotSho
         Ok(file) => file,
         Err(faults) => return refused(visit, text, faults.to_string()).await,
     };
+    if let Err(reserved) = Withheld::from_student(visit).await?.check(&file.problem) {
+        return refused(visit, text, reserved.sentences().join(" ")).await;
+    }
     let before = visit.store().problem_file(visit.course()?.key, &file.digest).await?;
     if before.is_none_or(|before| before.course.is_none()) {
         let entry = visit.entry("problem saved", format!("{} {}", file.problem, file.digest));
