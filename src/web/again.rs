@@ -38,10 +38,12 @@ enum Kind {
 }
 
 impl Again {
-    /// What was typed, to be sent again; nothing where nothing was.
-    pub(super) fn of(to: &str, typed: &Parameters) -> Option<Self> {
+    /// What was typed, to be sent again to an address below `base`; nothing where nothing was.
+    pub(super) fn of(base: &str, to: &str, typed: &Parameters) -> Option<Self> {
+        // Requests for nested pages may have lost it already.
+        let to = format!("{base}{}", to.strip_prefix(base).unwrap_or(to));
         let fields: Vec<Field> = typed.pairs().iter().map(Field::of).collect();
-        fields.iter().any(|field| field.kind != Kind::Hidden).then(|| Self { to: to.to_owned(), fields })
+        fields.iter().any(|field| field.kind != Kind::Hidden).then_some(Self { to, fields })
     }
 }
 
@@ -73,7 +75,7 @@ mod tests {
     fn what_was_typed_is_held_but_for_passwords() {
         let pair = |(name, value): (&str, &str)| (name.to_owned(), value.to_owned());
         let typed = [("request", "ab12"), ("answer.v_A2", "1 m/s"), ("table", "id\nada"), ("password", "secret")];
-        let again = Again::of("/x", &Parameters::all_of(typed.map(pair).into())).unwrap();
+        let again = Again::of("/b", "/x", &Parameters::all_of(typed.map(pair).into())).unwrap();
         let shown: Vec<_> = again.fields.iter().map(|own| (own.label.as_str(), own.value.as_str(), own.kind)).collect();
         let expected = [
             ("request", "ab12", Kind::Hidden),
@@ -82,6 +84,10 @@ mod tests {
             ("password", "", Kind::Password),
         ];
         assert_eq!(shown, expected);
-        assert!(Again::of("/x", &Parameters::all_of(vec![pair(("request", "ab12"))])).is_none());
+        assert_eq!(
+            (again.to.as_str(), Again::of("/b", "/b/x", &Parameters::all_of(vec![pair(("a", "1"))])).unwrap().to),
+            ("/b/x", "/b/x".to_owned())
+        );
+        assert!(Again::of("/b", "/x", &Parameters::all_of(vec![pair(("request", "ab12"))])).is_none());
     }
 }

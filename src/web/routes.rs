@@ -108,7 +108,9 @@ fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
         };
         match admitted(&app, &headers, reserved).await {
             Ok((place, withheld)) => answer::page(&app, place, own(withheld, parameters)).await,
-            Err(NotAdmitted::Busy(reason)) => answer::not_done(&app, reason, Again::of(&uri.to_string(), &parameters)),
+            Err(NotAdmitted::Busy(reason)) => {
+                answer::not_done(&app, reason, Again::of(&app.settings.base_path, &uri.to_string(), &parameters))
+            }
             Err(NotAdmitted::Unknown(fault)) => unreachable_records(&fault),
         }
     };

@@ -65,11 +65,12 @@ impl Row {
 
     fn end_cell(&mut self) {
         let start = self.ends.last().copied().unwrap_or(0);
-        let written = self.text.get(start..).unwrap_or_default();
-        let meant = meant(written.trim());
         // What is meant is what is written, or less of it.
-        if meant.len() != written.len() {
-            let meant = meant.into_owned();
+        let shorter = self.text.get(start..).and_then(|written| {
+            let meant = meant(written.trim());
+            (meant.len() != written.len()).then(|| meant.into_owned())
+        });
+        if let Some(meant) = shorter {
             self.text.truncate(start);
             self.text.push_str(&meant);
         }

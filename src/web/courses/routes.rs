@@ -136,7 +136,7 @@ async fn known(
 
 /// A page that says why the one that was asked for is not shown. Where the form can be sent again it is there as it was typed.
 fn not_shown(app: &App, reason: NotShown, does: Does, to: &str, typed: &Parameters) -> Response {
-    let again = (does == Does::Changes).then(|| Again::of(to, typed)).flatten();
+    let again = (does == Does::Changes).then(|| Again::of(&app.settings.base_path, to, typed)).flatten();
     let said = |status, title, message: &str, help: &str, again| {
         let refused = Refused::new(RefusedKind::Invalid, message);
         let refused = if help.is_empty() { refused } else { refused.help(help) };
