@@ -108,8 +108,10 @@ fn over(
     let service = service_fn(move |request: Request<Incoming>| {
         connection.waits();
         let own = Arc::clone(&connection);
+        // The time of the body begins after that by which it is judged.
+        let arrival = Arrival::now(from);
         let mut request = request.map(|body| Body::new(TimedBody::new(body, move || own.is_answered())));
-        request.extensions_mut().insert(Arrival::now(from));
+        request.extensions_mut().insert(arrival);
         let (answer, own) = (router.call(request), Arc::clone(&connection));
         async move {
             let answer = answer.await;
