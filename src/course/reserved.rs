@@ -2,9 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::problem::Problem;
-use crate::scene::Stage;
-
 use super::assignment::{Assignment, Extension, Item};
 use super::moment::Moment;
 use super::window::RELEASED_AFTER;
@@ -38,19 +35,5 @@ impl Reserved {
     #[must_use]
     pub fn refuses(&self, problem: &str, is_staff: bool) -> bool {
         !is_staff && self.problems.contains(problem)
-    }
-}
-
-/// The simulator that shows the scene of a problem, by its name, where one does: an assignment with it can be answered by looking.
-#[must_use]
-pub fn simulator_of(problem: &Problem) -> Option<&'static str> {
-    let scene = &problem.loaded().draft.scene;
-    let stages: Vec<&Stage> = scene.stages.iter().collect();
-    match stages.as_slice() {
-        [Stage::Impact(impact)] if impact.between.is_some() && scene.axes.rectangular().len() == 1 => Some("collision"),
-        [Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
-        [Stage::Fall(_), Stage::Impact(impact)] if impact.against.is_some() => Some("restitution"),
-        [Stage::Fall(_), Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
-        _ => None,
     }
 }

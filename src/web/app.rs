@@ -43,10 +43,15 @@ struct Around<'a, Page> {
     watch: Option<String>,
     /// Whether there are pages of courses.
     has_courses: bool,
+    /// The simulators that the header offers: names in addresses, and titles.
+    simulators: Vec<(&'static str, &'static str)>,
     /// What a page of a course knows besides.
     who: Option<&'a AroundCourse>,
     page: &'a Page,
 }
+
+/// The simulators: names in addresses, and titles.
+const SIMULATORS: [(&str, &str); 2] = [("collision", "Collision"), ("restitution", "Restitution")];
 
 impl App {
     /// Everything that serving takes; templates are tried once before anybody asks for a page.
@@ -99,7 +104,10 @@ impl App {
         let base = self.settings.base_path.as_str();
         let watch = self.settings.watch.is_some().then(|| self.library.stamp().to_string());
         let assets = format!("{base}/static/{}", self.assets.digest);
-        let around = Around { base, assets, watch, has_courses: self.courses.is_some(), who, page };
+        let hidden = self.courses.as_ref().map(|courses| courses.hidden_simulators()).unwrap_or_default();
+        let simulators = SIMULATORS.into_iter().filter(|(name, _)| !hidden.contains(name)).collect();
+        let has_courses = self.courses.is_some();
+        let around = Around { base, assets, watch, has_courses, simulators, who, page };
         self.site.page(name, &around).map_err(|faults| Refused::fault(&faults))
     }
 }

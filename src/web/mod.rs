@@ -25,6 +25,7 @@ mod routes;
 mod sender;
 mod server;
 mod settings;
+mod view;
 mod workers;
 
 pub use app::App;

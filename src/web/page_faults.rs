@@ -4,8 +4,10 @@ use crate::exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
 use super::app::App;
+use super::courses::Withheld;
 use super::pages;
 use super::parameters::Parameters;
+use super::view::View;
 
 /// What is wrong with the templates of the pages: each is filled once, with a problem of the bank.
 #[must_use]
@@ -15,8 +17,10 @@ pub fn page_faults(app: &App) -> Vec<String> {
         Err(refused) => return vec![refused.message],
     };
     let none = Parameters::default();
-    let own = |make: fn(&App, String, &Parameters) -> Result<String, Refused>| make(app, problem.clone(), &none);
-    let simulator = |name: &str| pages::simulator(app, name.to_owned(), &none);
+    let nothing = Withheld::default();
+    let view = View::new(app, &nothing);
+    let own = |make: fn(&View<'_>, String, &Parameters) -> Result<String, Refused>| make(&view, problem.clone(), &none);
+    let simulator = |name: &str| pages::simulator(&view, name.to_owned(), &none);
     let pages = [
         pages::start(app, &none),
         own(pages::practice),

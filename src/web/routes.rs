@@ -23,26 +23,27 @@ use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
-use crate::exercise::calls::{Engine, Refused, RefusedKind};
+use crate::exercise::calls::{Refused, RefusedKind};
 use crate::store::StoreFault;
 
 use super::again::Again;
 use super::answer;
 use super::app::{App, SharedApp};
-use super::courses::{Rest, Visitor, Withheld, with_courses};
+use super::courses::{Visitor, Withheld, with_courses};
 use super::explained::explained;
 use super::headers::{BY_TLS, FOR_EVER, HEADERS};
 use super::health::health;
 use super::observed::observed;
 use super::pages;
 use super::parameters::Parameters;
+use super::view::View;
 use super::workers::{Admitted, Lane, NotDone};
 
 /// The fields of an address or of a form.
 type Fields = Vec<(String, String)>;
 
 /// What makes the page of a problem, or of a simulator by its name.
-type OfProblem = fn(&App, String, &Parameters) -> Result<String, Refused>;
+type OfProblem = fn(&View<'_>, String, &Parameters) -> Result<String, Refused>;
 
 /// Whether pages are refused while an assignment with their problem is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +61,7 @@ const OF_PROBLEMS: [(&str, While, OfProblem); 5] = [
     ("/solve/{*problem}", While::Refused, pages::solve),
 ];
 
-/// The calls of simulators, which are never refused.
+/// The calls of simulators, which are never refused; what they must not solve they leave out.
 const OF_SIMULATORS: [&str; 2] = ["collision", "restitution"];
 
 /// Everything that is served.
@@ -99,7 +100,7 @@ fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
         let own = |withheld: Withheld, parameters: Parameters| {
             move |app: &App| {
                 withheld.check(&problem)?;
-                make(app, problem, &parameters)
+                make(&View::new(app, &withheld), problem, &parameters)
             }
         };
         let parameters = match Parameters::new(fields, &app.settings.limits) {
@@ -149,7 +150,7 @@ async fn admitted<'app>(
     };
     let place = app.workers.admit(Visitor::lane(visitor.as_ref())).map_err(NotAdmitted::Busy)?;
     let withheld = match reserved {
-        While::Shown => Withheld::default(),
+        While::Shown => Withheld::of_simulators(app, visitor.as_ref()).await,
         While::Refused => Withheld::from(app, visitor.as_ref()).await.map_err(NotAdmitted::Unknown)?,
     };
     Ok((place, withheld))
@@ -180,12 +181,7 @@ async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path
         Err(NotAdmitted::Busy(reason)) => return answer::no_call(reason),
         Err(NotAdmitted::Unknown(fault)) => return unreachable_records(&fault),
     };
-    answer::json(&app, place, move |app| {
-        let engine = app.engine();
-        let problems = Rest { problems: engine.problems, withheld: &withheld };
-        Engine { problems: &problems, ..engine }.call(&call, &body)
-    })
-    .await
+    answer::json(&app, place, move |app| View::new(app, &withheld).engine().call(&call, &body)).await
 }
 
 /// The state of the watched files, for pages that reload themselves.

@@ -34,8 +34,9 @@ const hidden = (page, name) => page.match(new RegExp(`name="${name}" value="([^"
 /**
  * Starts a server with the course.
  * @param {string[]} [students] those who have handed in, and one more, `ada`, who has not
+ * @param {Record<string, string>} [rules] further fields of the assignment
  */
-export async function small_course(students = ["bob", "cleo"]) {
+export async function small_course(students = ["bob", "cleo"], rules = {}) {
   const server = await start_clocked("2026-10-05T09:00:00+02:00");
   const operator = await Visitor.by(server.link);
   const made = { title: "Mechanics", zone: "Europe/Berlin", decimal: "either", retention: "", login: "operator", name: "" };
@@ -49,6 +50,7 @@ export async function small_course(students = ["bob", "cleo"]) {
   const fields = {
     do: "save",
     ...RULES,
+    ...rules,
     hint_penalty: "10 %",
     ...Object.fromEntries(PROBLEMS.flatMap((id, place) => [[`item.${place}.problem`, id], [`item.${place}.points`, "5"]])),
   };

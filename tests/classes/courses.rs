@@ -7,6 +7,7 @@ mod editor;
 mod five_places;
 mod grades;
 mod handed;
+mod hidden;
 mod links;
 mod old_data;
 mod print;

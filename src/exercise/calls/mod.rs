@@ -49,6 +49,14 @@ pub trait Problems {
     /// # Errors
     /// [`RefusedKind::Unknown`] where there is none, [`RefusedKind::Fault`] where its file does not load.
     fn problem(&self, id: &str) -> Result<Arc<Problem>, Refused>;
+
+    /// Whether a problem may be solved with numbers of the user's own.
+    ///
+    /// # Errors
+    /// [`RefusedKind::Reserved`] where it may not.
+    fn own_numbers(&self, _problem: &Problem) -> Result<(), Refused> {
+        Ok(())
+    }
 }
 
 /// The engine behind every face.

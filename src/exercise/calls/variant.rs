@@ -94,6 +94,7 @@ impl Engine<'_> {
     /// # Errors
     /// Where there are too many values, they cannot be read, or they leave no admissible solution.
     pub fn typed(&self, problem: &Problem, form: usize, variant: &VariantRequest) -> Result<Exercise, Refused> {
+        self.problems.own_numbers(problem)?;
         within(variant.set.len(), self.limits.values, "values can be set")?;
         within(variant.find.len(), self.limits.values, "quantities can be sought")?;
         let set: Vec<(String, String)> = variant.set.iter().map(|(name, text)| (name.clone(), text.clone())).collect();

@@ -7,6 +7,7 @@ mod clock;
 mod fields;
 mod gate;
 mod grades;
+mod hidden;
 mod items;
 mod ledger;
 mod library;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::store::Store;
 
 use super::clock::Clock;
+use super::hidden::Hidden;
 use super::library::CourseLibrary;
 use super::limits::Limits;
 use super::processes::Processes;
@@ -17,18 +18,32 @@ pub struct Courses {
     pub(super) library: CourseLibrary,
     /// Who has a teacher's file read or checked in a process of its own.
     pub(super) processes: Arc<Processes>,
+    /// The kinds of problems that are not solved at the moment.
+    pub(super) hidden: Hidden,
 }
 
 impl Courses {
     /// Courses whose records are kept here.
     #[must_use]
     pub fn new(store: Store, clock: Clock) -> Self {
-        Self { store, clock, limits: Limits::new(), library: CourseLibrary::default(), processes: Processes::new() }
+        Self {
+            store,
+            clock,
+            limits: Limits::new(),
+            library: CourseLibrary::default(),
+            processes: Processes::new(),
+            hidden: Hidden::default(),
+        }
     }
 
     /// The records.
     #[must_use]
     pub fn store(&self) -> &Store {
         &self.store
+    }
+
+    /// The simulators that solve nothing at the moment, by their names.
+    pub(in crate::web) fn hidden_simulators(&self) -> Vec<&'static str> {
+        self.hidden.simulators()
     }
 }

@@ -137,6 +137,10 @@ impl Visit {
 
     /// A page through the template of that name.
     pub(super) async fn page(&self, template: &'static str, page: impl Serialize) -> Result<Reply, NotShown> {
+        // The header leaves out what is hidden.
+        if self.visitor.is_some() {
+            self.courses.hidden.at(&self.app.library, self.store(), self.now).await;
+        }
         let around = self.around();
         // As a value it may outlive what it was made of.
         let page = serde_json::to_value(page).map_err(|error| NotShown::Store(error.into()))?;

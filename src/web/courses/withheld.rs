@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::course::{Course, Key, Reserved};
+use crate::course::{Course, Key, Kind, Reserved};
 use crate::exercise::calls::{Problems, Refused, RefusedKind};
 use crate::problem::Problem;
 use crate::store::StoreFault;
@@ -15,13 +15,18 @@ use super::visitor::Visitor;
 /// The problems that practice, own numbers, solutions, playing and calls refuse to a visitor: those of open assignments, unless the
 /// visitor teaches their courses.
 #[derive(Debug, Default)]
-pub(in crate::web) struct Withheld(Reserved);
+pub(in crate::web) struct Withheld {
+    reserved: Reserved,
+    /// The kinds of problems that are solved for nobody with numbers of their own.
+    hidden: Vec<Kind>,
+}
 
 impl Withheld {
     /// What is withheld from a visitor, or from somebody who is not known.
     pub(in crate::web) async fn from(app: &App, visitor: Option<&Visitor>) -> Result<Self, StoreFault> {
         let Some(courses) = &app.courses else { return Ok(Self::default()) };
         let (store, now) = (&courses.store, courses.clock.now());
+        let hidden = courses.hidden.at(&app.library, store, now).await;
         let open = store.open_assignments(now).await?;
         let taught: BTreeSet<Key<Course>> = match visitor {
             Some(visitor) if !open.is_empty() => {
@@ -34,7 +39,24 @@ impl Withheld {
         for (whole, extensions) in open.iter().filter(|(whole, _)| !taught.contains(&whole.assignment.course)) {
             reserved.add(&whole.assignment, &whole.items, extensions, now);
         }
-        Ok(Self(reserved))
+        let hidden = hidden.iter().filter(|own| !taught.contains(&own.course)).map(|own| own.kind.clone()).collect();
+        Ok(Self { reserved, hidden })
+    }
+
+    /// The same for simulators, which show every scene, without the records, too: what they must not solve.
+    pub(in crate::web) async fn of_simulators(app: &App, visitor: Option<&Visitor>) -> Self {
+        let Some(courses) = &app.courses else { return Self::default() };
+        // Simulators ask often, and as a rule nothing is hidden.
+        let all = courses.hidden.at(&app.library, &courses.store, courses.clock.now()).await;
+        if all.is_empty() {
+            return Self::default();
+        }
+        let hidden = match Self::from(app, visitor).await {
+            Ok(own) => own.hidden,
+            // Where nobody can say who teaches, it is hidden from everybody.
+            Err(_) => all.iter().map(|own| own.kind.clone()).collect(),
+        };
+        Self { reserved: Reserved::default(), hidden }
     }
 
     /// What is withheld from somebody who may see what practice refuses: problems of open assignments in which that person is a student.
@@ -51,17 +73,30 @@ impl Withheld {
                 }
             }
         }
-        Ok(Self(reserved))
+        Ok(Self { reserved, hidden: Vec::new() })
     }
 
     /// Refuses a problem that is withheld.
     pub(in crate::web) fn check(&self, problem: &str) -> Result<(), Refused> {
-        if !self.0.refuses(problem, false) {
+        if !self.reserved.refuses(problem, false) {
             return Ok(());
         }
         let message = "this problem is part of an assignment that is open now";
         Err(Refused::new(RefusedKind::Reserved, message)
             .help("it can be practised again when the assignment has closed"))
+    }
+
+    /// Refuses numbers of one's own for a problem of a kind that is hidden.
+    fn check_own_numbers(&self, problem: &Problem) -> Result<(), Refused> {
+        let is_hidden = || {
+            let kind = Kind::of(problem.loaded());
+            self.hidden.iter().any(|own| own.is_like(&kind))
+        };
+        if self.hidden.is_empty() || !is_hidden() {
+            return Ok(());
+        }
+        let message = "problems of this kind are not solved with own numbers while an assignment with one is open";
+        Err(Refused::new(RefusedKind::Reserved, message).help("they are again when it has closed"))
     }
 }
 
@@ -77,5 +112,9 @@ impl Problems for Rest<'_> {
     fn problem(&self, id: &str) -> Result<std::sync::Arc<Problem>, Refused> {
         self.withheld.check(id)?;
         self.problems.problem(id)
+    }
+
+    fn own_numbers(&self, problem: &Problem) -> Result<(), Refused> {
+        self.withheld.check_own_numbers(problem)
     }
 }

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::exercise::calls::{PlayResponse, Refused, RefusedKind, SheetResponse};
 
-use super::super::app::App;
 use super::super::parameters::Parameters;
+use super::super::view::View;
 use super::Place;
 
 #[derive(Serialize)]
@@ -19,17 +19,17 @@ struct PlayPage {
 }
 
 /// The scene of a variant, as an animation with plots.
-pub(in crate::web) fn play(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(in crate::web) fn play(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
-    let exercise = app.engine().draw(&variant)?;
+    let exercise = view.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;
-    let (played, refused) = match PlayResponse::of(&exercise, &app.settings.limits) {
+    let (played, refused) = match PlayResponse::of(&exercise, &view.app.settings.limits) {
         Ok(played) => (Some(played), None),
         // Why there is nothing to play is part of the page.
         Err(refused) if refused.kind == RefusedKind::NotSimulated => (None, Some(refused.sentences())),
         Err(refused) => return Err(refused),
     };
-    app.page(
+    view.page(
         "play",
         &PlayPage { title: sheet.title.clone(), place: Place::of(&exercise, &variant)?, sheet, played, refused },
     )

@@ -8,8 +8,8 @@ use crate::exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, Sh
 use crate::grade::Sitting;
 use crate::render::Fragment;
 
-use super::super::app::App;
 use super::super::parameters::Parameters;
+use super::super::view::View;
 use super::Place;
 
 /// Before the name of a part in the names of fields.
@@ -33,15 +33,17 @@ struct PracticePage {
     /// Whether a further hint can be asked for.
     more_further: bool,
     decimal: String,
+    /// Whether the problem is solved with numbers of the reader's own.
+    own_numbers: bool,
 }
 
 /// The practice sheet. With answers it is marked; what was typed stays.
-pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(in crate::web) fn practice(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
-    let exercise = app.engine().draw(&variant)?;
+    let exercise = view.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;
     let answers = fields.behind(ANSWER);
-    within(answers.len(), app.settings.limits.values, "answers can be handed in")?;
+    within(answers.len(), view.app.settings.limits.values, "answers can be handed in")?;
     let asks = |what: &str| fields.get("do") == Some(what);
     let further = fields.count("further")?.saturating_add(usize::from(asks("further")));
     let shown = fields.count("hints")?.saturating_add(usize::from(asks("hint"))).min(sheet.hints);
@@ -61,8 +63,9 @@ pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) 
         hints,
         further,
         decimal: fields.text("decimal").to_owned(),
+        own_numbers: view.engine().problems.own_numbers(exercise.problem()).is_ok(),
     };
-    app.page("practice", &page)
+    view.page("practice", &page)
 }
 
 fn typed(sheet: &SheetResponse, answers: &BTreeMap<String, String>) -> Vec<String> {

@@ -7,8 +7,8 @@ use crate::exercise::calls::{
     SimulatorRequest, USUAL_STEP,
 };
 
-use super::super::app::App;
 use super::super::parameters::Parameters;
+use super::super::view::View;
 
 /// Values under a name, as they stand in an address.
 type Preset = (&'static str, &'static str);
@@ -53,17 +53,17 @@ struct ControlField {
 
 /// A simulator by its name, with the values of the address.
 #[expect(clippy::needless_pass_by_value, reason = "every page of the table of routes takes its part of the address so")]
-pub(in crate::web) fn simulator(app: &App, name: String, fields: &Parameters) -> Result<String, Refused> {
-    let engine = app.engine();
+pub(in crate::web) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> Result<String, Refused> {
+    let engine = view.engine();
     match name.as_str() {
         "collision" => {
             let page = page::<CollisionResponse>(("Collision", "collision"), COLLISION, &OF_COLLISION, fields);
-            app.page("collision", &page.filled(fields, |request| engine.collision(request))?)
+            view.page("collision", &page.filled(fields, |request| engine.collision(request))?)
         }
         "restitution" => {
             let page =
                 page::<RestitutionResponse>(("Restitution", "restitution"), RESTITUTION, &OF_RESTITUTION, fields);
-            app.page("restitution", &page.filled(fields, |request| engine.restitution(request))?)
+            view.page("restitution", &page.filled(fields, |request| engine.restitution(request))?)
         }
         _ => {
             let refused = Refused::new(RefusedKind::Unknown, format!("there is no simulator `{name}`"));

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::exercise::calls::{GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
 
-use super::super::app::App;
 use super::super::parameters::Parameters;
+use super::super::view::View;
 use super::Place;
 
 #[derive(Serialize)]
@@ -18,15 +18,15 @@ struct SolutionPage {
 }
 
 /// The worked solution of a variant; `steps` shows so many and leaves the rest to the reader.
-pub(in crate::web) fn solution(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(in crate::web) fn solution(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let steps = fields.number("steps")?.map(|steps| usize::try_from(steps).unwrap_or(usize::MAX));
-    let engine = app.engine();
+    let engine = view.engine();
     let exercise = engine.draw(&variant)?;
     let solved = engine.solution_of(&exercise, steps, false)?;
     let shown = steps.filter(|steps| *steps < solved.steps);
     let place = Place::of(&exercise, &variant)?;
-    app.page("solution", &SolutionPage { title: solved.title.clone(), place, solved, shown })
+    view.page("solution", &SolutionPage { title: solved.title.clone(), place, solved, shown })
 }
 
 #[derive(Serialize)]
@@ -49,11 +49,12 @@ struct GivenField {
 }
 
 /// The solver for values of the reader's own: `set.m_A`, and `find` with names between spaces or commas.
-pub(in crate::web) fn solve(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
-    let engine = app.engine();
+pub(in crate::web) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+    let engine = view.engine();
     let asked = fields.variant(problem)?;
     let drawn = VariantRequest { set: [].into(), find: Vec::new(), ..asked.clone() };
     let exercise = engine.draw(&drawn)?;
+    engine.problems.own_numbers(exercise.problem())?;
     let solved = asked.is_typed().then(|| {
         let own = engine.typed(exercise.problem(), exercise.variant().form(), &asked)?;
         engine.solution_of(&own, None, false)
@@ -75,5 +76,5 @@ pub(in crate::web) fn solve(app: &App, problem: String, fields: &Parameters) -> 
         solved,
         refused,
     };
-    app.page("solve", &page)
+    view.page("solve", &page)
 }

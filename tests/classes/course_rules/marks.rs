@@ -4,9 +4,8 @@ use momentous::bank::Bank;
 use std::collections::BTreeMap;
 
 use momentous::course::{
-    Accounts, Assignment, Correction, CorrectionChoice, Extension, GradeMark, Gradebook, Item, Ledger, Member,
-    Override, OverrideRule, Person, Regraded, Regrading, Reserved, Role, Sheet, StoredReport, effects, simulator_of,
-    statistics,
+    Accounts, Assignment, Correction, CorrectionChoice, Extension, GradeMark, Gradebook, Item, Kind, Ledger, Member,
+    Override, OverrideRule, Person, Regraded, Regrading, Reserved, Role, Sheet, StoredReport, effects, statistics,
 };
 use momentous::quantity::Rational;
 use proptest::prelude::*;
@@ -242,7 +241,7 @@ fn problems_of_open_assignments_are_reserved_for_all_but_staff() {
 #[test]
 fn scenes_of_the_simulators_are_known() {
     let bank = Bank::built_in();
-    let simulator = |id: &str| simulator_of(&problem(&bank.find(id).unwrap().text));
+    let simulator = |id: &str| Kind::of(problem(&bank.find(id).unwrap().text).loaded()).simulator();
     assert_eq!(simulator("impact/two-carts"), Some("collision"));
     assert_eq!(simulator("bouncing/rubber-ball"), Some("restitution"));
     assert_eq!(simulator("streams/moon-lander"), None);

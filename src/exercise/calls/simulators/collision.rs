@@ -111,7 +111,7 @@ impl Engine<'_> {
         world.bodies.push(Body::sphere("B", mass_b, radius_b, [APART / 2.0 + radius_b], [velocity_b]));
         if let Err(reason) = world.check() {
             // The laws say the same as the reader's own values would be told.
-            return Err(problem.reason.map_or_else(|| not_run(&reason), values_refused));
+            return Err(problem.impossible().cloned().map_or_else(|| not_run(&reason), values_refused));
         }
         if let Some(refused) = outside(COLLISION, &values) {
             return Err(refused);
@@ -121,7 +121,7 @@ impl Engine<'_> {
         let end = if closing > 0.0 { WATCHED * APART / closing } else { (WAY / fastest).min(LONGEST) };
         let run = EventDriven.run(&world, &Budget::until(end)).map_err(|reason| not_run(&reason))?;
         let record = Record::of(&world, &run, 0.0);
-        if let (Some(reason), false) = (&problem.reason, record.impacts.is_empty()) {
+        if let (Some(reason), false) = (problem.impossible(), record.impacts.is_empty()) {
             return Err(values_refused(reason.clone()));
         }
         let compared = match &request.method {
@@ -205,7 +205,7 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
 }
 
 fn sentence(meeting: Option<&Meeting>, problem: &ProblemOf) -> String {
-    match (meeting, &problem.reason) {
+    match (meeting, problem.impossible()) {
         (Some(Meeting { time, impulse }), _) => {
             format!("They meet after {}; B takes the impulse {} from A.", time.text, impulse.text)
         }

@@ -47,6 +47,16 @@ pub struct ProblemOf {
     pub solved: Option<SolveResponse>,
     /// Why there is none.
     pub reason: Option<String>,
+    /// Whether it is because it may not be solved, whatever the values are.
+    #[serde(skip)]
+    pub hidden: bool,
+}
+
+impl ProblemOf {
+    /// Why the values leave no solution, where they do.
+    fn impossible(&self) -> Option<&String> {
+        self.reason.as_ref().filter(|_| !self.hidden)
+    }
 }
 
 impl Engine<'_> {
@@ -56,13 +66,17 @@ impl Engine<'_> {
             set: set.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect(),
             ..VariantRequest::drawn(id, None, 1)
         };
-        let mut problem = ProblemOf { id, set, solved: None, reason: None };
+        let mut problem = ProblemOf { id, set, solved: None, reason: None, hidden: false };
         match self.draw(&variant) {
             Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, None, false)?),
             Err(refused) if refused.kind == RefusedKind::Values => {
                 // How often numbers were tried says nothing of values that are typed.
                 let reason = refused.message.split_once(" attempts: ").map(|(_, reason)| reason.to_owned());
                 problem.reason = Some(reason.unwrap_or(refused.message));
+            }
+            // The scene is shown all the same.
+            Err(refused) if refused.kind == RefusedKind::Reserved => {
+                (problem.reason, problem.hidden) = (Some(refused.message), true);
             }
             Err(refused) => return Err(refused),
         }

@@ -105,7 +105,10 @@ impl Engine<'_> {
         let mut world = dropped(height, restitution);
         if let Err(reason) = world.check() {
             let refused = not_run(&reason);
-            return Err(problem.reason.map_or(refused, |reason| Refused::new(RefusedKind::Values, reason)));
+            return Err(problem
+                .impossible()
+                .cloned()
+                .map_or(refused, |reason| Refused::new(RefusedKind::Values, reason)));
         }
         if let Some(refused) = outside(RESTITUTION, &values) {
             return Err(refused);
@@ -113,7 +116,7 @@ impl Engine<'_> {
         let number = whole(number, self.limits.bounces)?;
         if restitution >= 1.0 {
             problem.reason = Some(NO_LIMIT.to_owned());
-        } else if let Some(reason) = &problem.reason {
+        } else if let Some(reason) = problem.impossible() {
             return Err(Refused::new(RefusedKind::Values, reason.clone()));
         }
         let train = BounceTrain::new(height, GRAVITY, 1.0 - restitution);

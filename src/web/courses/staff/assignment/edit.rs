@@ -69,6 +69,7 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
     if !visit.store().save_assignment(&whole, &entry).await? {
         return changed(visit, draft, &catalogue, Some(current(visit).await?)).await;
     }
+    visit.courses.hidden.forget();
     Ok(Reply::To(visit.in_course(&format!("/assignments/{}/edit?saved=yes", whole.assignment.key))?))
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::{Release, SolutionRelease, Solvers, Unsubmitted, simulator_of};
+use crate::course::{Kind, Release, SolutionRelease, Solvers, Unsubmitted};
 use crate::store::AssignmentWithItems;
 
 use super::super::super::items;
@@ -132,5 +132,5 @@ fn solvers_said(own: Solvers) -> &'static str {
 /// The simulator that shows the scene of a problem.
 async fn simulator(visit: &Visit, problem: &str) -> Result<Option<&'static str>, NotShown> {
     let item = items::unpinned(problem);
-    Ok(items::problem(visit, &item).await.ok().and_then(|problem| simulator_of(&problem)))
+    Ok(items::problem(visit, &item).await.ok().and_then(|problem| Kind::of(problem.loaded()).simulator()))
 }

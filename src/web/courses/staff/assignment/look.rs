@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::course::simulator_of;
+use crate::course::Kind;
 use crate::exercise::Exercise;
 use crate::exercise::calls::{Refused, SheetResponse};
 use crate::problem::Problem;
@@ -60,7 +60,7 @@ pub(in crate::web::courses) async fn look(visit: &Visit) -> Result<Reply, NotSho
         form,
         forms,
         looked,
-        simulator: simulator_of(&problem),
+        simulator: Kind::of(problem.loaded()).simulator(),
     };
     visit.page("courses/staff/look", page).await
 }

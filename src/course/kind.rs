@@ -1,0 +1,45 @@
+//! Kinds of problems: those that one page of own numbers, or one simulator, solves alike.
+
+use std::mem::{Discriminant, discriminant};
+
+use crate::problem::Loaded;
+use crate::scene::Stage;
+
+/// A kind of problems: by the simulator that shows the scene, or by what happens in it, stage by stage.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kind {
+    simulator: Option<&'static str>,
+    axes: usize,
+    stages: Vec<Discriminant<Stage>>,
+}
+
+impl Kind {
+    /// The kind of a problem.
+    #[must_use]
+    pub fn of(problem: &Loaded) -> Self {
+        let scene = &problem.draft.scene;
+        let stages: Vec<&Stage> = scene.stages.iter().collect();
+        let axes = scene.axes.rectangular().len();
+        let simulator = match stages.as_slice() {
+            [Stage::Impact(impact)] if impact.between.is_some() && axes == 1 => Some("collision"),
+            [Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
+            [Stage::Fall(_), Stage::Impact(impact)] if impact.against.is_some() => Some("restitution"),
+            [Stage::Fall(_), Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
+            _ => None,
+        };
+        Self { simulator, axes, stages: stages.into_iter().map(discriminant).collect() }
+    }
+
+    /// The simulator that shows the scene, by its name, where one does: an assignment with such a problem can be answered by looking.
+    #[must_use]
+    pub fn simulator(&self) -> Option<&'static str> {
+        self.simulator
+    }
+
+    /// Whether who can solve a problem of the one kind with own numbers can solve one of the other.
+    #[must_use]
+    pub fn is_like(&self, other: &Self) -> bool {
+        let same_scene = self.simulator.is_some() && self.simulator == other.simulator;
+        same_scene || (self.axes, &self.stages) == (other.axes, &other.stages)
+    }
+}

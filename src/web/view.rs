@@ -1,0 +1,31 @@
+//! The application as one reader sees it.
+
+use serde::Serialize;
+
+use crate::exercise::calls::{Engine, Refused};
+
+use super::app::App;
+use super::courses::{Rest, Withheld};
+
+/// The application as one reader sees it.
+pub(super) struct View<'a> {
+    pub(super) app: &'a App,
+    problems: Rest<'a>,
+}
+
+impl<'a> View<'a> {
+    /// Without what is withheld from that reader.
+    pub(super) fn new(app: &'a App, withheld: &'a Withheld) -> Self {
+        Self { app, problems: Rest { problems: &app.library, withheld } }
+    }
+
+    /// The engine.
+    pub(super) fn engine(&self) -> Engine<'_> {
+        Engine { problems: &self.problems, ..self.app.engine() }
+    }
+
+    /// A page through the template of that name.
+    pub(super) fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+        self.app.page(name, page)
+    }
+}
