@@ -62,7 +62,9 @@ impl Column<'_> {
 /// Every bound is finite and small next to the answers.
 pub(super) fn certified(columns: &[Column<'_>]) -> Outcome {
     let loose = |column: &Column<'_>| {
-        let allowed = SMALL_ERROR * column.largest();
+        // Beside an answer that is always zero nothing is large: there the unit in which it is printed is the measure.
+        let largest = Some(column.largest()).filter(|largest| *largest > 0.0).unwrap_or(1.0);
+        let allowed = SMALL_ERROR * largest;
         let share = column.share(|answer| answer.value.error.is_nan() || answer.value.error > allowed);
         (share > 0.0 && !column.whole).then(|| format!("`{}` has no small bound in {}", column.id, percent(share)))
     };

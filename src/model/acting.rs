@@ -71,4 +71,6 @@ pub struct Flowing {
     pub leaving: Option<Direction>,
     /// Its speed relative to the body.
     pub relative: Expr,
+    /// The mass that the body has caught of a stream that stays, where that is told.
+    pub caught: Option<Expr>,
 }

@@ -172,7 +172,29 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
         });
     }
     faults.extend(rotors_that_nothing_turns(scene));
+    faults.extend(super::standing::faults(scene, &timeline));
+    faults.extend(two_angular_velocities(scene));
     faults
+}
+
+/// The angular velocity of what turns as a whole has one name: a scene has one arm, or one body with a moment of inertia.
+fn two_angular_velocities(scene: &Scene) -> Option<Fault> {
+    let turning = scene.stages.iter().enumerate().filter_map(|(index, stage)| match stage {
+        Stage::Rotate(own) if own.is_arm() => Some((index, stage.key(), own.about.as_str(), own.rotor.as_deref())),
+        Stage::Strike(own) => Some((index, stage.key(), own.about.as_str(), own.rotor.as_deref())),
+        _ => None,
+    });
+    let all: Vec<_> = turning.collect();
+    let (_, _, first, _) = *all.first()?;
+    let rotor = all.iter().find_map(|(_, _, _, rotor)| *rotor);
+    let differs = |(_, _, about, own): &&(usize, &str, &str, Option<&str>)| {
+        *about != first || own.is_some_and(|own| Some(own) != rotor)
+    };
+    let (index, key, ..) = *all.iter().find(differs)?;
+    let message = "two things turn in this scene, and `omega` can name the angular velocity of one only";
+    let help = "keep the stages of one of them, about one point; write the other as a problem of its own";
+    let path = Path::root().key("scene").key("stages").index(index).key(key);
+    Some(Fault::new(Code::Value, message).help(help).at_path(path))
 }
 
 /// A body that turns about an axis does so in a stage that names it.

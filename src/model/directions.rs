@@ -59,6 +59,15 @@ impl Builder<'_> {
         Direction::turned(0, self.zero_if_so_written(turn))
     }
 
+    /// What is counted counter-clockwise, from x to y, needs axes that turn so.
+    pub(super) fn counts_turns(&mut self, what: &str, path: &Path) {
+        if self.scene.axes.are_left_handed() && self.defined.insert("left-handed axes".to_owned()) {
+            let message = format!("{what} is counted counter-clockwise, but these axes turn clockwise from x to y");
+            let help = "turn one of them round, such as `y: upwards` for `y: downwards`";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.clone()));
+        }
+    }
+
     /// The words that stand for a direction and are no axis, each with its place: names of angles, if they are given or asked.
     #[must_use]
     pub fn words(&self) -> &[(String, Path)] {
@@ -98,7 +107,9 @@ impl Builder<'_> {
 
     fn turned(&mut self, turn: &str, base: &str, sign_of_y: i64, path: &Path) -> Direction {
         let base = self.base_direction(base, path);
-        // Above is towards +y: counter-clockwise from +x, clockwise from -x.
+        // Above is towards +y, or towards -y where that axis points down: counter-clockwise from +x, clockwise from -x.
+        let falls = self.axes.iter().any(|(axis, senses)| *axis == Axis::Y && senses.rise() == Some(-1));
+        let sign_of_y = if falls { -sign_of_y } else { sign_of_y };
         let sign = if base.quarters == 2 { -sign_of_y } else { sign_of_y };
         let turn = Expr::integer(sign) * self.read_angle(turn, path);
         Direction::turned(base.quarters, turn)

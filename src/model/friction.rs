@@ -15,11 +15,14 @@ use crate::solve::Relation;
 
 use super::Builder;
 use super::Integral;
+use super::Name;
+use super::Passage;
 use super::QuantityKind;
 use super::Reason;
 use super::alternative::Alternative;
 use super::builder::LAW_COST;
 use super::forces::Acts;
+use super::incline::Incline;
 use super::stage::Pushed;
 
 /// The forces on a body that rests or slides on a floor, along its motion.
@@ -51,8 +54,9 @@ impl Builder<'_> {
             self.faults.push(fault.help("leave one axis, such as `axes: { x: to the right }`").at_path(path.clone()));
             return;
         };
-        let kinetic =
-            self.read(&friction.kinetic, Dimension::NONE, "the coefficient of kinetic friction", &path.key("kinetic"));
+        self.rubs_on_a_floor(&pushed.incline, path);
+        let meaning = "the coefficient of kinetic friction";
+        let kinetic = self.read_positive(&friction.kinetic, Dimension::NONE, meaning, &path.key("kinetic"));
         let contact = self.contact(pushed, kinetic, axis);
         self.note_impulse(index, body, pushed.acting.first().map_or("friction", |force| &force.name), Vec::new());
         self.neglect("air resistance", "the problem gives none");
@@ -66,9 +70,12 @@ impl Builder<'_> {
         self.note_floor(acts, &pushed.incline, weight, normal, kinetic, pushed.sign < 0);
         match &friction.at_rest {
             Some(term) => {
-                let threshold =
-                    self.read(term, Dimension::NONE, "the coefficient of static friction", &path.key("static"));
-                self.start_from_rest(pushed, &contact, &(threshold * contact.normal.clone()));
+                let meaning = "the coefficient of static friction";
+                let threshold = self.read_positive(term, Dimension::NONE, meaning, &path.key("static"));
+                let weaker = Reason::StaticBelowKinetic(name.clone());
+                self.require(threshold.clone(), Relation::AtLeast, contact.kinetic.clone(), weaker);
+                let threshold = threshold * contact.normal.clone();
+                self.start_from_rest(pushed, &contact, &threshold);
             }
             None => {
                 self.sliding(pushed, &contact);
@@ -80,6 +87,16 @@ impl Builder<'_> {
             let forces = vec![sign.clone() * contact.along, -(sign.clone() * contact.kinetic * contact.normal)];
             let ends = [contact.before, contact.after].map(|speed| sign.clone() * speed);
             self.push_over(pushed, forces, distance, ends);
+        }
+    }
+
+    /// Friction needs something that presses: along a vertical axis weight presses on nothing.
+    pub(super) fn rubs_on_a_floor(&mut self, incline: &Incline, path: &Path) {
+        if incline.press.is_zero() {
+            let fault =
+                Fault::new(Code::Value, "along a vertical axis nothing presses on a floor, so there is no friction");
+            let help = "remove `friction`; write a force that holds the body back as one of the forces";
+            self.faults.push(fault.help(help).at_path(path.clone()));
         }
     }
 
@@ -147,14 +164,38 @@ impl Builder<'_> {
             let reason = Reason::StopsEarly(name.clone());
             self.require(contact.after.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
+        self.slides_from(pushed, contact, &pushed.start, true);
         let reason = Reason::SlidesBackwards(name);
         self.require(contact.before.clone(), Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// A body that starts from rest: it slides from the time at which the push reaches the threshold, at once, or not at all.
+    /// Where the net force changes, a body that slides one way at both ends may stop in between, or leave its floor.
+    fn slides_from(&mut self, pushed: &Pushed<'_>, contact: &Contact, begins: &Expr, moves: bool) {
+        let (name, clock) = (self.called(pushed.body), pushed.clock);
+        let ends = [begins.clone(), pushed.end.clone()];
+        if contact.normal.contains(clock) {
+            let reason = Reason::LeavesFloor(name.clone());
+            for end in [&pushed.start, &pushed.end] {
+                let normal = contact.normal.substitute(&|symbol| (symbol == clock).then(|| end.clone()));
+                self.require(normal, Relation::AtLeast, Expr::zero(), reason.clone());
+            }
+            self.passages.push(Passage { place: clock, ends: ends.clone(), kinetic: contact.normal.clone(), reason });
+        }
+        let net = contact.net();
+        let Some(gained) = net.definite(clock, begins, &clock.into()).filter(|_| net.contains(clock)) else { return };
+        let start = if moves { self.mass(pushed.body) * contact.before.clone() } else { Expr::zero() };
+        self.passages.push(Passage { place: clock, ends, kinetic: start + gained, reason: Reason::StopsEarly(name) });
+    }
+
+    /// A body that starts from rest: it slides from the time at which the push reaches the threshold, at once, or not at all. One that
+    /// may move already is held by kinetic friction only.
     fn start_from_rest(&mut self, pushed: &Pushed<'_>, contact: &Contact, threshold: &Expr) {
         let (index, start, end, along) = (pushed.index, &pushed.start, &pushed.end, &contact.along);
         let name = self.called(pushed.body);
+        let may_move = self.may_move(pushed.body, index);
+        if !may_move {
+            self.starts_from_rest(index, pushed.body);
+        }
         let begins = self.begins(index, &name);
         let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         let changes = along.contains(pushed.clock) || threshold.contains(pushed.clock);
@@ -189,17 +230,57 @@ impl Builder<'_> {
         let weak = Reason::NotBeyondAtStart;
         at_once.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), weak));
         ways.push(at_once);
+        for way in &mut ways {
+            let stops = Reason::StopsEarly(name.clone());
+            way.conditions.push(self.condition(contact.after.clone(), Relation::AtLeast, Expr::zero(), stops));
+        }
+
+        // Where it stays at rest, it starts at no time, and there is nothing to go through.
+        let from = self.begins(index, &name);
+        self.slides_from(pushed, contact, &from, may_move);
 
         let mut stays = alternative(format!("{name} stays at rest"));
         stays.still = Some((index, pushed.body.to_owned()));
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-        let reason = Reason::Beyond(name);
+        let reason = Reason::Beyond(name.clone());
         stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
         stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), backwards));
         ways.push(stays);
+        if may_move {
+            for way in &mut ways {
+                for relation in [Relation::AtMost, Relation::AtLeast] {
+                    let reason = Reason::MovesAlready(name.clone());
+                    way.conditions.push(self.condition(contact.before.clone(), relation, Expr::zero(), reason));
+                }
+            }
+            ways.push(self.goes_on_sliding(pushed, contact));
+        }
         self.choices.push(ways);
+    }
+
+    /// Whether a body may move when a stage begins: something has happened to it, or the problem gives its velocity.
+    fn may_move(&self, body: &str, index: usize) -> bool {
+        let since = self.timeline.naming_instant(body, index + 1);
+        since > 1 || self.given.contains(&Name::of(QuantityKind::Velocity, body).at(1).to_string())
+    }
+
+    /// A body that moves when the push begins slides from then on.
+    fn goes_on_sliding(&mut self, pushed: &Pushed<'_>, contact: &Contact) -> Alternative {
+        let (index, name) = (pushed.index, self.called(pushed.body));
+        let mut slides =
+            Alternative { what: format!("{name} moves already and goes on sliding"), ..Alternative::default() };
+        let begins = self.begins(index, &name);
+        let because = format!("{name} slides from the beginning");
+        let sides = (begins, pushed.start.clone());
+        slides.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
+        slides.equations.extend(self.gains(pushed, contact, &pushed.start, ""));
+        let reason = Reason::RestsOrSlidesBack(name.clone());
+        slides.conditions.push(self.condition(contact.before.clone(), Relation::Greater, Expr::zero(), reason));
+        let reason = Reason::StopsEarly(name);
+        slides.conditions.push(self.condition(contact.after.clone(), Relation::AtLeast, Expr::zero(), reason));
+        slides
     }
 
     /// What a body that was at rest gains from the time on at which it starts to slide.
@@ -219,8 +300,13 @@ impl Builder<'_> {
         let because = format!("{since}the impulse is that of the push minus kinetic friction");
         let sides = (gained.clone(), value);
         let impulse = self.stated(LAW_COST, &force::IMPULSE, Some(index), because, sides, integral);
-        let because = format!("{name} starts from rest");
-        let sides = (gained, mass * contact.after.clone());
+        let (because, start) = if self.may_move(pushed.body, index) {
+            (format!("the impulse changes the momentum of {name}"), mass.clone() * contact.before.clone())
+        } else {
+            (format!("{name} starts from rest"), Expr::zero())
+        };
+        let sides =
+            (Expr::sum([start, gained].into_iter().filter(|part| !part.is_zero())), mass * contact.after.clone());
         let momentum = self.stated(LAW_COST, &momentum::IMPULSE_MOMENTUM, Some(index), because, sides, None);
         vec![impulse, momentum]
     }

@@ -1,14 +1,19 @@
 //! Bodies that a guide lets move along one direction only, and the momentum of what they belong to.
 
 use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::momentum;
 use crate::laws::separation;
 use crate::scene::Axis;
+use crate::scene::Stage;
 
 use super::Agent;
 use super::Builder;
+use super::Effect;
 use super::Impulse;
+use super::Influence;
 use super::QuantityKind;
 use super::frame::Direction;
 
@@ -24,6 +29,11 @@ pub(super) struct Guided {
 }
 
 impl Guided {
+    /// Whether another guide runs along the same line, one way or the other.
+    fn is_parallel_to(&self, other: &Self) -> bool {
+        self.along.turn == other.along.turn && self.along.quarters % 2 == other.along.quarters % 2
+    }
+
     /// The direction at right angles to the guide, counter-clockwise.
     fn across(&self) -> Direction {
         Direction::turned(self.along.quarters + 1, self.along.turn.clone())
@@ -60,6 +70,70 @@ impl Builder<'_> {
         self.law(&separation::GUIDE, stage, because, (dot(&velocity, &across), Expr::zero()));
     }
 
+    /// Impulse and momentum of one guided body: along its guide, by the impulses that act on it; across the guide, by what the
+    /// guide adds to them, so that it does not move that way. `acting` holds the components of each impulse.
+    pub(super) fn momentum_along_guide(&mut self, guide: &Guided, stage: usize, acting: &[Vec<Expr>], because: &str) {
+        let (name, mass) = (self.called(&guide.body), self.mass_at(&guide.body, stage + 1));
+        self.hold(guide, stage + 1, None);
+        self.hold(guide, stage + 2, Some(stage));
+        let [before, after] = [stage + 1, stage + 2].map(|instant| self.velocities(&guide.body, instant));
+        let [along, across] = [guide.along.clone(), guide.across()].map(|direction| self.components(&direction));
+        let felt = |direction: &[Expr]| -> Vec<Expr> {
+            let parts = acting.iter().map(|impulse| dot(impulse, direction).simplify());
+            parts.filter(|part| !part.is_zero()).collect()
+        };
+        let impulses = felt(&along);
+        let line = if impulses.is_empty() {
+            format!("no impulse acts on {name} along {}", guide.by)
+        } else {
+            format!("{because}, and {} exerts no impulse along the line on which {name} can move", guide.by)
+        };
+        let sides = momentum::impulse_momentum(&mass, &dot(&before, &along), &impulses, &dot(&after, &along));
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(stage), line, sides);
+        let reaction = self.guide_impulse(guide, stage, &across);
+        let line = format!("across it, {} balances the other impulses on {name}", guide.by);
+        let balanced: Vec<Expr> = felt(&across).into_iter().chain([reaction]).collect();
+        let sides = momentum::impulse_momentum(&mass, &Expr::zero(), &balanced, &Expr::zero());
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(stage), line, sides);
+    }
+
+    /// Two guides that cross take up momentum along every line.
+    fn guides_cross(&mut self, stage: usize, guides: [&Guided; 2]) {
+        let [one, other] = guides.map(|own| self.called(&own.body));
+        let message =
+            format!("the guides of {one} and {other} cross, so that their momentum is conserved along no line");
+        let help = "give an impact its `line_of_impact` and `restitution`, along which each body is looked at alone";
+        let key = self.scene.stages.get(stage).map_or("", Stage::key);
+        let path = Path::root().key("scene").key("stages").index(stage).key(key);
+        self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path));
+    }
+
+    /// The impulse that a guide gives its body at right angles to its line, as a quantity and among the impulses of the stage.
+    fn guide_impulse(&mut self, guide: &Guided, stage: usize, across: &[Expr]) -> Expr {
+        let name = self.called(&guide.body);
+        let reaction = self.in_stage(QuantityKind::GuideImpulse, &guide.body, stage);
+        let meaning = format!("the impulse of {} on {name}", guide.by);
+        let reaction = Expr::from(self.symbol(reaction, meaning));
+        let components =
+            across.iter().map(|part| if part.is_zero() { part.clone() } else { reaction.clone() * part.clone() });
+        let lasts = self.scene.stages.get(stage).is_some_and(Stage::takes_time);
+        self.impulses.push(Impulse {
+            stage,
+            on: guide.body.clone(),
+            by: Agent::Guide,
+            called: guide.by.clone(),
+            components: components.collect(),
+            impulsive: true,
+        });
+        if lasts {
+            let force = across.iter().map(|part| if part.is_zero() { Effect::Of(part.clone()) } else { Effect::Open });
+            let holds = Influence::outside(stage, &guide.body, guide.by.as_str()).workless();
+            self.acts(Influence { force: force.collect(), ..holds });
+        }
+        self.neglect(format!("friction with {}", guide.by), "the problem gives none");
+        reaction
+    }
+
     /// Mass and velocities of bodies at an instant.
     pub(super) fn carrying(&mut self, bodies: &[&str], instant: usize) -> Carriers {
         bodies.iter().map(|body| (self.mass_at(body, instant), self.velocities(body, instant))).collect()
@@ -80,6 +154,9 @@ impl Builder<'_> {
             }
             return;
         };
+        if let Some(crossing) = guided.iter().find(|own| !own.is_parallel_to(&guide)) {
+            return self.guides_cross(stage, [&guide, crossing]);
+        }
         for own in &guided {
             self.hold(own, stage + 2, Some(stage));
         }
@@ -93,22 +170,13 @@ impl Builder<'_> {
         let line = format!("{because}, and no impulse of {} acts along the line on which {name} can move", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &along));
         self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
-        let reaction = self.in_stage(QuantityKind::GuideImpulse, &guide.body, stage);
-        let meaning = format!("the impulse of {} on {name}", guide.by);
-        let reaction = Expr::from(self.symbol(reaction, meaning));
-        let line = format!("at right angles to that line, {name} receives an external impulse from {}", guide.by);
+        let reactions: Vec<Expr> = guided.iter().map(|own| self.guide_impulse(own, stage, &across)).collect();
+        let line = match &guided[..] {
+            [_] => format!("at right angles to that line, {name} receives an external impulse from {}", guide.by),
+            _ => "at right angles to that line, the guides exert external impulses".to_owned(),
+        };
         let [from, to] = [&start, &end].map(|own| projected(own, &across));
-        self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &reaction, &to));
-        let components = across.into_iter().map(|part| if part.is_zero() { part } else { reaction.clone() * part });
-        self.impulses.push(Impulse {
-            stage,
-            on: guide.body.clone(),
-            by: Agent::Guide,
-            called: guide.by.clone(),
-            components: components.collect(),
-            impulsive: true,
-        });
-        self.neglect(format!("friction with {}", guide.by), "the problem gives none");
+        self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &Expr::sum(reactions), &to));
     }
 }
 

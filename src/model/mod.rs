@@ -3,6 +3,7 @@
 mod acting;
 mod alternative;
 mod angle_unit;
+mod bond;
 mod builder;
 mod check;
 mod collision;
@@ -34,6 +35,7 @@ mod rotor;
 mod space;
 mod speeds;
 mod stage;
+mod standing;
 mod stored;
 mod strength;
 mod tied;

@@ -74,7 +74,9 @@ impl Builder<'_> {
             let [before, after] = [&pair.before[own], &pair.after[own]];
             let sides = momentum::impulse_momentum(&masses[own], before, std::slice::from_ref(impulse), after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(pair.index), because, sides);
-            self.mean_force(pair.index, pair.bodies[own], impulse, duration, path);
+            // In a plane the average force is a magnitude: a string draws the second body back along its line.
+            let size = if component.is_some() && own == 1 { -impulse.clone() } else { impulse.clone() };
+            self.mean_force(pair.index, pair.bodies[own], &size, duration, path);
             let components = resolve(self, impulse);
             self.impulses.push(Impulse {
                 stage: pair.index,

@@ -15,6 +15,15 @@ pub enum Reason {
     /// Two bodies would not press the spring between them.
     #[error("{0} would not catch up with {1}, and the spring would not be compressed")]
     NotCompressed(String, String),
+    /// A spring relaxes in a stage.
+    #[error("the spring is deformed less at the end than at the start")]
+    SpringRelaxes,
+    /// A spring is deformed further in a stage.
+    #[error("the spring is deformed more at the end than at the start")]
+    SpringDeforms,
+    /// The string between two bodies that was taut would have to stretch.
+    #[error("the string between {0} and {1} is taut already and would have to stretch")]
+    StringStretches(String, String),
     /// The string between two bodies would stay slack.
     #[error("{1} would not move away from {0}, and the string would stay slack")]
     StaysSlack(String, String),
@@ -119,6 +128,21 @@ pub enum Reason {
     /// A push exceeds static friction the other way.
     #[error("the push exceeds static friction backwards, so {0} does not stay at rest")]
     BeyondBackwards(String),
+    /// Static friction is weaker than kinetic friction.
+    #[error("the coefficient of static friction of {0} is below that of kinetic friction")]
+    StaticBelowKinetic(String),
+    /// A push lifts a body off its floor.
+    #[error("the push would lift {0} off its floor before the end")]
+    LeavesFloor(String),
+    /// A body that moves round a point would not come so near to it, or so far from it.
+    #[error("{0} would not reach that distance")]
+    OutOfReach(String),
+    /// A body that a push finds at rest moves already.
+    #[error("{0} moves when the push begins")]
+    MovesAlready(String),
+    /// A body that a push finds sliding forwards does not.
+    #[error("{0} would have to slide forwards when the push begins")]
+    RestsOrSlidesBack(String),
     /// A thrust does not lift a body at once.
     #[error("the thrust is less than the weight at the start, so {0} stays on the ground for a while")]
     WaitsOnGround(String),
@@ -146,6 +170,9 @@ pub enum Reason {
     /// A stage lasts longer than what acts in it is known.
     #[error("the stage lasts longer than the time for which {0} is given")]
     OutlastsForce(String),
+    /// A stage begins before what acts in it is known.
+    #[error("the stage begins before the time from which {0} is given")]
+    PrecedesForce(String),
     /// The pieces of a force are in order.
     #[error("the pieces of a force must be in order of time")]
     PiecesInOrder,

@@ -111,6 +111,20 @@ impl Senses {
         }
     }
 
+    /// Where the axis points, to the right, upwards and towards the reader: those of the four winds lie on the ground, north away from
+    /// the reader.
+    fn in_space(&self) -> Option<[i64; 3]> {
+        Some(match self.positive.as_str() {
+            "to the right" | "east" => [1, 0, 0],
+            "to the left" | "west" => [-1, 0, 0],
+            "upwards" => [0, 1, 0],
+            "downwards" => [0, -1, 0],
+            "towards you" | "south" => [0, 0, 1],
+            "away from you" | "north" => [0, 0, -1],
+            _ => return None,
+        })
+    }
+
     /// Whether the axis runs up (1) or down (-1) a slope, where its words say so.
     #[must_use]
     pub fn climb(&self) -> Option<i64> {
@@ -163,6 +177,28 @@ impl Axes {
         match self {
             Self::Polar(_) => Vec::new(),
             Self::Rectangular(map) => map.iter().map(|(axis, sense)| (*axis, sense.senses(*axis))).collect(),
+        }
+    }
+
+    /// Whether the axes are known to be left-handed: two of a plane where the turn from x to y is clockwise as the plane is usually seen,
+    /// from the front or from above, or three in space.
+    ///
+    /// ```
+    /// use momentous::scene::Axes;
+    /// let axes = |text: &str| serde_json::from_str::<Axes>(text).unwrap();
+    /// assert!(axes(r#"{ "x": "to the right", "y": "downwards" }"#).are_left_handed());
+    /// assert!(!axes(r#"{ "x": "to the right", "y": "away from you" }"#).are_left_handed());
+    /// assert!(!axes(r#"{ "x": "east", "y": "north" }"#).are_left_handed());
+    /// ```
+    #[must_use]
+    pub fn are_left_handed(&self) -> bool {
+        let known: Option<Vec<[i64; 3]>> = self.rectangular().iter().map(|(_, senses)| senses.in_space()).collect();
+        let cross = |[a, b, c]: [i64; 3], [d, e, f]: [i64; 3]| [b * f - c * e, c * d - a * f, a * e - b * d];
+        match known.as_deref() {
+            // Seen from the front, from above, or on a map from the south.
+            Some([x, y]) => [[0, 0, -1], [0, -1, 0]].contains(&cross(*x, *y)),
+            Some([x, y, z]) => cross(*x, *y).iter().zip(z).map(|(one, other)| one * other).sum::<i64>() < 0,
+            _ => false,
         }
     }
 }

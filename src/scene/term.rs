@@ -14,6 +14,13 @@ impl Term {
     pub fn mentions(&self, name: &str) -> bool {
         self.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(|word| word == name)
     }
+
+    /// Whether it is the number zero, with a unit or without.
+    #[must_use]
+    pub fn is_written_as_zero(&self) -> bool {
+        let number = self.0.split_whitespace().next().and_then(|number| number.parse::<f64>().ok());
+        number.is_some_and(|number| number == 0.0)
+    }
 }
 
 /// The forms that YAML gives a term.

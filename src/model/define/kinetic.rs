@@ -63,6 +63,9 @@ pub(super) fn potential_energy(builder: &mut Builder<'_>, name: &Name) -> Option
 
 pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &builder.impacts())?;
+    if let Some(Stage::Stream(_)) = builder.scene.stages.get(stage) {
+        return builder.lost_in_stream(stage);
+    }
     let meaning = format!("the kinetic energy lost in {}", builder.stage_phrase(stage));
     balance_of_energy(builder, &energy::LOSS, stage, QuantityKind::EnergyLost, meaning)
 }

@@ -11,10 +11,12 @@ use crate::scene::stage::Separate;
 
 use super::super::Agent;
 use super::super::Builder;
+use super::super::Effect;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::name::MASS_CENTRE;
 use super::super::name::Meaning;
+use super::super::stage::Description;
 
 pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
@@ -61,19 +63,14 @@ impl Builder<'_> {
         let Some(before) = self.quantity(before) else { return };
         let Some(position) = self.axes.iter().position(|(own, _)| *own == axis) else { return };
         let alive = self.timeline.alive(instant).len();
-        let outside: Vec<Expr> = self
-            .impulses
-            .iter()
-            .filter(|impulse| impulse.stage + 2 == instant && !matches!(impulse.by, Agent::Body(_)))
-            .filter_map(|impulse| impulse.components.get(position).cloned())
-            .collect();
-        let pushed = self.scene.stages.get(instant - 2).is_some_and(|stage| {
-            matches!(stage, Stage::Fall(_) | Stage::Thrust(_))
-                || matches!(stage, Stage::Push(push) if push.mass_change().is_some())
+        // Mass that joins or leaves carries momentum of its own, and of a fall no time is told.
+        let is_apart = self.scene.stages.get(instant - 2).is_some_and(|stage| {
+            matches!(stage, Stage::Fall(_)) || matches!(stage, Stage::Push(push) if push.mass_change().is_some())
         });
-        if alive < 2 || pushed || self.downwards(position).is_some() && !self.is_impulsive(instant) {
+        if alive < 2 || is_apart || self.downwards(position).is_some() && !self.is_impulsive(instant) {
             return;
         }
+        let Some(outside) = self.impulses_from_outside(instant - 2, position) else { return };
         let parts = self.carriers(instant, axis);
         let total = mass_centre::total_mass(&parts);
         let because = if outside.is_empty() {
@@ -84,6 +81,23 @@ impl Builder<'_> {
         };
         let sides = momentum::impulse_momentum(&total, &before.into(), &outside, &after.into());
         self.law(&mass_centre::MOTION, Some(instant - 2), because, sides);
+    }
+
+    /// The impulses that act on the bodies of the scene from outside in a stage, along the axis of that position; none where one of them
+    /// is not known, as where only the force is told and not for how long it acts.
+    fn impulses_from_outside(&self, stage: usize, position: usize) -> Option<Vec<Expr>> {
+        let noted = || self.impulses.iter().filter(|own| own.stage == stage && !matches!(own.by, Agent::Body(_)));
+        let unnoted = self.influences.iter().filter(|own| own.stage == stage && own.by.is_empty()).any(|own| {
+            let is_nothing = matches!(own.along(position), Effect::Of(force) if force.is_zero());
+            !is_nothing && noted().all(|impulse| impulse.on != own.on)
+        });
+        // What holds a fixed point pushes on whatever turns about it.
+        let stage_itself = self.scene.stages.get(stage)?;
+        let is_held = Description::of(self.scene, stage_itself).about.is_some_and(|about| about != MASS_CENTRE);
+        if unnoted || is_held {
+            return None;
+        }
+        noted().map(|impulse| impulse.components.get(position).cloned()).collect()
     }
 
     fn is_impulsive(&self, instant: usize) -> bool {

@@ -13,6 +13,7 @@ mod velocity;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::fault::Path;
 use crate::laws::force;
 use crate::laws::geometry;
 use crate::laws::kinematics;
@@ -122,6 +123,16 @@ impl Builder<'_> {
             let index =
                 self.timeline.stage(self.scene, &stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))?;
             name.stage = self.stage_label(index);
+        }
+        if matches!(
+            name.kind,
+            QuantityKind::Direction(_)
+                | QuantityKind::AngularMomentum
+                | QuantityKind::AngularImpulse
+                | QuantityKind::Moment
+                | QuantityKind::AngularMomentumRate
+        ) {
+            self.counts_turns(&format!("`{name}`"), &Path::root().key("scene").key("axes"));
         }
         // With one axis there is one component, and `r_A1.x` is `r_A1`.
         if let [(only, _)] = self.axes[..]

@@ -22,8 +22,12 @@ pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symb
     let common = common_symbol(builder, stage)?;
     let symbol = impulse(builder, stage, QuantityKind::DeformationImpulse, "deformation");
     let Deformed { masses, before } = builder.deformed(stage)?;
+    let is_surface = masses.iter().any(Option::is_none);
+    let moves = before[1].clone();
     let (mass, start) = masses.into_iter().zip(before).find_map(|(mass, start)| Some((mass?, start)))?;
-    let slowed = mass * (start - common.into());
+    // Along the normal of a surface both are counted from it, whatever the axis.
+    let together = if is_surface && builder.axes.len() == 1 { moves } else { common.into() };
+    let slowed = mass * (start - together);
     let because = "the impulse of deformation is the first body's change of momentum up to that instant";
     builder.law(&restitution::DEFORMATION, Some(stage), because, (symbol.into(), slowed));
     Some(symbol)
@@ -67,7 +71,12 @@ fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
             let start = first.clone() * a + second.clone() * b;
             ("at the greatest deformation both have the same velocity", (start, (first + second) * common))
         }
-        _ => ("at the greatest deformation the body has the velocity of the surface", (common, b)),
+        // The velocity of a surface is told along its normal, that of the bodies along the only axis.
+        _ => {
+            let normal = builder.frames.get(stage)?.as_ref().map(|frame| builder.components(&frame.normal))?;
+            let b = if let [along] = &normal[..] { (along.clone() * b).simplify() } else { b };
+            ("at the greatest deformation the body has the velocity of the surface", (common, b))
+        }
     };
     if builder.defined.insert(format!("common {stage}")) {
         builder.law(&restitution::COMMON, Some(stage), because, sides);

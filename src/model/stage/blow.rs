@@ -21,14 +21,19 @@ impl Builder<'_> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let contact = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
         let gained = self.included_weight(&contact, body);
+        let guide = self.guided(body);
         let mut components = Vec::new();
         for (position, axis) in axes.iter().enumerate() {
-            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let along = self.along(*axis);
             let meaning = format!("the impulse on {name} from {}{along}", stage.by);
             let impulse = Name::of(QuantityKind::Impulse, body).along(self.letter(*axis));
             let impulse = impulse.during(self.stage_label(index));
             let impulse = Expr::from(self.symbol(impulse, meaning));
+            components.push(impulse.clone());
+            if guide.is_some() {
+                continue;
+            }
+            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let weight = gained.as_ref().map(|gained| gained[position].clone()).filter(|gained| !gained.is_zero());
             let because = match weight {
                 None => format!("{} gives {name} an impulse{along}", stage.by),
@@ -41,7 +46,10 @@ impl Builder<'_> {
             if axes.len() == 1 {
                 self.mean_force(index, body, &impulse, stage.duration.as_ref(), path);
             }
-            components.push(impulse);
+        }
+        if let Some(guide) = &guide {
+            let because = format!("{} gives {name} an impulse", stage.by);
+            self.momentum_along_guide(guide, index, std::slice::from_ref(&components), &because);
         }
         if axes.len() > 1 {
             self.resultant(index, body, &components, &format!("the impulse on {name} from {}", stage.by));
@@ -70,5 +78,6 @@ impl Builder<'_> {
             );
         }
         self.weigh_contact(&contact, &[(body, body)], false);
+        self.strings_before(index);
     }
 }

@@ -24,8 +24,15 @@ impl Builder<'_> {
         let [(r1, v1), (r2, v2)] = [index + 1, index + 2].map(|instant| self.polar_state(body, point, instant));
         let because =
             format!("the force on {name} always points to {centre} and has no moment about it; the mass cancels");
-        let sides = (r1.clone() * v1.clone(), r2 * v2);
+        let sides = (r1.clone() * v1.clone(), r2 * v2.clone());
         self.law(&angular::CENTRAL, Some(index), because, sides);
+        if stage.spring.is_some() || stage.gravity.is_some() {
+            if let Some(speed) = self.quantity(Name::of(QuantityKind::Speed, body).at(index + 2)) {
+                // Energy tells the speed at any distance, also at one that the body never comes to.
+                let reason = Reason::OutOfReach(name.clone());
+                self.require(Expr::from(speed).powi(2), Relation::AtLeast, v2.powi(2), reason);
+            }
+        }
         let rate = self.symbol(
             self.in_stage(QuantityKind::ArealRate, "", index),
             format!("the rate at which the radius from {centre} sweeps out area"),

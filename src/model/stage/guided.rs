@@ -33,6 +33,7 @@ impl Builder<'_> {
             [index + 1, index + 2].map(|instant| [first, second].map(|body| self.split(body, instant, index, &frame)));
         let meaning = format!("the impulse on {name_b} from {name_a} along the line of impact");
         let impulse = Expr::from(self.symbol(self.in_stage(QuantityKind::Impulse, second, index).along("n"), meaning));
+        let both = [first, second].iter().all(|body| self.guided(body).is_some());
         for (body, other, own, [start, end]) in
             [(first, second, -impulse.clone(), [&a1, &a2]), (second, first, impulse.clone(), [&b1, &b2])]
         {
@@ -44,15 +45,25 @@ impl Builder<'_> {
                 components: self.resolved(&own, &frame),
                 impulsive: true,
             });
-            if self.guided(body).is_none() {
-                self.smooth(index, body, start, end);
-                let mass = self.mass(body);
-                let because = format!("the only impulse on {} alone is that of the contact", self.called(body));
-                let sides = momentum::impulse_momentum(&mass, &start.along, &[own], &end.along);
-                self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            match self.guided(body) {
+                None => {
+                    self.smooth(index, body, start, end);
+                    let mass = self.mass(body);
+                    let because = format!("the only impulse on {} alone is that of the contact", self.called(body));
+                    let sides = momentum::impulse_momentum(&mass, &start.along, &[own], &end.along);
+                    self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+                }
+                Some(guide) if both => {
+                    let acting = [self.resolved(&own, &frame)];
+                    let because = format!("{} gives {} an impulse", self.called(other), self.called(body));
+                    self.momentum_along_guide(&guide, index, &acting, &because);
+                }
+                Some(_) => {}
             }
         }
-        self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
+        if !both {
+            self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
+        }
         if let Some(e) = self.coefficient(contact) {
             let because = "restitution acts along the line of impact only, whatever guides the bodies";
             let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);
@@ -70,6 +81,7 @@ impl Builder<'_> {
         let index = contact.index;
         let (name_a, name_b) = (self.called(first), self.called(second));
         let because = format!("the impulses that {name_a} and {name_b} exert on each other cancel");
+        self.catches_up(contact, [first, second]);
         match &contact.stage.becomes {
             Some(union) => self.momentum_of_all(index, &because, [&[first, second], &[union]]),
             None => {

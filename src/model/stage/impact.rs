@@ -16,6 +16,7 @@ use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::directions::Split;
 use crate::model::frame::Frame;
+use crate::model::guide::dot;
 use crate::model::weight_in_contact::Lasting;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -55,6 +56,7 @@ impl Builder<'_> {
             None => {}
         }
         self.told_loss(&contact);
+        self.strings_before(index);
         let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
         let after = |body| (body, stage.becomes.as_deref().unwrap_or(body));
         match stage.partners() {
@@ -190,7 +192,9 @@ impl Builder<'_> {
                 components: self.resolved(&impulses[own], frame),
                 impulsive: true,
             });
-            self.mean_force(index, bodies[own], &impulses[own], contact.stage.duration.as_ref(), contact.path);
+            // Along an oblique line the average force is a magnitude: the contact pushes the first body back along the line.
+            let size = if turned.is_some() && own == 0 { -impulses[own].clone() } else { impulses[own].clone() };
+            self.mean_force(index, bodies[own], &size, contact.stage.duration.as_ref(), contact.path);
         }
         let [on_first, on_second] = impulses;
         let because = "they are action and reaction";
@@ -319,10 +323,7 @@ impl Builder<'_> {
                 }
             }
         }
-        if axes.len() == 1 {
-            let [a, b] = [first, second].map(|body| self.velocity(body, index + 1, axes[0]));
-            self.require(a, Relation::Differs, b, Reason::NotMet(name_a.clone(), name_b.clone()));
-        }
+        self.catches_up(contact, [first, second]);
         self.not_needed("the forces between the bodies", "their impulses cancel in pairs within the system");
         self.neglect(
             "friction and other resistance from outside",
@@ -339,6 +340,15 @@ impl Builder<'_> {
     }
 
     /// The line of impact: stated, or the only axis.
+    /// Along the line of impact, where there is one, the first body catches up with the second.
+    pub(super) fn catches_up(&mut self, contact: &Contact<'_>, bodies: [&str; 2]) {
+        let Some(frame) = self.line_of_impact(contact) else { return };
+        let line = self.components(&frame.normal);
+        let [a, b] = bodies.map(|body| dot(&self.velocities(body, contact.index + 1), &line));
+        let [one, other] = bodies.map(|body| self.called(body));
+        self.require(a, Relation::Greater, b, Reason::NoCatchingUp(one, other));
+    }
+
     pub(super) fn line_of_impact(&mut self, contact: &Contact<'_>) -> Option<Frame> {
         match &contact.stage.line_of_impact {
             Some(term) => Some(Frame { normal: self.direction(term, &contact.path.key("line_of_impact")) }),

@@ -37,7 +37,10 @@ impl Builder<'_> {
             [_, _, _] => letters.iter().map(|letter| Some(*letter)).collect(),
             _ => Vec::new(),
         };
-        for point in scene.points.keys() {
+        // What guides a body has a moment of its own, so that nothing is known of angular momentum.
+        let points = scene.points.keys().filter(|_| bodies.iter().all(|body| self.guided(body).is_none()));
+        let points: Vec<&String> = points.collect();
+        for point in points {
             for letter in &turnings {
                 let about = Name::of(QuantityKind::AngularMomentum, point).along(*letter);
                 let [before, after] =
@@ -47,6 +50,13 @@ impl Builder<'_> {
                     "the forces between the bodies are equal and opposite along one line, and their moments cancel";
                 self.law(&angular::CONSERVATION, Some(index), because, (before, after));
             }
+        }
+        if stage.elastic && stage.loss.is_some() {
+            let fault = Fault::new(
+                Code::OverDetermined,
+                "`elastic` says that no kinetic energy is lost, and `loss` that some is",
+            );
+            self.faults.push(fault.help("remove `elastic` or `loss`").at_path(path.key("loss")));
         }
         let loss = match &stage.loss {
             Some(term) => Some(self.read(term, Dimension::ENERGY, "the kinetic energy lost", &path.key("loss"))),

@@ -25,6 +25,7 @@ mod orbit;
 mod push;
 mod push_by_place;
 mod push_changing;
+mod push_guided;
 mod push_motion;
 mod push_quadratic;
 mod push_resisted;

@@ -16,6 +16,7 @@ use crate::scene::stage::Moment;
 impl Builder<'_> {
     pub(in crate::model) fn moment(&mut self, index: usize, stage: &Moment, path: &Path) {
         let Some(centre) = self.centre(&stage.about) else { return };
+        self.counts_turns("a moment", &path.key("value"));
         let (start, end) = self.duration(index, &stage.during, &path.key("during"));
         self.lasting[index] = Some(end.clone() - start.clone());
         let letters = self.axis_letters();

@@ -93,6 +93,9 @@ impl Builder<'_> {
         }
         for force in &acting {
             self.told_throughout(&force.name, &force.strength, end);
+            if let Some([first, _]) = force.points.first() {
+                self.in_order(first, start, Reason::PrecedesForce(force.name.clone()));
+            }
         }
         if stage.told == Some(ToldBy::Graph) {
             self.print_graph(index, &acting, end, &path.key("told"));
@@ -138,37 +141,13 @@ impl Builder<'_> {
     fn push_freely(&mut self, pushed: &Pushed<'_>, on_slope: bool) {
         let (index, body, [start, end]) = (pushed.index, pushed.body, [&pushed.start, &pushed.end]);
         let mass = self.mass(body);
-        let name = self.called(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let parts: Vec<Vec<Expr>> = pushed.acting.iter().map(|force| self.components(&force.direction)).collect();
         let impulses: Vec<Expr> =
             pushed.acting.iter().map(|force| self.impulse_of(index, force, pushed.clock, [start, end])).collect();
-        for (position, axis) in axes.iter().enumerate() {
-            let mut along: Vec<Expr> =
-                impulses.iter().zip(&parts).map(|(impulse, part)| impulse.clone() * part[position].clone()).collect();
-            if on_slope {
-                along.push(self.weight_on_slope(body, &pushed.incline) * (end.clone() - start.clone()));
-            } else {
-                along.extend(self.weight_impulse(&mass, position, start, end));
-            }
-            let along: Vec<Expr> = along.into_iter().filter(|impulse| !impulse.is_zero()).collect();
-            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
-            let after = if pushed.stops { Expr::zero() } else { after };
-            let because = if along.is_empty() {
-                format!("no impulse acts on {name} along {}", axis.letter())
-            } else {
-                format!("the impulse of the forces on {name} equals the change of momentum")
-            };
-            let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
-            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
-            let weight = match (on_slope, self.downwards(position)) {
-                (true, _) => Some(self.weight_on_slope(body, &pushed.incline)),
-                (false, down) => down.map(|down| Expr::integer(down) * mass.clone() * self.gravity()),
-            };
-            let pulls = pushed.acting.iter().zip(&parts);
-            let pulls = pulls.map(|(force, part)| force.strength.clone() * part[position].clone());
-            let forces: Vec<Expr> = pulls.chain(weight).collect();
-            self.motion_along(pushed, *axis, &forces);
+        match self.guided(body) {
+            Some(guide) => self.push_along_guide(pushed, &guide, &impulses, &parts),
+            None => self.push_along_axes(pushed, on_slope, &impulses, &parts),
         }
         if let ([axis], Some(distance)) = (&axes[..], &pushed.over) {
             let forces = pushed.acting.iter().zip(&parts).map(|(force, part)| force.strength.clone() * part[0].clone());
@@ -193,7 +172,7 @@ impl Builder<'_> {
                 on: body.to_owned(),
                 by: Agent::Outside,
                 called: force.name.clone(),
-                components: part.iter().map(|part| impulse.clone() * part.clone()).collect(),
+                components: times(impulse, part),
                 impulsive: false,
             });
         }
@@ -201,6 +180,40 @@ impl Builder<'_> {
             self.leave_out_what_acts_across();
             let what = if self.axes.len() < 3 { "friction and other resistance" } else { "other resistance" };
             self.neglect(what, "the problem gives none");
+        }
+    }
+
+    /// Impulse and momentum of a body that nothing guides, along every axis.
+    fn push_along_axes(&mut self, pushed: &Pushed<'_>, on_slope: bool, impulses: &[Expr], parts: &[Vec<Expr>]) {
+        let (index, body, [start, end]) = (pushed.index, pushed.body, [&pushed.start, &pushed.end]);
+        let (mass, name) = (self.mass(body), self.called(body));
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for (position, axis) in axes.iter().enumerate() {
+            let mut along: Vec<Expr> =
+                impulses.iter().zip(parts).map(|(impulse, part)| impulse.clone() * part[position].clone()).collect();
+            if on_slope {
+                along.push(self.weight_on_slope(body, &pushed.incline) * (end.clone() - start.clone()));
+            } else {
+                along.extend(self.weight_impulse(&mass, position, start, end));
+            }
+            let along: Vec<Expr> = along.into_iter().filter(|impulse| !impulse.is_zero()).collect();
+            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            let after = if pushed.stops { Expr::zero() } else { after };
+            let because = if along.is_empty() {
+                format!("no impulse acts on {name} along {}", axis.letter())
+            } else {
+                format!("the impulse of the forces on {name} equals the change of momentum")
+            };
+            let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            let weight = match (on_slope, self.downwards(position)) {
+                (true, _) => Some(self.weight_on_slope(body, &pushed.incline)),
+                (false, down) => down.map(|down| Expr::integer(down) * mass.clone() * self.gravity()),
+            };
+            let pulls = pushed.acting.iter().zip(parts);
+            let pulls = pulls.map(|(force, part)| force.strength.clone() * part[position].clone());
+            let forces: Vec<Expr> = pulls.chain(weight).collect();
+            self.motion_along(pushed, *axis, &forces);
         }
     }
 
@@ -372,4 +385,9 @@ impl Builder<'_> {
         self.integral(&force::IMPULSE, index, because, (symbol.into(), value.simplify()), integral);
         symbol.into()
     }
+}
+
+/// A vector as its strength times the components of its direction.
+pub(super) fn times(strength: &Expr, direction: &[Expr]) -> Vec<Expr> {
+    direction.iter().map(|part| strength.clone() * part.clone()).collect()
 }

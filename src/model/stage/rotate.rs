@@ -1,5 +1,7 @@
 //! Particles on an arm: angular impulse and momentum about a fixed point.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Path;
@@ -17,10 +19,12 @@ use crate::model::Work;
 use crate::model::name::Meaning;
 use crate::model::turned::Turned;
 use crate::quantity::Dimension;
+use crate::scene::Stage;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
 use super::along_path::Along;
+use super::described::Description;
 
 impl Builder<'_> {
     pub(in crate::model) fn rotate(&mut self, index: usize, stage: &Rotate, path: &Path) {
@@ -171,8 +175,7 @@ impl Builder<'_> {
             terms.extend(self.momentum_of_rotor(stage.rotor.as_deref(), &turn));
         }
         let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-        let momentum =
-            Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
+        let momentum = Expr::from(self.symbol(self.momentum_on_arm_by_name(index, side, &stage.about), meaning));
         let because = match (held, &stage.rotor) {
             ([], Some(rotor)) => format!("{} turns about {centre}", self.called(rotor)),
             (_, Some(rotor)) => format!("all turn together with {}", self.called(rotor)),
@@ -181,6 +184,24 @@ impl Builder<'_> {
         };
         self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
         momentum
+    }
+
+    /// The name of the angular momentum about a point at the start of a stage (0) or at its end (1). Where the stage beside it counts other
+    /// bodies, there are two of them at that instant, and each has the stage in its name.
+    pub(in crate::model) fn momentum_on_arm_by_name(&self, index: usize, side: usize, about: &str) -> Name {
+        let turning = |stage: usize| -> Option<BTreeSet<&str>> {
+            let own = self.scene.stages.get(stage)?;
+            if !matches!(own, Stage::Rotate(_) | Stage::Strike(_)) {
+                return None;
+            }
+            let own = Description::of(self.scene, own);
+            (own.about == Some(about)).then(|| own.bodies.iter().map(|(body, _)| *body).collect())
+        };
+        let beside = if side == 0 { index.checked_sub(1) } else { Some(index + 1) };
+        let others = beside.and_then(turning);
+        let differs = others.is_some_and(|others| turning(index).is_some_and(|own| own != others));
+        let name = Name::of(QuantityKind::AngularMomentum, about).at(index + 1 + side);
+        if differs { name.during(self.stage_label(index)) } else { name }
     }
 
     /// The angular velocity of a body by itself.

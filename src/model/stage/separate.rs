@@ -15,6 +15,7 @@ use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::frame::Direction;
 use crate::model::stage::push::Acting;
+use crate::model::weight_in_contact::Lasting;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
@@ -50,6 +51,10 @@ impl Builder<'_> {
         if let Some(relative) = &stage.relative {
             self.relative_velocity(index, relative, &before, &path.key("relative"));
         }
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &[], path };
+        let weighed: Vec<(&str, &str)> =
+            parts.iter().map(|part| (stage.from.as_deref().unwrap_or(part), *part)).collect();
+        self.weigh_contact(&lasting, &weighed, false);
         let phrase = self.stage_phrase(index);
         if self.scene.plane == Plane::Vertical {
             self.neglect(

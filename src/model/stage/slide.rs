@@ -38,6 +38,7 @@ impl Builder<'_> {
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {
+            self.rubs_on_a_floor(&incline, &path.key("friction"));
             self.read_positive(term, Dimension::NONE, "the coefficient of kinetic friction", &path.key("friction"))
         });
         let distance = stage.distance.as_ref().map(|term| {

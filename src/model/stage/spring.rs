@@ -4,14 +4,19 @@ use crate::expr::Expr;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::laws::Law;
+use crate::laws::Sides;
 use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::kinematics;
+use crate::model::Alternative;
 use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::Reason;
+use crate::model::builder::LAW_COST;
+use crate::model::incline::Incline;
 use crate::model::pair::Pair;
 use crate::model::stored::Stored;
 use crate::quantity::Dimension;
@@ -29,6 +34,22 @@ struct Deformation {
     before: Expr,
     after: Expr,
     travel: Expr,
+}
+
+/// What acts besides the spring while its end moves.
+struct OnTheWay {
+    index: usize,
+    mass: Expr,
+    friction: Option<Expr>,
+    incline: Incline,
+    /// Whether the body rises on its way.
+    rises: bool,
+}
+
+impl OnTheWay {
+    fn acts(&self) -> bool {
+        self.friction.is_some() || !self.incline.is_level()
+    }
 }
 
 impl Builder<'_> {
@@ -88,7 +109,7 @@ impl Builder<'_> {
                 let travel = (after.clone() - before.clone()).simplify();
                 Deformation { before, after, travel }
             }
-            (None, None) => Deformation { travel: before.clone(), before, after: Expr::zero() },
+            (None, None) => Deformation { travel: -before.clone(), before, after: Expr::zero() },
         }
     }
 
@@ -107,22 +128,53 @@ impl Builder<'_> {
         let stops = stage.until == Some(Until::Rest);
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
         let incline = self.incline(index, stage.incline.as_ref(), path);
-        let energy_of =
-            |own: &Expr, deformation: &Expr| mass.clone() * own.clone() + energy::of_spring(stiffness, deformation);
-        let mut start = energy_of(&way.energies[0], &deformation.before);
-        let mut end = energy_of(&way.energies[1], &deformation.after);
-        if !incline.is_level() {
-            let weight = mass.clone() * self.gravity();
-            let raised = Expr::product([weight, incline.along.clone(), deformation.travel.clone()]);
-            if incline.sign * way.sign > 0 { end = end + raised } else { start = start + raised }
-        }
         let friction = stage.friction.as_ref().map(|term| {
             let meaning = "the coefficient of kinetic friction";
-            let friction = self.read_positive(term, Dimension::NONE, meaning, &path.key("friction"));
-            let press = Expr::product([mass.clone(), self.gravity(), incline.press.clone()]);
-            -Expr::product([friction, press, deformation.travel.clone()])
+            self.read_positive(term, Dimension::NONE, meaning, &path.key("friction"))
         });
-        let what = if incline.is_level() { "the spring alone does" } else { "only the spring and weight do" };
+        if stage.friction.is_some() {
+            self.rubs_on_a_floor(&incline, &path.key("friction"));
+        }
+        let rises = incline.sign * way.sign > 0;
+        let on_the_way = OnTheWay { index, mass, friction, incline, rises };
+        let energies = [0, 1].map(|side| {
+            let deformed = [&deformation.before, &deformation.after][side];
+            on_the_way.mass.clone() * way.energies[side].clone() + energy::of_spring(stiffness, deformed)
+        });
+        if stage.may_relax() && on_the_way.acts() {
+            self.further_or_back(&name, &on_the_way, &energies, &deformation.travel);
+        } else {
+            let length =
+                if stage.releases() { -deformation.travel.clone() } else { deformation.travel.clone() }.simplify();
+            let (law, because, sides) = self.energies_on_the_way(&name, &on_the_way, &energies, &length);
+            self.law(law, Some(index), because, sides);
+        }
+        self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));
+        self.note_impulse(index, body, "the spring", Vec::new());
+        if stage.friction.is_none() && on_the_way.incline.along != Expr::one() {
+            self.neglect("friction", "the problem gives none");
+        }
+    }
+
+    /// The energies of a body and its spring at both ends, with the work of friction on a way of that length.
+    fn energies_on_the_way(
+        &mut self,
+        name: &str,
+        own: &OnTheWay,
+        [start, end]: &[Expr; 2],
+        length: &Expr,
+    ) -> (&'static Law, String, Sides) {
+        let (mut start, mut end) = (start.clone(), end.clone());
+        if !own.incline.is_level() {
+            let weight = own.mass.clone() * self.gravity();
+            let raised = Expr::product([weight, own.incline.along.clone(), length.clone()]);
+            if own.rises { end = end + raised } else { start = start + raised }
+        }
+        let friction = own.friction.as_ref().map(|friction| {
+            let press = Expr::product([own.mass.clone(), self.gravity(), own.incline.press.clone()]);
+            -Expr::product([friction.clone(), press, length.clone()])
+        });
+        let what = if own.incline.is_level() { "the spring alone does" } else { "only the spring and weight do" };
         let (law, because) = match friction {
             None => (&energy::CONSERVATION, format!("{what} work on {name}")),
             Some(_) => (
@@ -130,12 +182,24 @@ impl Builder<'_> {
                 format!("friction takes energy from {name} over the whole distance, and the spring stores some"),
             ),
         };
-        self.law(law, Some(index), because, energy::work_energy(start, friction, end));
-        self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));
-        self.note_impulse(index, body, "the spring", Vec::new());
-        if stage.friction.is_none() && incline.along != Expr::one() {
-            self.neglect("friction", "the problem gives none");
-        }
+        (law, because, energy::work_energy(start, friction, end))
+    }
+
+    /// The same where only the values tell whether the spring is deformed further or relaxes: on a way of either sense friction takes
+    /// energy.
+    fn further_or_back(&mut self, name: &str, own: &OnTheWay, energies: &[Expr; 2], travel: &Expr) {
+        let senses = [
+            ("the spring is deformed further", travel.clone(), Relation::AtLeast, Reason::SpringRelaxes),
+            ("the spring relaxes", (-travel.clone()).simplify(), Relation::Less, Reason::SpringDeforms),
+        ];
+        let ways = senses.map(|(what, length, relation, reason)| {
+            let mut way = Alternative { what: what.to_owned(), ..Alternative::default() };
+            let (law, because, sides) = self.energies_on_the_way(name, own, energies, &length);
+            way.equations.push(self.stated(LAW_COST, law, Some(own.index), because, sides, None));
+            way.conditions.push(self.condition(travel.clone(), relation, Expr::zero(), reason));
+            way
+        });
+        self.choices.push(ways.into());
     }
 
     /// A spring between two bodies that are free to move along one axis.
@@ -153,6 +217,14 @@ impl Builder<'_> {
             self.faults.push(fault.help("leave one axis, along the spring").at_path(path.clone()));
             return;
         };
+        let of_a_fixed_end =
+            [("friction", &stage.friction), ("incline", &stage.incline), ("direction", &stage.direction)];
+        for (key, _) in of_a_fixed_end.into_iter().filter(|(_, told)| told.is_some()) {
+            let message =
+                format!("`{key}` cannot be used beside `between`: the two bodies move freely along their line");
+            let help = format!("remove `{key}`, or name one `body` at a spring whose other end is fixed");
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key(key)));
+        }
         let velocities = |builder: &mut Self, instant| bodies.map(|body| builder.velocity(body, instant, axis));
         let (before, after) = (velocities(self, index + 1), velocities(self, index + 2));
         let [first, second] = bodies.map(|body| self.called(body));

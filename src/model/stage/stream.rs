@@ -1,9 +1,11 @@
 //! The force of a steady stream on a body.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::laws::energy;
 use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::laws::variable_mass;
@@ -19,6 +21,7 @@ use crate::model::frame::Direction;
 use crate::model::name::Meaning;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
+use crate::scene::Stage;
 use crate::scene::Term;
 use crate::scene::stage::Stream;
 use crate::solve::Relation;
@@ -61,9 +64,10 @@ impl Builder<'_> {
             forces.push(force);
         }
         self.stream_follows(index, stage, &forces, moves.as_ref(), &direction);
-        self.stream_support(index, stage, &flow, &forces, path);
+        let caught = self.caught(stage, &flow, path);
+        self.stream_support(index, stage, caught.as_ref(), &forces);
         let rests = speed.is_zero();
-        self.flowing.push(Flowing { stage: index, speed, direction, leaving, relative });
+        self.flowing.push(Flowing { stage: index, speed, direction, leaving, relative, caught });
         self.acts(Influence::outside(index, body, by).force(forces.clone()));
         // The body keeps its velocity, so something holds it.
         let held = forces.iter().map(|force| -force.clone()).collect();
@@ -152,6 +156,7 @@ impl Builder<'_> {
     fn stream_leaves(&mut self, stage: &Stream, direction: &Direction, path: &Path) -> (Option<Direction>, Expr) {
         match (&stage.turned, &stage.restitution, stage.stays) {
             (Some(term), None, false) => {
+                self.counts_turns("the angle of `turned`", &path.key("turned"));
                 let meaning = format!("the angle through which {} is turned", stage.by);
                 let turn = self.read(term, Dimension::NONE, &meaning, &path.key("turned"));
                 self.needs_unit(&turn, &path.key("turned"));
@@ -231,23 +236,50 @@ impl Builder<'_> {
         self.law(&variable_mass::POWER, Some(index), because, (power, along * moves.clone()));
     }
 
-    /// What carries a body that catches a stream, where weight acts.
-    fn stream_support(&mut self, index: usize, stage: &Stream, flow: &Expr, forces: &[Expr], path: &Path) {
-        let vertical = (0..self.axes.len()).find_map(|position| Some((position, self.downwards(position)?)));
-        let Some((position, down)) = vertical.filter(|_| stage.stays) else { return };
-        let (Some(force), name) = (forces.get(position), self.called(&stage.body)) else { return };
-        let caught = match (&stage.during, &stage.caught) {
+    /// The mass that a body has caught of a stream that stays: what flowed in a time, or what is told.
+    fn caught(&mut self, stage: &Stream, flow: &Expr, path: &Path) -> Option<Expr> {
+        let name = self.called(&stage.body);
+        match (&stage.during, &stage.caught) {
+            _ if !stage.stays => None,
             (Some(term), None) => {
                 let meaning = format!("the time for which {} flowed", stage.by);
-                flow.clone() * self.read_positive(term, Dimension::TIME, &meaning, &path.key("during"))
+                Some(flow.clone() * self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")))
             }
             (None, Some(term)) => {
                 let meaning = format!("the mass that {name} has caught");
                 let caught = self.read(term, Dimension::MASS, &meaning, &path.key("caught"));
-                self.zero_if_so_written(caught)
+                Some(self.zero_if_so_written(caught))
             }
-            _ => return,
+            _ => None,
+        }
+    }
+
+    /// The kinetic energy that a body and a stream lose together as the stream comes to rest on it.
+    pub(in crate::model) fn lost_in_stream(&mut self, index: usize) -> Option<Symbol> {
+        let flowing = self.flowing.iter().find(|own| own.stage == index).cloned()?;
+        let Some(Stage::Stream(stage)) = self.scene.stages.get(index) else { return None };
+        let Some(caught) = flowing.caught else {
+            let path = Path::root().key("scene").key("stages").index(index).key("stream");
+            let message =
+                format!("how much of {} has arrived is not told, so that its loss of energy is not known", stage.by);
+            let help = "write `stays: true` with `during: T` or `caught: m`; of a stream that goes on, the loss depends on how it leaves";
+            self.faults.push(Fault::new(Code::MissingKey, message).help(help).at_path(path));
+            return None;
         };
+        let meaning = format!("the kinetic energy lost in {}", self.stage_phrase(index));
+        let symbol = self.symbol(self.in_stage(QuantityKind::EnergyLost, "", index), meaning);
+        let fact = format!("seen from {}, what it catches comes to rest", self.called(&stage.body));
+        let sides = (symbol.into(), energy::kinetic(&caught, &[flowing.relative]));
+        self.law(&energy::LOSS, Some(index), fact, sides);
+        Some(symbol)
+    }
+
+    /// What carries a body that catches a stream, where weight acts.
+    fn stream_support(&mut self, index: usize, stage: &Stream, caught: Option<&Expr>, forces: &[Expr]) {
+        let vertical = (0..self.axes.len()).find_map(|position| Some((position, self.downwards(position)?)));
+        let Some((position, down)) = vertical.filter(|_| stage.stays) else { return };
+        let (Some(force), name) = (forces.get(position), self.called(&stage.body)) else { return };
+        let Some(caught) = caught.cloned() else { return };
         let mass = self.mass(&stage.body);
         let gravity = self.gravity();
         let meaning = format!("the force that supports {name}");

@@ -9,8 +9,6 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
-use crate::model::Name;
-use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::turned::Turned;
 use crate::quantity::Dimension;
@@ -42,8 +40,7 @@ impl Builder<'_> {
             turning.push(Expr::sum(terms.iter().cloned()));
             terms.insert(0, striking);
             let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-            let momentum =
-                Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
+            let momentum = Expr::from(self.symbol(self.momentum_on_arm_by_name(index, side, &stage.about), meaning));
             let because = match &stage.rotor {
                 Some(rotor) => {
                     format!(

@@ -53,7 +53,8 @@ impl Builder<'_> {
         let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path: contact.path };
         let gained = self.included_weight(&lasting, body);
         let [fallen, slid] = gained.as_ref().map_or([None, None], |gained| self.turned_into(gained, &frame));
-        if let (Some(from), Some(to)) = (&start.across, &end.across) {
+        let guide = self.guided(body);
+        if let (Some(from), Some(to), None) = (&start.across, &end.across, &guide) {
             if let Some(slid) = slid {
                 let because = format!("{wall} is smooth, and only weight exerts an impulse on {name} along it");
                 let sides = momentum::impulse_momentum(&mass, from, &[mass.clone() * slid], to);
@@ -67,17 +68,22 @@ impl Builder<'_> {
         let impulse = self.in_stage(QuantityKind::Impulse, body, index);
         let meaning = format!("the impulse on {name} from {wall}");
         let impulse = Expr::from(self.symbol(impulse, meaning));
-        let because = match fallen {
-            None => format!("along the normal, the only impulse on {name} is that of {wall}"),
-            Some(_) => format!("along the normal, {wall} and weight exert impulses on {name}"),
-        };
-        let acting: Vec<Expr> =
-            [impulse.clone()].into_iter().chain(fallen.map(|gained| mass.clone() * gained)).collect();
-        let [from, to] = [(index + 1, &start), (index + 2, &end)].map(|(at, split)| self.changed(body, at, split));
-        let sides = momentum::impulse_momentum(&mass, &from, &acting, &to);
-        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
-        self.mean_force(index, body, &impulse, stage.duration.as_ref(), contact.path);
         let components = self.resolved(&impulse, &frame);
+        if let Some(guide) = &guide {
+            let because = format!("{wall} gives {name} an impulse along its normal");
+            self.momentum_along_guide(guide, index, std::slice::from_ref(&components), &because);
+        } else {
+            let because = match fallen {
+                None => format!("along the normal, the only impulse on {name} is that of {wall}"),
+                Some(_) => format!("along the normal, {wall} and weight exert impulses on {name}"),
+            };
+            let acting: Vec<Expr> =
+                [impulse.clone()].into_iter().chain(fallen.map(|gained| mass.clone() * gained)).collect();
+            let [from, to] = [(index + 1, &start), (index + 2, &end)].map(|(at, split)| self.changed(body, at, split));
+            let sides = momentum::impulse_momentum(&mass, &from, &acting, &to);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        }
+        self.mean_force(index, body, &impulse, stage.duration.as_ref(), contact.path);
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),

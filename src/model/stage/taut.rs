@@ -7,9 +7,11 @@ use crate::laws::momentum;
 use crate::model::Builder;
 use crate::model::Reason;
 use crate::model::frame::Frame;
+use crate::model::guide::dot;
 use crate::model::pair::Pair;
 use crate::model::weight_in_contact::Lasting;
 use crate::scene::Plane;
+use crate::scene::Stage;
 use crate::scene::stage::Taut;
 use crate::solve::Relation;
 
@@ -53,6 +55,7 @@ impl Builder<'_> {
         }
         let reason = Reason::StaysSlack(first.clone(), second.clone());
         self.require(pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
+        self.strings_before(index);
         self.neglect("the mass of the string", "it is light");
         if stage.over.is_some() || self.scene.plane == Plane::Vertical {
             let why =
@@ -66,6 +69,34 @@ impl Builder<'_> {
                 format!("the mass and the friction of {pulley}"),
                 "it is light and smooth, so that the tension is the same on both sides",
             );
+        }
+    }
+
+    /// Strings that went taut just before, with no time in between, do not stretch: whose end this stage pulls away pulls on.
+    pub(super) fn strings_before(&mut self, index: usize) {
+        let scene = self.scene;
+        let earlier = scene.stages.get(..index).unwrap_or_default().iter().enumerate().rev();
+        let at_once = earlier.take_while(|(_, own)| matches!(own, Stage::Taut(_)));
+        let taut: Vec<(usize, [&str; 2])> = at_once
+            .filter_map(|(stage, own)| match own {
+                Stage::Taut(taut) => Some((stage, taut.between.each_ref().map(String::as_str))),
+                _ => None,
+            })
+            .collect();
+        for (stage, bodies) in taut {
+            let changed = |body: &str| self.timeline.since(body, index + 2) == Some(index + 2);
+            let Some(frame) =
+                self.frames.get(stage).cloned().flatten().filter(|_| bodies.iter().any(|own| changed(own)))
+            else {
+                continue;
+            };
+            if bodies.iter().any(|body| self.timeline.since(body, index + 2).is_none()) {
+                continue;
+            }
+            let line = self.components(&frame.normal);
+            let [first, second] = bodies.map(|body| dot(&self.velocities(body, index + 2), &line));
+            let [one, other] = bodies.map(|body| self.called(body));
+            self.require(first, Relation::AtLeast, second, Reason::StringStretches(one, other));
         }
     }
 }

@@ -193,6 +193,7 @@ impl Builder<'_> {
             return;
         };
         let (index, name, gravity) = (burn.index, self.called(&burn.body), self.gravity());
+        self.starts_from_rest(index, &burn.body);
         let [start, end] = &burn.masses;
         let begins =
             Expr::from(self.symbol(
@@ -261,6 +262,10 @@ impl Builder<'_> {
         };
         let (name, axis) = (self.called(&burn.body), self.axes[0].0);
         let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
+        // The resistance is written against a motion along the axis.
+        for velocity in [&before, &after] {
+            self.require(velocity.clone(), Relation::AtLeast, Expr::zero(), Reason::MovesBack(name.clone()));
+        }
         let [even, ratio] =
             [QuantityKind::TerminalSpeed, QuantityKind::SpeedRatio].map(|kind| self.in_stage(kind, "", burn.index));
         let meaning = "the speed at which the resistance equals the thrust";

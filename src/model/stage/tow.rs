@@ -147,6 +147,7 @@ impl Builder<'_> {
             self.read_positive(term, Dimension::NONE, &meaning, &path.key("friction"))
         });
         if let Some(friction) = &friction {
+            self.rubs_on_a_floor(incline, &path.key("friction"));
             acting.push(-Expr::product([friction.clone(), weight.clone(), incline.press.clone()]));
         }
         if !incline.is_level() {

@@ -68,9 +68,16 @@ impl Spring {
         }
     }
 
+    /// Whether only values tell if the spring is deformed further or relaxes: it has a deformation at both ends.
+    #[must_use]
+    pub fn may_relax(&self) -> bool {
+        let pressed = self.from.as_ref().is_some_and(|from| !from.0.trim_start().starts_with('-'));
+        pressed && self.to.is_some() && !self.releases()
+    }
+
     /// Whether the spring is let go rather than deformed further.
     #[must_use]
     pub fn releases(&self) -> bool {
-        self.to.is_none() && self.travel.is_none()
+        self.travel.is_none() && self.to.as_ref().is_none_or(Term::is_written_as_zero)
     }
 }

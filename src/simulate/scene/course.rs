@@ -3,14 +3,49 @@
 use super::filming::Motion;
 use super::integrate::{End, Integrator};
 use super::nothing::NothingToSimulate;
+use super::particles::velocity;
 use super::stage_run::StageRun;
 use super::system::System;
+use super::vector::size;
 
 /// What ends a motion.
 pub(super) enum Until<'a, const N: usize> {
     Time(f64),
     /// Something that is positive until then.
     Event(&'a dyn Fn(&[f64; N]) -> f64),
+}
+
+/// A goal that a motion reaches, or at which it just turns back, so that it touches the goal and does not cross it.
+pub(super) struct Goal<'a, S> {
+    /// What is left of the way.
+    pub left: &'a dyn Fn(&S) -> f64,
+    /// How fast that gets less.
+    pub closing: &'a dyn Fn(&S) -> f64,
+    /// The whole way.
+    pub whole: f64,
+    /// About how long the motion takes.
+    pub time: f64,
+}
+
+/// The share of its way within which a motion that turns back has reached its goal.
+const BEYOND: f64 = 1e-9;
+
+impl<S> Goal<'_, S> {
+    /// Positive until the motion is well beyond the goal or turns back near it.
+    pub(super) fn passed(&self, state: &S) -> f64 {
+        self.turned(state).min((self.left)(state) + BEYOND * self.whole)
+    }
+
+    /// What ends the motion, where it has been tried out up to this state: the goal itself where it goes on beyond, else where it turns.
+    pub(super) fn end(&self, tried: &S) -> impl Fn(&S) -> f64 {
+        let crosses = (self.left)(tried) < -BEYOND / 2.0 * self.whole;
+        move |state| if crosses { (self.left)(state) } else { self.turned(state) }
+    }
+
+    fn turned(&self, state: &S) -> f64 {
+        let left = (self.left)(state);
+        if left > self.whole / 2.0 { left } else { (self.closing)(state) * self.time }
+    }
 }
 
 impl StageRun<'_> {
@@ -24,7 +59,8 @@ impl StageRun<'_> {
         let names: Vec<&str> = system.particles.iter().filter(|own| own.mass.is_some()).map(|own| own.name).collect();
         let end = if let Until::Time(time) = until { *time } else { f64::INFINITY };
         let stop = |_: f64, state: &[f64; N]| if let Until::Event(stop) = until { stop(state) } else { 1.0 };
-        let mut reached = End { time: system.start, state: system.state(), stopped: false };
+        let state = system.state();
+        let mut reached = End { time: system.start, state, stopped: false, largest: state.map(f64::abs) };
         let changes = system.changes.iter().copied().filter(|change| *change > system.start && *change < end);
         for next in changes.chain([end]) {
             // Just before a change the old law holds.
@@ -33,12 +69,27 @@ impl StageRun<'_> {
             let start = (reached.time, reached.state);
             reached = integrator.run(start.0, start.1, next, &slope, &stop)?;
             let components = system.frame.components.clone();
+            for own in 0..system.particles.len() {
+                self.fastest = self.fastest.max(size(velocity(&reached.largest, own)));
+            }
             self.film(&Motion { names: &names, components, start, end: reached.time, slope: &slope, look: &look })?;
             if reached.stopped {
                 break;
             }
         }
         Ok(reached)
+    }
+
+    /// Lets particles go until they reach a goal, and watches them.
+    pub(super) fn go_to<const N: usize>(
+        &mut self,
+        system: &System<'_, N>,
+        integrator: Integrator,
+        goal: &Goal<'_, [f64; N]>,
+    ) -> Result<End<N>, NothingToSimulate> {
+        let tried = self.try_out(system, integrator, &Until::Event(&|state| goal.passed(state)))?;
+        let end = goal.end(&tried.state);
+        self.go(system, integrator, &Until::Event(&end))
     }
 
     /// The same without watching.

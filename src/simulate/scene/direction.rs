@@ -21,7 +21,10 @@ impl Values<'_> {
         for (joint, sign) in [(" above ", 1.0), (" below ", -1.0)] {
             if let Some((angle, base)) = text.split_once(joint) {
                 let base = counted(base)?;
-                // Above is towards +y: the other way round where the angle is counted from -x.
+                // Above is towards +y, or -y where y points down: the other way round where the angle is counted from -x.
+                let mut axes = self.scene.axes.rectangular().into_iter();
+                let falls = axes.any(|(axis, senses)| axis == Axis::Y && senses.rise() == Some(-1));
+                let sign = if falls { -sign } else { sign };
                 let sign = if base[0] < 0.0 { -sign } else { sign };
                 return Ok(turned(base, sign * self.number(angle)?));
             }

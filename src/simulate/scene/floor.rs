@@ -1,6 +1,6 @@
 //! Motions along a line: the slope that it has, and what ends them.
 
-use super::course::Until;
+use super::course::{Goal, Until};
 use super::integrate::End;
 use super::nothing::NothingToSimulate;
 use super::particles::{place, velocity};
@@ -89,16 +89,23 @@ impl StageRun<'_> {
         let state = system.state();
         let speed = dot(line, velocity(&state, leads)).abs();
         let quick = dot(line, velocity(&system.slope(system.start, &state), leads)).abs().max(f64::MIN_POSITIVE);
-        let (time, until): (f64, Until<'_, N>) = match finish {
-            Finish::Time(end) => (end - system.start, Until::Time(end)),
-            Finish::Rest => (speed / quick, Until::Event(&|state| dot(line, velocity(state, leads)))),
-            Finish::Procedure(way) => {
-                let time = way / (speed + libm::sqrt(way * quick));
-                (time, Until::Event(&move |state| way - dot(line, place(state, leads)).abs()))
-            }
+        let closing = |state: &[f64; N]| dot(line, place(state, leads)).signum() * dot(line, velocity(state, leads));
+        let (time, way) = match finish {
+            Finish::Time(end) => (end - system.start, None),
+            Finish::Rest => (speed / quick, None),
+            Finish::Procedure(way) => (way / (speed + libm::sqrt(way * quick)), Some(way)),
         };
         let longest = if let Finish::Time(_) = finish { time } else { time.clamp(1e-6, 100.0) };
         let integrator = self.integrator(longest / 4.0);
-        self.go(system, integrator, &until)
+        match (finish, way) {
+            (_, Some(whole)) => {
+                let left = |state: &[f64; N]| whole - dot(line, place(state, leads)).abs();
+                self.go_to(system, integrator, &Goal { left: &left, closing: &closing, whole, time })
+            }
+            (Finish::Time(end), None) => self.go(system, integrator, &Until::Time(end)),
+            (Finish::Rest | Finish::Procedure(_), None) => {
+                self.go(system, integrator, &Until::Event(&|state| dot(line, velocity(state, leads))))
+            }
+        }
     }
 }

@@ -38,6 +38,8 @@ pub(super) struct End<const N: usize> {
     pub state: [f64; N],
     /// Whether the event ended it, and not the time.
     pub stopped: bool,
+    /// The largest size that each component of the state has had.
+    pub largest: [f64; N],
 }
 
 impl Integrator {
@@ -79,7 +81,7 @@ impl Integrator {
         let mut before = stop(time, &state);
         for _ in 0..MOST_STEPS {
             if time >= end {
-                return Ok(End { time, state, stopped: false });
+                return Ok(End { time, state, stopped: false, largest: size });
             }
             let last = length.min(self.longest) >= end - time;
             let tried = if last { end - time } else { length.min(self.longest) };
@@ -99,7 +101,7 @@ impl Integrator {
                     [before, after],
                 );
                 let state = step(slope, time, &state, part, &size).0;
-                return Ok(End { time: time + part, state, stopped: true });
+                return Ok(End { time: time + part, state, stopped: true, largest: size });
             }
             for (size, value) in size.iter_mut().zip(&next) {
                 *size = size.max(value.abs());

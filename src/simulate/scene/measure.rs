@@ -60,6 +60,11 @@ pub fn measure(
             let centre = centre(&values, alive, point, &places)?;
             let moment = |body: &str| Some(cross(less(places(body)?, centre), moving(body)?));
             let (all, scale) = sum(&values, alive, &moment)?;
+            // An arm along the velocity has no moment, but a product of that size goes into it.
+            let sizes = alive
+                .iter()
+                .map(|body| Some(values.mass(body).ok()? * size(less(places(body)?, centre)) * size(moving(body)?)));
+            let scale = sizes.sum::<Option<f64>>().map_or(scale, |sizes| scale.max(sizes));
             Some((turning(&values, asked, all)?, scale))
         }
         _ => None,

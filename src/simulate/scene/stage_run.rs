@@ -63,6 +63,8 @@ pub(super) struct StageRun<'a> {
     pub shorter: f64,
     /// How many crossings of its end a motion passes before it ends.
     pub crossing: usize,
+    /// The greatest speed of a body so far: what a velocity near zero is the rounding of.
+    pub fastest: f64,
     pub observed: Observed,
     /// The motions, where somebody watches.
     pub motions: Option<Vec<RecordedMotion>>,
@@ -71,7 +73,15 @@ pub(super) struct StageRun<'a> {
 impl<'a> StageRun<'a> {
     /// A run that has not begun.
     pub(super) fn new(values: &'a Values<'a>, tolerance: f64) -> Self {
-        Self { values, tolerance, shorter: 1.0, crossing: 0, observed: Observed::default(), motions: None }
+        Self {
+            values,
+            tolerance,
+            shorter: 1.0,
+            crossing: 0,
+            fastest: 0.0,
+            observed: Observed::default(),
+            motions: None,
+        }
     }
 
     /// An integrator whose steps are at most so long.
@@ -144,20 +154,25 @@ impl<'a> StageRun<'a> {
     /// Notes the velocity of a body after the stage.
     pub(super) fn note_velocity(&mut self, body: &str, velocity: Vector, scale: f64) {
         for axis in self.values.axes() {
-            self.note(&self.values.velocity_after(body, axis), part(velocity, axis), scale);
+            self.note(&self.values.velocity_after(body, axis), part(velocity, axis), scale.max(self.fastest));
         }
     }
 
     /// Notes a vector that belongs to the stage by components, magnitude and direction: `J_A.x[hit]`, `J_A[hit]`.
     pub(super) fn note_vector(&mut self, name: &str, vector: Vector) {
-        let size = size(vector);
+        self.note_vector_of(name, vector, 0.0);
+    }
+
+    /// The same for a vector that is a difference of others of that size.
+    pub(super) fn note_vector_of(&mut self, name: &str, vector: Vector, scale: f64) {
+        let (whole, scale) = (size(vector), size(vector).max(scale));
         match self.values.axes()[..] {
-            [only] => self.note_here(name, part(vector, only), size),
+            [only] => self.note_here(name, part(vector, only), scale),
             _ => {
                 for axis in self.values.axes() {
-                    self.note_here(&format!("{name}.{}", axis.letter()), part(vector, axis), size);
+                    self.note_here(&format!("{name}.{}", axis.letter()), part(vector, axis), scale);
                 }
-                self.note_here(name, size, size);
+                self.note_here(name, whole, scale);
                 if self.values.axes().len() == 2 {
                     self.note_here(&format!("angle_{name}"), libm::atan2(vector[1], vector[0]), 1.0);
                 }

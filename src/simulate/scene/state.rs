@@ -3,6 +3,7 @@
 use crate::scene::Axis;
 
 use super::nothing::NothingToSimulate;
+use super::particles::Particle;
 use super::stage::same_place;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, part, times, unit};
@@ -19,6 +20,12 @@ impl Values<'_> {
             velocity = add(velocity, times(own, unit(axis)));
         }
         Ok(velocity)
+    }
+
+    /// A body as it is when the stage starts: its mass, its velocity, and the guide that holds it. Weight is the stage's own.
+    pub(super) fn particle<'s>(&self, body: &'s str) -> Result<Particle<'s>, NothingToSimulate> {
+        let guide = self.guide(body).transpose()?;
+        Ok(Particle { guide, ..Particle::free(body, self.mass(body)?, self.moving(body)?) })
     }
 
     /// A guided body does not move at right angles to its guide, whether somebody says so or not.

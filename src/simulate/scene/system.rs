@@ -4,7 +4,7 @@ use super::component::Frame;
 use super::integrate::End;
 use super::particles::{Constraint, Force, Particle, SharedLines, Strength, place, velocity};
 use super::recorded_motion::{Look, Seen};
-use super::vector::{Vector, ZERO, add, dot, times};
+use super::vector::{Vector, ZERO, add, dot, size, times};
 
 /// Particles, and all that acts on them. A state holds place and velocity of each particle, and behind them the impulses of the
 /// first forces, as many as it has room for: its length `N` is six for each particle, and one for each impulse.
@@ -52,6 +52,17 @@ impl<'a, const N: usize> System<'a, N> {
             self.push(&mut slope, &lines, pull);
         }
         slope
+    }
+
+    /// How strong the forces are together, whatever their directions, at the strongest of a few moments between two times: what they come
+    /// to is a difference of such sizes.
+    pub(super) fn strongest(&self, [start, end]: [f64; 2]) -> f64 {
+        let state = self.state();
+        let together = |time: f64| -> f64 {
+            let lines = |force: &Force| force.on.iter().map(|(_, along)| size(*along)).sum::<f64>();
+            self.forces.iter().map(|force| force.strength(time, &state).abs() * lines(force)).sum()
+        };
+        [0.0, 0.3, 0.5, 1.0].into_iter().map(|share| together(start + share * (end - start))).fold(0.0, f64::max)
     }
 
     /// How strongly the constraint acts along its lines: the tension of a cord that pulls along unit vectors.

@@ -147,7 +147,8 @@ impl Impact {
         let axes = if self.plane { "{ x: to the right, y: up }" } else { "{ x: to the right }" };
         let contact = match self.kind {
             Kind::Separate => format!("restitution: e, line_of_impact: {line}"),
-            Kind::Together => "plastic: true, becomes: C".to_owned(),
+            Kind::Together if self.plane => "plastic: true, becomes: C".to_owned(),
+            Kind::Together => format!("plastic: true, becomes: C, line_of_impact: {line}"),
         };
         format!(
             "axes: {axes}\nbodies:\n  A: {{ name: disc A }}\n  B: {{ name: disc B }}\nstages:\n  - impact: {{ between: \

@@ -19,14 +19,15 @@ const IMPULSE: usize = 6;
 impl StageRun<'_> {
     pub(super) fn blow(&mut self, stage: &Blow) -> Result<(), NothingToSimulate> {
         let body = stage.body.as_str();
-        let (mass, before) = (self.values.mass(body)?, self.values.moving(body)?);
+        let particle = self.values.particle(body)?;
+        let (mass, before) = (self.values.mass(body)?, particle.velocity);
         let weight = times(1.0 / mass, self.weight_in_contact(mass, &stage.include, stage.duration.as_ref())?);
         let end = 1.0 / self.shorter;
         let (integrator, until) = (self.integrator(end / 4.0), Until::Time(end));
         let values = self.values;
         let struck = |velocity: Vector, force: Vector| {
             let wave = Force::in_time(vec![(0, force)], Arc::new(move |time| libm::sin(PI * time / end)));
-            let particle = Particle::free(body, mass, velocity);
+            let particle = Particle { velocity, ..particle };
             System { forces: vec![wave], ..System::<7>::new(values.frame(), vec![particle]) }
         };
         // What comes of a blow of 1 N says how strong it has to be.
@@ -37,7 +38,12 @@ impl StageRun<'_> {
             let start = part(add(before, weight), axis);
             let letter = self.values.letter(axis);
             let impulse = self.values.named(&format!("J_{body}{letter}{}", self.values.suffix()));
-            let strength = match (impulse, self.values.named(&self.values.velocity_after(body, axis))) {
+            // A guide takes up what acts across it, so only the impulse itself tells how strong the blow is.
+            let after = match particle.guide {
+                Some(_) => Err(NothingToSimulate::ValueMissing),
+                None => self.values.named(&self.values.velocity_after(body, axis)),
+            };
+            let strength = match (impulse, after) {
                 (_, Ok(after)) => (after - start) / dot(newton, velocity(&tried, 0)),
                 (Ok(impulse), Err(_)) => impulse / tried[IMPULSE],
                 (Err(missing), Err(_)) => return Err(missing),

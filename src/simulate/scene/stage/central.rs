@@ -3,6 +3,7 @@
 use crate::scene::stage::{Central, Orbit};
 
 use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::course::Goal;
 use crate::simulate::scene::filming::Motion;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
@@ -105,7 +106,12 @@ impl StageRun<'_> {
         self.note_there(body, first, &start.1);
         if let Ok(goal) = goal {
             let sense = if goal >= length { 1.0 } else { -1.0 };
-            let (time, mut end) = pull.to(start, &|state| sense * (goal - distance(state)))?;
+            let left = |state: &State| sense * (goal - distance(state));
+            let closing = |state: &State| sense * outwards(state);
+            let whole = (goal - length).abs();
+            let reach = Goal { left: &left, closing: &closing, whole, time: length / across.abs() };
+            let tried = pull.to(start, &|state| reach.passed(state))?;
+            let (time, mut end) = pull.to(start, &reach.end(&tried.1))?;
             // Whatever the force was, it leaves the particle with the radial velocity that is told.
             if let (None, None, Ok(told)) = (&stage.spring, told, named("v", first + 1, ".r")) {
                 end = with_radial(&end, told);

@@ -7,7 +7,7 @@ use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::pushed::Pushed;
 use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::touch::{Parted, Touch};
-use crate::simulate::scene::vector::{Vector, across, add, dot, less, size, times, unit};
+use crate::simulate::scene::vector::{Vector, across, add, dot, less, part, size, times, unit};
 
 /// The share of the energy before at which a search for the coefficient of restitution ends.
 const CLOSE: f64 = 1e-14;
@@ -25,12 +25,6 @@ impl StageRun<'_> {
         }
     }
 
-    /// A body as one that touches another.
-    pub(super) fn party<'s>(&self, body: &'s str) -> Result<Particle<'s>, NothingToSimulate> {
-        let guide = self.values.guide(body).transpose()?;
-        Ok(Particle { guide, ..Particle::free(body, self.values.mass(body)?, self.values.moving(body)?) })
-    }
-
     fn collide(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
         let normal = match &stage.line_of_impact {
             Some(term) => self.values.direction(&term.0)?,
@@ -39,7 +33,7 @@ impl StageRun<'_> {
                 _ => return Err(NothingToSimulate::NoLineOfImpact),
             },
         };
-        let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
+        let parties = [self.values.particle(bodies[0])?, self.values.particle(bodies[1])?];
         let touch = Touch { parties, normal, restitution: 0.0 };
         let touch = Touch { restitution: self.restitution(stage, &touch)?, ..touch };
         let parted = touch.watched(self)?;
@@ -78,25 +72,28 @@ impl StageRun<'_> {
         let entry = self.values.scene.surfaces.get(surface).ok_or(NothingToSimulate::NoStage)?;
         let outward = self.values.direction(&entry.normal.0)?;
         let moves = self.values.or_zero(entry.velocity.as_ref())?;
-        if stage.include.is_empty() {
+        let is_guided = self.values.guide(body).is_some();
+        if stage.include.is_empty() && !is_guided {
             self.take(&self.values.impact(stage)?)?;
         }
         // Without a mass nothing but velocities can be spoken of.
         let Ok(mass) = self.values.mass(body) else { return Ok(()) };
         let wall = Particle { mass: None, ..Particle::free(surface, 0.0, times(moves, outward)) };
-        let parties = [Particle::free(body, mass, self.values.moving(body)?), wall];
+        let parties = [self.values.particle(body)?, wall];
         let normal = times(-1.0, outward);
         let touch = Touch { parties, normal, restitution: self.values.coefficient(stage)? };
         let mut parted = touch.run(self)?;
-        parted.common = -parted.common;
+        // Along the outward normal, or along the only axis.
+        let counted = if let [axis] = self.values.axes()[..] { part(outward, axis) } else { 1.0 };
+        parted.common *= -counted;
         // What is given of the contact is what it does together with weight.
         let weight = self.weight_in_contact(mass, &stage.include, stage.duration.as_ref())?;
         let [bounced, _] = &mut parted.bodies;
-        bounced.impulse = less(bounced.impulse, weight);
-        if !stage.include.is_empty() {
-            let along = times(dot(weight, outward), outward);
-            let velocity = add(bounced.after, times(1.0 / mass, less(weight, along)));
-            self.note_velocity(body, velocity, size(velocity));
+        bounced.impulse = less(bounced.impulse, times(dot(weight, outward), outward));
+        let along = less(weight, times(dot(weight, outward), outward));
+        bounced.after = add(bounced.after, times(1.0 / mass, along));
+        if is_guided || !stage.include.is_empty() {
+            self.note_velocity(body, bounced.after, size(bounced.body.velocity));
         }
         self.note_parting(stage, &touch, &parted, &parted.bodies[..1]);
         Ok(())
@@ -104,7 +101,7 @@ impl StageRun<'_> {
 
     /// Bodies that stay together: what holds them takes up their relative motion along each axis.
     fn stick(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
-        let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
+        let parties = [self.values.particle(bodies[0])?, self.values.particle(bodies[1])?];
         let guide = parties.iter().find_map(|party| party.guide);
         let lines: Vec<Vector> = match guide {
             Some(along) => vec![along, across(along)],

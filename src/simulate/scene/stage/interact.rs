@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::scene::Axis;
 use crate::scene::stage::Interact;
 
 use crate::simulate::scene::course::Until;
@@ -36,7 +37,8 @@ impl StageRun<'_> {
             #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
             let place = placed.as_ref().map_or([own as f64, 0.0, 0.0], |placed| placed[own]);
             let velocity = if stage.at_rest { ZERO } else { measure::velocity(self.values, body)? };
-            particles.push(Particle { place, ..Particle::free(body, self.values.mass(body)?, velocity) });
+            let guide = self.values.guide(body).transpose()?;
+            particles.push(Particle { place, guide, ..Particle::free(body, self.values.mass(body)?, velocity) });
         }
         let wide = particles.iter().map(|own| size(less(own.place, particles[0].place))).fold(0.0, f64::max);
         let fast = particles.iter().map(|own| size(own.velocity)).fold(0.0, f64::max);
@@ -47,6 +49,7 @@ impl StageRun<'_> {
             // Nothing is turned or carried along by bodies that stand still.
             return if stage.at_rest { Ok(()) } else { Err(NothingToSimulate::ValueMissing) };
         }
+        let guides: Vec<Vector> = particles.iter().filter_map(|own| own.guide).collect();
         let masses: Vec<f64> = particles.iter().filter_map(|own| own.mass).collect();
         let lightest = masses.iter().copied().fold(f64::INFINITY, f64::min);
         let stiffness = lightest * (fast / wide) * (fast / wide);
@@ -64,13 +67,15 @@ impl StageRun<'_> {
         let total = momenta.iter().copied().fold(ZERO, add);
         let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);
         let instant = self.values.index + 2;
-        for axis in self.values.axes() {
+        // Across a guide the sum is what the guide makes of it, which differs with the forces between the bodies.
+        let is_free = |axis: &Axis| guides.iter().all(|along| (part(*along, *axis).abs() - 1.0).abs() < f64::EPSILON);
+        for axis in self.values.axes().into_iter().filter(is_free) {
             let letter = self.values.letter(axis);
             self.note_sum(&format!("p_{instant}{letter}"), part(total, axis), scale);
         }
         let inside: Vec<&str> = bodies.iter().flat_map(|body| self.values.scene.members(body)).collect();
         let is_all = self.values.scene.bodies.keys().all(|body| inside.contains(&body.as_str()));
-        if placed.is_err() {
+        if placed.is_err() || !guides.is_empty() {
             return Ok(());
         }
         for point in self.values.scene.points.keys() {

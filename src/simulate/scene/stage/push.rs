@@ -55,10 +55,7 @@ impl StageRun<'_> {
             Err(NothingToSimulate::ValueMissing) if rated => return Ok(None),
             during => during?,
         };
-        let mut before = ZERO;
-        for axis in self.values.axes() {
-            before = add(before, times(self.values.velocity_before(body, axis)?, unit(axis)));
-        }
+        let before = self.values.moving(body)?;
         let mut reached = Vec::new();
         let mut displaced = ZERO;
         // What is gained from rest, in the velocity that the body has anyhow, is the impulse; not where its velocity matters.
@@ -87,8 +84,9 @@ impl StageRun<'_> {
         self.note_place(body, displaced);
         let gained = if alike { reached[1] } else { less(reached[0], before) };
         let impulse = times(self.values.mass(body)?, gained);
-        self.note_impulse(body, impulse, None);
-        self.note_average_force(body, impulse, end - start);
+        let strongest = self.pulled(stage, body, ZERO, ZERO)?.strongest([start, end]);
+        self.note_vector_of(&format!("J_{body}"), impulse, strongest * (end - start));
+        self.note_vector_of(&format!("F_avg_{body}"), times(1.0 / (end - start), impulse), strongest);
         self.note_duration(None, end - start);
         Ok(Some(impulse))
     }
@@ -132,7 +130,10 @@ impl StageRun<'_> {
         velocity: Vector,
     ) -> Result<System<'s, 6>, NothingToSimulate> {
         let (pulls, changes) = self.pulls(stage, body)?;
-        let guide = if let [only] = self.values.axes()[..] { Some(unit(only)) } else { None };
+        let guide = match self.values.axes()[..] {
+            [only] => Some(unit(only)),
+            _ => self.values.guide(body).transpose()?,
+        };
         let free = Particle::free(body, self.values.mass(body)?, velocity);
         let particle = Particle { place, falls: self.values.falling()?, guide, ..free };
         let mut forces: Vec<Acting> =
@@ -217,7 +218,11 @@ impl StageRun<'_> {
         let needs_weight = friction.is_some() || stage.incline.is_some();
         let gravity = if needs_weight { self.values.named("g")? } else { 0.0 };
         let at_rest = friction.and_then(|own| own.at_rest.as_ref());
-        let moves = if at_rest.is_some() { ZERO } else { self.values.moving(body)? };
+        let moves = match self.values.moving(body) {
+            // What is not told to move rests on its floor.
+            Err(NothingToSimulate::ValueMissing) if at_rest.is_some() => ZERO,
+            moves => moves?,
+        };
         let mut system = self.pulled(stage, body, ZERO, moves)?;
         system.particles[0].falls = add(system.particles[0].falls, times(gravity * slope.along, along));
         let (lifts, _) = self.pulls(stage, body)?;
@@ -245,7 +250,9 @@ impl StageRun<'_> {
             let still = system.state();
             let driven = |time: f64| mass * part(velocity(&system.slope(time, &still), 0), axis);
             let holds = |time: f64| threshold * normal(time) - driven(time).abs();
-            if holds(begun) > 0.0 {
+            if part(moves, axis) != 0.0 {
+                begins = begun;
+            } else if holds(begun) > 0.0 {
                 let integrator = self.integrator((end - begun) / 64.0);
                 let held = integrator.run(begun, [0.0], end, &|_, _| [0.0], &|time, _| holds(time))?;
                 if !held.stopped {
@@ -254,7 +261,9 @@ impl StageRun<'_> {
                 }
                 begins = held.time;
             }
-            sense = driven(begins);
+            if part(moves, axis) == 0.0 {
+                sense = driven(begins);
+            }
             self.note_here("t_start", begins, 0.0);
         }
         let ahead = times(sense.signum(), along);

@@ -10,13 +10,13 @@ use crate::simulate::scene::vector::{ZERO, add, part, size, times};
 impl StageRun<'_> {
     pub(super) fn push_system(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
         let rated = self.note_rates(stage)?;
-        let mut total = Some(ZERO);
+        let mut total = Some((ZERO, 0.0));
         for body in stage.pushed() {
             let impulse = self.push_freely(stage, body, rated)?;
-            total = total.zip(impulse).map(|(all, own)| add(all, own));
+            total = total.zip(impulse).map(|((all, scale), own)| (add(all, own), scale + size(own)));
         }
-        if let Some(total) = total {
-            self.note_vector("J", total);
+        if let Some((total, scale)) = total {
+            self.note_vector_of("J", total, scale);
         }
         let (scene, index) = (self.values.scene, self.values.index);
         let first = usize::from(stage.pushed().any(|body| scene.follows_a_force(index, body)));

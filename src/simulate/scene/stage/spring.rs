@@ -2,7 +2,7 @@
 
 use crate::scene::stage::{Ends, Spring};
 
-use crate::simulate::scene::course::Until;
+use crate::simulate::scene::course::{Goal, Until};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, velocity};
 use crate::simulate::scene::stage_run::StageRun;
@@ -15,7 +15,8 @@ impl StageRun<'_> {
         let along = unit(axis);
         let stiffness = self.values.term(&stage.stiffness)?;
         let from = self.deformed(stage, stiffness)?;
-        let sense = if stage.releases() { -1.0 } else { 1.0 };
+        let to = self.values.known(stage.to.as_ref());
+        let sense = if stage.releases() || to.is_some_and(|to| to < from) { -1.0 } else { 1.0 };
         match stage.ends().ok_or(NothingToSimulate::NoStage)? {
             Ends::Fixed(body) => {
                 let mass = self.values.mass(body)?;
@@ -32,7 +33,7 @@ impl StageRun<'_> {
                 );
                 system.forces.push(Force::spring(vec![(0, times(sense, way))], stiffness, from));
                 system.forces.push(Force::steady(0, times(-mass * friction * slope.across * gravity, way)));
-                self.run_spring(stage, &system, sense, &|state| dot(way, velocity(state, 0)))
+                self.run_spring(stage, &system, sense, &|state| sense * dot(way, velocity(state, 0)))
             }
             Ends::Free(first, second) => {
                 let mut particles = Vec::new();
@@ -43,32 +44,39 @@ impl StageRun<'_> {
                 let mut system = System::<12>::new(self.values.frame(), particles);
                 let lines = vec![(0, along), (1, times(-1.0, along))];
                 system.forces.push(Force::spring(lines, stiffness, from));
-                let closing = |state: &[f64; 12]| dot(along, less(velocity(state, 0), velocity(state, 1)));
-                self.run_spring(stage, &system, sense, &closing)?;
+                let deforms = |state: &[f64; 12]| dot(along, less(velocity(state, 0), velocity(state, 1)));
+                self.run_spring(stage, &system, sense, &deforms)?;
                 self.remark("Each position is measured from the starting point of its body.");
                 Ok(())
             }
         }
     }
 
-    /// Lets the particles go that the first force, the spring, acts on; `closing` is positive as long as it gets shorter.
+    /// Lets the particles go that the first force, the spring, acts on; `deforms` is how fast it is deformed further.
     fn run_spring<const N: usize>(
         &mut self,
         stage: &Spring,
         system: &System<'_, N>,
         sense: f64,
-        closing: &dyn Fn(&[f64; N]) -> f64,
+        deforms: &dyn Fn(&[f64; N]) -> f64,
     ) -> Result<(), NothingToSimulate> {
         let deformed = |state: &[f64; N]| system.forces[0].deformation(state).unwrap_or(0.0);
         let from = deformed(&system.state());
         // What is pressed gets shorter until somebody says it is short enough; what is let go, until it is relaxed.
         let travel = self.values.known(stage.travel.as_ref()).map(|travel| from + travel);
         let to = travel.or_else(|| self.values.known(stage.to.as_ref())).or(stage.releases().then_some(0.0));
-        let left = |state: &[f64; N]| sense * (to.unwrap_or(f64::INFINITY) - deformed(state));
-        let until = Until::Event(if stage.until.is_some() { closing } else { &left });
         let lightest = system.particles.iter().filter_map(|own| own.mass).fold(f64::INFINITY, f64::min);
-        let integrator = self.integrator(0.1 * libm::sqrt(lightest / self.values.term(&stage.stiffness)?));
-        let end = self.go(system, integrator, &until)?;
+        let period = libm::sqrt(lightest / self.values.term(&stage.stiffness)?);
+        let integrator = self.integrator(0.1 * period);
+        let goes = |state: &[f64; N]| sense * deforms(state);
+        let end = match to.filter(|_| stage.until.is_none()) {
+            Some(goal) => {
+                let left = |state: &[f64; N]| sense * (goal - deformed(state));
+                let goal = Goal { left: &left, closing: &goes, whole: (goal - from).abs(), time: period };
+                self.go_to(system, integrator, &goal)?
+            }
+            None => self.go(system, integrator, &Until::Event(&goes))?,
+        };
         let scale = system.particles.iter().map(|own| size(own.velocity)).sum();
         for (own, particle) in system.particles.iter().enumerate() {
             self.note_velocity(particle.name, velocity(&end.state, own), scale);

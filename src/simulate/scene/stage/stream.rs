@@ -41,19 +41,30 @@ impl StageRun<'_> {
         if stage.moves.is_some() {
             self.note_here(&format!("P_{body}"), dot(force, towards) * moves, 0.0);
         }
-        if stage.stays {
-            self.carried(stage, flow, force)?;
+        if let Some(caught) = self.stays(stage, flow)? {
+            self.carried(stage, caught, force)?;
+            // A droplet of a kilogram that stays has lost what it brought, as the body sees it.
+            let brought = times(speed - moves, towards);
+            let kept = less(brought, each);
+            self.note_here("T_lost", caught * (dot(brought, brought) - dot(kept, kept)) / 2.0, 0.0);
         }
         Ok(())
     }
 
+    /// The mass of all droplets so far, where they stay and it is told how many there are.
+    fn stays(&self, stage: &Stream, flow: f64) -> Result<Option<f64>, NothingToSimulate> {
+        match (&stage.during, &stage.caught) {
+            (Some(term), _) if stage.stays => self.values.term(term).map(|time| Some(flow * time)),
+            (None, Some(term)) if stage.stays => self.values.term(term).map(Some),
+            _ => Ok(None),
+        }
+    }
+
     /// The push of what carries a body that stays where it is: against its weight, that of all droplets so far, and their blows.
-    fn carried(&mut self, stage: &Stream, flow: f64, force: Vector) -> Result<(), NothingToSimulate> {
-        let caught = match (&stage.during, &stage.caught) {
-            (Some(term), _) => flow * self.values.term(term)?,
-            (None, Some(term)) => self.values.term(term)?,
-            (None, None) => return Ok(()),
-        };
+    fn carried(&mut self, stage: &Stream, caught: f64, force: Vector) -> Result<(), NothingToSimulate> {
+        if self.values.axes().into_iter().all(|axis| self.values.gravity(axis) == Ok(0.0)) {
+            return Ok(());
+        }
         let mass = self.values.mass(&stage.body)? + caught;
         for axis in self.values.axes() {
             let gravity = self.values.gravity(axis)?;

@@ -16,7 +16,7 @@ impl StageRun<'_> {
             _ => return Err(NothingToSimulate::Unread),
         };
         // The cord pulls the body ahead back, as a body in its way would push it.
-        let parties = [self.party(ahead)?, self.party(behind)?];
+        let parties = [self.values.particle(ahead)?, self.values.particle(behind)?];
         let parted = Touch { parties, normal: along, restitution: 0.0 }.watched(self)?;
         self.note_velocities(&parted.bodies);
         self.note_pushed(&parted.bodies, stage.duration.as_ref());

@@ -1,0 +1,173 @@
+//! Bonds that a stage leaves between bodies, or between a body and what holds it: the next stage finds them.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::stage::Ends;
+use crate::scene::stage::Impact;
+use crate::scene::stage::Partners;
+use crate::scene::stage::Place;
+
+use super::stage::Description;
+
+/// Bodies that a stage leaves bound.
+struct Bond<'a> {
+    kind: Kind<'a>,
+    bodies: Vec<&'a str>,
+}
+
+/// What binds them.
+#[derive(Clone, Copy)]
+enum Kind<'a> {
+    /// They stuck together in an impact.
+    Stuck,
+    /// One of them stuck to a surface.
+    OnSurface(&'a str),
+    /// They turn together about a point.
+    OnArm,
+    /// Something joins them in a row.
+    Coupled,
+    /// A string over a pulley joins them.
+    OnString,
+    /// A spring presses on them.
+    Sprung,
+    /// One of them hangs on its cord, or stands on its track, at an angle.
+    AtAnAngle,
+}
+
+/// Why a stage cannot act on these bodies as it does, since an earlier one has left some of them bound.
+pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&str]) -> Option<Fault> {
+    let bonds = before(scene, index);
+    let bond = bonds
+        .iter()
+        .find(|bond| bond.bodies.iter().any(|body| acted_on.contains(body)) && bond.is_broken_by(stage, acted_on))?;
+    let noun = Description::of(scene, stage).noun;
+    let names: Vec<String> = bond.bodies.iter().map(|body| scene.called(body)).collect();
+    let together = match &names[..] {
+        [one] => one.clone(),
+        [one, other] => format!("{one} and {other}"),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [] => return None,
+    };
+    let (message, help) = match bond.kind {
+        Kind::Stuck => (
+            format!("{together} stay together, so the {noun} acts on them as one body"),
+            format!(
+                "write `becomes: C` in their impact, and `C` in place of `{}` from then on",
+                bond.bodies.join("` and `")
+            ),
+        ),
+        Kind::OnSurface(surface) => (
+            format!("{together} stays on {}, which acts on it in the {noun}, too", called_surface(scene, surface)),
+            "end the problem there, or let it rebound: `restitution: e` in place of `plastic: true`".to_owned(),
+        ),
+        Kind::OnArm => (
+            format!("{together} turn together, so the {noun} acts on all of them"),
+            "use a `strike` or a `rotate` that names all of them (`carries`, `bodies`, `rotor`)".to_owned(),
+        ),
+        Kind::Coupled => (
+            format!("{together} are still joined, so the {noun} acts on both"),
+            "act on both of them, or write `separate` first".to_owned(),
+        ),
+        Kind::OnString => (
+            format!("{together} are still joined by the string, so the {noun} acts on both"),
+            "let the string carry on: a `connected` with the forces of its ends".to_owned(),
+        ),
+        Kind::Sprung => (
+            format!("the spring still presses on {together} in the {noun}"),
+            "write a `spring` that relaxes it first: `from: s`".to_owned(),
+        ),
+        Kind::AtAnAngle => (
+            format!("{together} is at an angle on its circle, where it does not move along the axis of the {noun}"),
+            "let it swing to its lowest point first".to_owned(),
+        ),
+    };
+    Some(Fault::new(Code::Value, message).help(help))
+}
+
+fn called_surface(scene: &Scene, surface: &str) -> String {
+    let name = scene.surfaces.get(surface).and_then(|own| own.name.clone());
+    name.unwrap_or_else(|| format!("the {surface}"))
+}
+
+/// The bonds that the stages before one have left.
+fn before(scene: &Scene, index: usize) -> Vec<Bond<'_>> {
+    let mut bonds: Vec<Bond<'_>> = Vec::new();
+    for stage in scene.stages.iter().take(index) {
+        bonds.retain(|bond| !bond.is_released_by(stage));
+        bonds.extend(left(stage));
+    }
+    bonds
+}
+
+/// The bond that a stage leaves.
+fn left(stage: &Stage) -> Option<Bond<'_>> {
+    let (kind, bodies) = match stage {
+        Stage::Impact(impact @ Impact { plastic: true, becomes: None, .. }) => match impact.partners()? {
+            Partners::Bodies(first, second) => (Kind::Stuck, vec![first, second]),
+            Partners::Surface(body, surface) => (Kind::OnSurface(surface), vec![body]),
+        },
+        Stage::Strike(own) if own.plastic => {
+            let on_arm = own.carries.keys().chain(&own.rotor).chain([&own.body]);
+            (Kind::OnArm, on_arm.map(String::as_str).collect())
+        }
+        Stage::Rotate(own) if own.turning().len() > 1 => (Kind::OnArm, own.turning()),
+        Stage::Tow(own) => (Kind::Coupled, own.both().map(|towed| towed.body.as_str()).into()),
+        Stage::Connected(own) => (Kind::OnString, vec![own.trailing.body.as_str(), own.leading.body.as_str()]),
+        Stage::Spring(own) if !own.releases() => match own.ends()? {
+            Ends::Fixed(body) => (Kind::Sprung, vec![body]),
+            Ends::Free(first, second) => (Kind::Sprung, vec![first, second]),
+        },
+        Stage::Swing(own) if own.on.is_none() && matches!(own.places(), [_, Place::Angle(_)]) => {
+            (Kind::AtAnAngle, vec![own.body.as_str()])
+        }
+        _ => return None,
+    };
+    Some(Bond { kind, bodies })
+}
+
+impl Bond<'_> {
+    /// Whether a stage makes the bond anew, or undoes it.
+    fn is_released_by(&self, stage: &Stage) -> bool {
+        let has_all = |names: &[&str]| self.bodies.iter().all(|body| names.contains(body));
+        match (self.kind, stage) {
+            (_, Stage::Separate(own)) => has_all(&own.into.iter().map(String::as_str).collect::<Vec<_>>()),
+            (Kind::OnArm, Stage::Flight(own)) => own.flying().any(|body| self.bodies.contains(&body)),
+            (
+                Kind::OnString,
+                Stage::Impact(_) | Stage::Flight(_) | Stage::Fall(_) | Stage::Slide(_) | Stage::Taut(_),
+            ) => true,
+            (Kind::Sprung, Stage::Spring(_)) | (Kind::AtAnAngle, Stage::Swing(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether a stage that acts on some of the bodies has no equations for the bond.
+    fn is_broken_by(&self, stage: &Stage, acted_on: &[&str]) -> bool {
+        let acts_on_all = self.bodies.iter().all(|body| acted_on.contains(body));
+        if matches!(stage, Stage::Drift(_) | Stage::Separate(_)) {
+            return false;
+        }
+        match self.kind {
+            Kind::Stuck => true,
+            Kind::OnSurface(_) => matches!(
+                stage,
+                Stage::Flight(_)
+                    | Stage::Fall(_)
+                    | Stage::Bounces(_)
+                    | Stage::Impact(_)
+                    | Stage::Blow(_)
+                    | Stage::Taut(_)
+            ),
+            Kind::OnArm => match stage {
+                Stage::Rotate(_) | Stage::Strike(_) => !acts_on_all,
+                _ => !stage.takes_time(),
+            },
+            Kind::Coupled => !acts_on_all,
+            Kind::OnString => matches!(stage, Stage::Push(_)) && !acts_on_all,
+            Kind::Sprung => !matches!(stage, Stage::Spring(_)),
+            Kind::AtAnAngle => !matches!(stage, Stage::Swing(_)),
+        }
+    }
+}
