@@ -12,6 +12,12 @@ pub enum Reason {
     /// A body would not catch up with another.
     #[error("{0} would not catch up with {1}, so there would be no impact")]
     NoCatchingUp(String, String),
+    /// The body that catches up would lie ahead of the other.
+    #[error("{0} would lie ahead of {1}, and could not run into it")]
+    LiesAhead(String, String),
+    /// Weight would draw a body down that nothing is said to hold.
+    #[error("{0} moves up or down, and weight would change its velocity meanwhile")]
+    Unsupported(String),
     /// Two bodies would not press the spring between them.
     #[error("{0} would not catch up with {1}, and the spring would not be compressed")]
     NotCompressed(String, String),
@@ -134,6 +140,9 @@ pub enum Reason {
     /// A push lifts a body off its floor.
     #[error("the push would lift {0} off its floor before the end")]
     LeavesFloor(String),
+    /// A body that slides on a level floor moves up or down.
+    #[error("{0} would move up or down, off its level floor")]
+    LeavesItsFloor(String),
     /// A body that moves round a point would not come so near to it, or so far from it.
     #[error("{0} would not reach that distance")]
     OutOfReach(String),
@@ -229,6 +238,7 @@ impl Reason {
         Some(match self {
             Self::PassesThrough(..) | Self::NotPushedApart(..) => Warning::PassesThrough,
             Self::NoCatchingUp(..)
+            | Self::LiesAhead(..)
             | Self::NotCompressed(..)
             | Self::StaysSlack(..)
             | Self::NotMet(..)

@@ -10,6 +10,7 @@ mod found;
 #[cfg(feature = "serve")]
 mod fuzz;
 mod grade_files;
+mod hand;
 mod readme;
 #[path = "../support/room.rs"]
 mod room;

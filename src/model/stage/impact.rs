@@ -1,5 +1,7 @@
 //! Impacts of two bodies.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Expr;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -149,6 +151,7 @@ impl Builder<'_> {
         }
         let reason = Reason::NoCatchingUp(name_a.clone(), name_b.clone());
         self.require(along(&a1), Relation::Greater, along(&b1), reason);
+        self.lies_behind(contact, [first, second]);
         let reason = Reason::PassesThrough(name_a.clone(), name_b.clone());
         self.require(along(&b2), Relation::AtLeast, along(&a2), reason);
         self.parts_no_faster(contact, [&a1.along, &b1.along], [&a2.along, &b2.along]);
@@ -347,6 +350,26 @@ impl Builder<'_> {
         let [a, b] = bodies.map(|body| dot(&self.velocities(body, contact.index + 1), &line));
         let [one, other] = bodies.map(|body| self.called(body));
         self.require(a, Relation::Greater, b, Reason::NoCatchingUp(one, other));
+        self.lies_behind(contact, bodies);
+    }
+
+    /// Along the line of impact the first body lies behind the second, where the problem gives the places of both.
+    pub(super) fn lies_behind(&mut self, contact: &Contact<'_>, bodies: [&str; 2]) {
+        let is_place = |kind: &QuantityKind| matches!(kind, QuantityKind::Position | QuantityKind::Coordinate(_));
+        let placed = self.given.iter().filter_map(|name| Name::parse(name));
+        let placed: BTreeSet<String> = placed.filter(|name| is_place(&name.kind)).map(|name| name.subject).collect();
+        let Some(frame) = self.line_of_impact(contact).filter(|_| bodies.iter().all(|body| placed.contains(*body)))
+        else {
+            return;
+        };
+        let line = self.components(&frame.normal);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let [behind, ahead] = bodies.map(|body| {
+            let places = axes.iter().map(|axis| self.place(body, contact.index + 1, *axis)).collect::<Vec<_>>();
+            dot(&places, &line)
+        });
+        let [one, other] = bodies.map(|body| self.called(body));
+        self.require(ahead, Relation::AtLeast, behind, Reason::LiesAhead(one, other));
     }
 
     pub(super) fn line_of_impact(&mut self, contact: &Contact<'_>) -> Option<Frame> {

@@ -59,10 +59,14 @@ pub(in crate::model) use push_system::pushing;
 pub(in crate::model) use push_system::total_impulse;
 pub(in crate::model) use rotate::angular_impulse_by_name;
 
+use crate::expr::Expr;
 use crate::fault::Path;
+use crate::scene::Axis;
 use crate::scene::Stage;
+use crate::solve::Relation;
 
 use super::Builder;
+use super::Reason;
 
 impl Builder<'_> {
     /// Adds the equations of every stage, in order.
@@ -102,7 +106,30 @@ impl Builder<'_> {
                 Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }
+            if matches!(stage, Stage::Push(_) | Stage::Thrust(_)) {
+                self.others_do_not_fall(index, stage);
+            }
             self.reasons_of_stages.push(first..self.reasons.len());
+        }
+    }
+
+    /// While a stage lasts in which weight acts, a body that it does not name keeps its velocity only where that has no part along an
+    /// upright axis: else weight would change it.
+    fn others_do_not_fall(&mut self, index: usize, stage: &Stage) {
+        let named: Vec<&str> = Description::of(self.scene, stage).bodies.iter().map(|(body, _)| *body).collect();
+        let others: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for body in others.iter().filter(|body| !named.contains(&body.as_str())) {
+            for (position, axis) in axes.iter().enumerate() {
+                if self.downwards(position).is_none() {
+                    continue;
+                }
+                let velocity = self.velocity(body, index + 1, *axis);
+                for relation in [Relation::AtMost, Relation::AtLeast] {
+                    let reason = Reason::Unsupported(self.called(body));
+                    self.require(velocity.clone(), relation, Expr::zero(), reason);
+                }
+            }
         }
     }
 }

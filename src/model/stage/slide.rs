@@ -10,13 +10,16 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::forces::Acts;
 use crate::model::incline::Incline;
 use crate::model::speeds::Speeds;
 use crate::quantity::Dimension;
+use crate::scene::Axis;
 use crate::scene::stage::Halt;
 use crate::scene::stage::Slide;
 use crate::scene::stage::UpOrDown;
+use crate::solve::Relation;
 
 /// What holds a sliding body back, for each unit of its mass; negative where weight drives it on.
 struct Retardation {
@@ -36,6 +39,9 @@ impl Builder<'_> {
         let phrase = self.stage_phrase(index);
         let stops = stage.until == Some(Halt::Rest);
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
+        if stage.height.is_none() {
+            self.stays_on_a_level_floor(index, body);
+        }
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {
             self.rubs_on_a_floor(&incline, &path.key("friction"));
@@ -73,6 +79,20 @@ impl Builder<'_> {
         if friction.is_none() {
             let track = if stage.incline.is_none() && stage.height.is_none() { "floor" } else { "slope" };
             self.neglect("friction", format!("the {track} is smooth"));
+        }
+    }
+
+    /// In a plane, a body on a level floor moves neither up nor down.
+    fn stays_on_a_level_floor(&mut self, index: usize, body: &str) {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for (position, axis) in axes.iter().enumerate().filter(|_| axes.len() > 1) {
+            if self.downwards(position).is_some() {
+                let velocity = self.velocity(body, index + 1, *axis);
+                for relation in [Relation::AtMost, Relation::AtLeast] {
+                    let reason = Reason::LeavesItsFloor(self.called(body));
+                    self.require(velocity.clone(), relation, Expr::zero(), reason);
+                }
+            }
         }
     }
 

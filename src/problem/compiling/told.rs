@@ -17,6 +17,7 @@ use crate::quantity::Unit;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
+use super::super::language::given::Given;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::text::Placeholder;
@@ -103,7 +104,38 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
             faults.push(Fault::new(Code::Text, message).help(help).at_path(story.clone()));
         }
     }
+    faults.extend(untold_expressions(loaded, model, form, &printed, &prose));
     faults
+}
+
+/// The faults of givens such as `1/3` or `sqrt(2)/2`, which no drawn value enters and which the sheet tells nowhere.
+fn untold_expressions<'a>(
+    loaded: &'a Loaded,
+    model: &'a Model,
+    form: &'a Form,
+    printed: &'a BTreeSet<Symbol>,
+    prose: &str,
+) -> impl Iterator<Item = Fault> + 'a {
+    let bare = |text: &str| text.split_whitespace().collect::<String>();
+    let said = bare(prose);
+    let is_constant = |symbol: Symbol| {
+        let literals: BTreeSet<Symbol> = model.literals.iter().map(|(own, _)| *own).collect();
+        model.stated(symbol).is_some_and(|value| value.symbols().is_subset(&literals))
+    };
+    let is_used = |symbol: Symbol| {
+        let mut steps = form.solver.leaves().iter().flat_map(|leaf| leaf.answer_steps());
+        steps.any(|step| step.unknowns.contains(&symbol))
+    };
+    loaded.given.iter().filter_map(move |(name, given)| {
+        let Given::Expression(text) = given else { return None };
+        let symbol = model.symbol_of(name)?;
+        if printed.contains(&symbol) || said.contains(&bare(text)) || !is_constant(symbol) || !is_used(symbol) {
+            return None;
+        }
+        let message = format!("the text never prints `{name}`, which the solution needs");
+        let help = format!("put `{{{{ {name} }}}}` where the reader should learn it");
+        Some(Fault::new(Code::Text, message).help(help).at_path(Path::root().key("text")))
+    })
 }
 
 /// The fault of a placeholder that needs a value, or a formula in its place, where the quantity depends on what may be anything.
