@@ -63,8 +63,8 @@ impl Column<'_> {
 pub(super) fn certified(columns: &[Column<'_>]) -> Outcome {
     let loose = |column: &Column<'_>| {
         // Beside an answer that is always zero nothing is large: there the unit in which it is printed is the measure.
-        let largest = Some(column.largest()).filter(|largest| *largest > 0.0).unwrap_or(1.0);
-        let allowed = SMALL_ERROR * largest;
+        let largest = column.largest();
+        let allowed = SMALL_ERROR * if largest > 0.0 { largest } else { 1.0 };
         let share = column.share(|answer| answer.value.error.is_nan() || answer.value.error > allowed);
         (share > 0.0 && !column.whole).then(|| format!("`{}` has no small bound in {}", column.id, percent(share)))
     };

@@ -103,43 +103,67 @@ fn before(scene: &Scene, index: usize) -> Vec<Bond<'_>> {
 
 /// The bond that a stage leaves.
 fn left(stage: &Stage) -> Option<Bond<'_>> {
-    let (kind, bodies) = match stage {
-        Stage::Impact(impact @ Impact { plastic: true, becomes: None, .. }) => match impact.partners()? {
-            Partners::Bodies(first, second) => (Kind::Stuck, vec![first, second]),
-            Partners::Surface(body, surface) => (Kind::OnSurface(surface), vec![body]),
-        },
-        Stage::Strike(own) if own.plastic => {
-            let on_arm = own.carries.keys().chain(&own.rotor).chain([&own.body]);
-            (Kind::OnArm, on_arm.map(String::as_str).collect())
-        }
-        Stage::Rotate(own) if own.turning().len() > 1 => (Kind::OnArm, own.turning()),
-        Stage::Tow(own) => (Kind::Coupled, own.both().map(|towed| towed.body.as_str()).into()),
-        Stage::Connected(own) => (Kind::OnString, vec![own.trailing.body.as_str(), own.leading.body.as_str()]),
-        Stage::Spring(own) if !own.releases() => match own.ends()? {
-            Ends::Fixed(body) => (Kind::Sprung, vec![body]),
-            Ends::Free(first, second) => (Kind::Sprung, vec![first, second]),
-        },
-        Stage::Swing(own) if own.on.is_none() && matches!(own.places(), [_, Place::Angle(_)]) => {
-            (Kind::AtAnAngle, vec![own.body.as_str()])
-        }
-        _ => return None,
-    };
-    Some(Bond { kind, bodies })
+    if let Stage::Impact(impact @ Impact { plastic: true, becomes: None, .. }) = stage {
+        return Some(match impact.partners()? {
+            Partners::Bodies(first, second) => Bond { kind: Kind::Stuck, bodies: vec![first, second] },
+            Partners::Surface(body, surface) => Bond { kind: Kind::OnSurface(surface), bodies: vec![body] },
+        });
+    }
+    if let Stage::Strike(own) = stage
+        && own.plastic
+    {
+        let on_arm = own.carries.keys().chain(&own.rotor).chain([&own.body]);
+        return Some(Bond { kind: Kind::OnArm, bodies: on_arm.map(String::as_str).collect() });
+    }
+    if let Stage::Rotate(own) = stage
+        && own.turning().len() > 1
+    {
+        return Some(Bond { kind: Kind::OnArm, bodies: own.turning() });
+    }
+    if let Stage::Tow(own) = stage {
+        return Some(Bond { kind: Kind::Coupled, bodies: own.both().map(|towed| towed.body.as_str()).into() });
+    }
+    if let Stage::Connected(own) = stage {
+        return Some(Bond { kind: Kind::OnString, bodies: vec![&own.trailing.body, &own.leading.body] });
+    }
+    if let Stage::Spring(own) = stage
+        && !own.releases()
+    {
+        let bodies = match own.ends()? {
+            Ends::Fixed(body) => vec![body],
+            Ends::Free(first, second) => vec![first, second],
+        };
+        return Some(Bond { kind: Kind::Sprung, bodies });
+    }
+    if let Stage::Swing(own) = stage
+        && own.on.is_none()
+        && matches!(own.places(), [_, Place::Angle(_)])
+    {
+        return Some(Bond { kind: Kind::AtAnAngle, bodies: vec![&own.body] });
+    }
+    None
 }
 
 impl Bond<'_> {
     /// Whether a stage makes the bond anew, or undoes it.
     fn is_released_by(&self, stage: &Stage) -> bool {
-        let has_all = |names: &[&str]| self.bodies.iter().all(|body| names.contains(body));
-        match (self.kind, stage) {
-            (_, Stage::Separate(own)) => has_all(&own.into.iter().map(String::as_str).collect::<Vec<_>>()),
-            (Kind::OnArm, Stage::Flight(own)) => own.flying().any(|body| self.bodies.contains(&body)),
-            (
-                Kind::OnString,
-                Stage::Impact(_) | Stage::Flight(_) | Stage::Fall(_) | Stage::Slide(_) | Stage::Taut(_),
-            ) => true,
-            (Kind::Sprung, Stage::Spring(_)) | (Kind::AtAnAngle, Stage::Swing(_)) => true,
-            _ => false,
+        if let Stage::Separate(own) = stage {
+            return self.bodies.iter().all(|body| own.into.iter().any(|part| part == body));
+        }
+        match self.kind {
+            Kind::Stuck | Kind::OnSurface(_) | Kind::Coupled => false,
+            Kind::OnArm => {
+                if let Stage::Flight(own) = stage {
+                    own.flying().any(|body| self.bodies.contains(&body))
+                } else {
+                    false
+                }
+            }
+            Kind::OnString => {
+                matches!(stage, Stage::Impact(_) | Stage::Flight(_) | Stage::Fall(_) | Stage::Slide(_) | Stage::Taut(_))
+            }
+            Kind::Sprung => matches!(stage, Stage::Spring(_)),
+            Kind::AtAnAngle => matches!(stage, Stage::Swing(_)),
         }
     }
 
@@ -160,10 +184,8 @@ impl Bond<'_> {
                     | Stage::Blow(_)
                     | Stage::Taut(_)
             ),
-            Kind::OnArm => match stage {
-                Stage::Rotate(_) | Stage::Strike(_) => !acts_on_all,
-                _ => !stage.takes_time(),
-            },
+            Kind::OnArm if matches!(stage, Stage::Rotate(_) | Stage::Strike(_)) => !acts_on_all,
+            Kind::OnArm => !stage.takes_time(),
             Kind::Coupled => !acts_on_all,
             Kind::OnString => matches!(stage, Stage::Push(_)) && !acts_on_all,
             Kind::Sprung => !matches!(stage, Stage::Spring(_)),

@@ -179,10 +179,12 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
 
 /// The angular velocity of what turns as a whole has one name: a scene has one arm, or one body with a moment of inertia.
 fn two_angular_velocities(scene: &Scene) -> Option<Fault> {
-    let turning = scene.stages.iter().enumerate().filter_map(|(index, stage)| match stage {
-        Stage::Rotate(own) if own.is_arm() => Some((index, stage.key(), own.about.as_str(), own.rotor.as_deref())),
-        Stage::Strike(own) => Some((index, stage.key(), own.about.as_str(), own.rotor.as_deref())),
-        _ => None,
+    let turning = scene.stages.iter().enumerate().filter_map(|(index, stage)| {
+        if let Stage::Rotate(own) = stage {
+            return own.is_arm().then_some((index, stage.key(), own.about.as_str(), own.rotor.as_deref()));
+        }
+        let Stage::Strike(own) = stage else { return None };
+        Some((index, stage.key(), own.about.as_str(), own.rotor.as_deref()))
     });
     let all: Vec<_> = turning.collect();
     let (_, _, first, _) = *all.first()?;

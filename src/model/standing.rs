@@ -1,6 +1,8 @@
 //! What is said of a body or of the scene outside the stages and acts in each of them: a guide, weight in the plane, the slope of
 //! an axis, the bonds between bodies. A stage takes account of it, or is refused; none passes it over.
 
+#![deny(clippy::wildcard_enum_match_arm)]
+
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
@@ -134,11 +136,13 @@ fn weight(scene: &Scene, stage: &Stage) -> Account {
 
 /// The bodies on which a stage acts.
 fn takes_part<'a>(scene: &'a Scene, timeline: &'a Timeline, index: usize, stage: &'a Stage) -> Vec<&'a str> {
-    match stage {
-        Stage::Moment(_) | Stage::Drift(_) => timeline.alive(index + 1),
-        Stage::Separate(own) => own.into.iter().chain(&own.from).map(String::as_str).collect(),
-        _ => Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect(),
+    if matches!(stage, Stage::Moment(_) | Stage::Drift(_)) {
+        return timeline.alive(index + 1);
     }
+    if let Stage::Separate(own) = stage {
+        return own.into.iter().chain(&own.from).map(String::as_str).collect();
+    }
+    Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect()
 }
 
 fn is_guided(scene: &Scene, body: &str) -> bool {
@@ -163,12 +167,10 @@ fn guides_off_the_line(scene: &Scene) -> Vec<Fault> {
 
 /// An axis along a slope or a string, along which weight acts by a share that a stage without a slope of its own does not tell.
 fn untold_slope(scene: &Scene, stage: &Stage) -> Option<(String, &'static str)> {
-    let is_told = match stage {
-        Stage::Push(own) => own.incline.is_some(),
-        Stage::Flight(Flight { incline, .. }) => incline.is_some(),
-        Stage::Thrust(_) | Stage::Drift(_) => false,
-        _ => true,
-    };
+    let can_tell = matches!(stage, Stage::Push(_) | Stage::Flight(_));
+    let tells =
+        matches!(stage, Stage::Push(Push { incline: Some(_), .. }) | Stage::Flight(Flight { incline: Some(_), .. }));
+    let is_told = tells || !(can_tell || matches!(stage, Stage::Thrust(_) | Stage::Drift(_)));
     let axes = scene.axes.rectangular();
     let (_, senses) = axes.first().filter(|_| !is_told)?;
     let phrase = senses.positive.as_str();
@@ -179,9 +181,10 @@ fn untold_slope(scene: &Scene, stage: &Stage) -> Option<(String, &'static str)> 
     }
     let key = stage.key();
     let message = format!("weight acts along the axis `{phrase}`, and the `{key}` does not tell how steep it is");
-    let help = match stage {
-        Stage::Push(_) | Stage::Flight(_) => "write `incline: alpha`, or name a level or an upright axis",
-        _ => "name a level or an upright axis, such as `axes: { x: to the right }`",
+    let help = if can_tell {
+        "write `incline: alpha`, or name a level or an upright axis"
+    } else {
+        "name a level or an upright axis, such as `axes: { x: to the right }`"
     };
     Some((message, help))
 }

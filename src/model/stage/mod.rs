@@ -22,6 +22,7 @@ mod interact;
 mod moment;
 mod motion;
 mod orbit;
+mod order;
 mod push;
 mod push_by_place;
 mod push_changing;

@@ -75,14 +75,14 @@ impl Builder<'_> {
     /// Strings that went taut just before, with no time in between, do not stretch: whose end this stage pulls away pulls on.
     pub(super) fn strings_before(&mut self, index: usize) {
         let scene = self.scene;
-        let earlier = scene.stages.get(..index).unwrap_or_default().iter().enumerate().rev();
-        let at_once = earlier.take_while(|(_, own)| matches!(own, Stage::Taut(_)));
-        let taut: Vec<(usize, [&str; 2])> = at_once
-            .filter_map(|(stage, own)| match own {
-                Stage::Taut(taut) => Some((stage, taut.between.each_ref().map(String::as_str))),
-                _ => None,
-            })
-            .collect();
+        let mut taut: Vec<(usize, [&str; 2])> = Vec::new();
+        for (stage, own) in scene.stages.iter().take(index).enumerate() {
+            if let Stage::Taut(own) = own {
+                taut.push((stage, own.between.each_ref().map(String::as_str)));
+            } else {
+                taut.clear();
+            }
+        }
         for (stage, bodies) in taut {
             let changed = |body: &str| self.timeline.since(body, index + 2) == Some(index + 2);
             let Some(frame) =
