@@ -185,11 +185,17 @@ impl Bond<'_> {
                     | Stage::Taut(_)
             ),
             Kind::OnArm if matches!(stage, Stage::Rotate(_) | Stage::Strike(_)) => !acts_on_all,
-            Kind::OnArm => !stage.takes_time(),
+            Kind::OnArm => is_sudden(stage),
             Kind::Coupled => !acts_on_all,
             Kind::OnString => matches!(stage, Stage::Push(_)) && !acts_on_all,
-            Kind::Sprung => !matches!(stage, Stage::Spring(_)),
+            // A spring is not impulsive: it gives nothing in a sudden stage.
+            Kind::Sprung => !matches!(stage, Stage::Spring(_)) && !is_sudden(stage),
             Kind::AtAnAngle => !matches!(stage, Stage::Swing(_)),
         }
     }
+}
+
+/// Whether a stage is so short that ordinary forces give nothing in it.
+fn is_sudden(stage: &Stage) -> bool {
+    !stage.takes_time() || matches!(stage, Stage::Taut(_))
 }

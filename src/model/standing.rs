@@ -174,9 +174,8 @@ fn untold_slope(scene: &Scene, stage: &Stage) -> Option<(String, &'static str)> 
     let axes = scene.axes.rectangular();
     let (_, senses) = axes.first().filter(|_| !is_told)?;
     let phrase = senses.positive.as_str();
-    let is_along = |words: &[&str]| words.iter().any(|word| phrase.contains(word));
-    let along_a_string = scene.plane == Plane::Vertical && is_along(&["string", "rope", "cord"]);
-    if !along_a_string && !is_along(&["slope", "incline", "hill", "ramp", "wedge"]) {
+    let slopes = ["slope", "incline", "hill", "ramp", "wedge", "string", "rope", "cord"];
+    if scene.plane != Plane::Vertical || !slopes.iter().any(|word| phrase.contains(word)) {
         return None;
     }
     let key = stage.key();

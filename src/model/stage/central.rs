@@ -24,20 +24,13 @@ impl Builder<'_> {
         let [(r1, v1), (r2, v2)] = [index + 1, index + 2].map(|instant| self.polar_state(body, point, instant));
         let because =
             format!("the force on {name} always points to {centre} and has no moment about it; the mass cancels");
-        let sides = (r1.clone() * v1.clone(), r2 * v2.clone());
+        let sides = (r1.clone() * v1.clone(), r2.clone() * v2.clone());
         self.law(&angular::CENTRAL, Some(index), because, sides);
-        if stage.spring.is_some() || stage.gravity.is_some() {
-            if let Some(speed) = self.quantity(Name::of(QuantityKind::Speed, body).at(index + 2)) {
-                // Energy tells the speed at any distance, also at one that the body never comes to.
-                let reason = Reason::OutOfReach(name.clone());
-                self.require(Expr::from(speed).powi(2), Relation::AtLeast, v2.powi(2), reason);
-            }
-        }
         let rate = self.symbol(
             self.in_stage(QuantityKind::ArealRate, "", index),
             format!("the rate at which the radius from {centre} sweeps out area"),
         );
-        let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));
+        let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1.clone(), v1.clone()]));
         self.law(&angular::AREAL, Some(index), "in a short time the radius sweeps out a thin triangle", sides);
         self.note_impulse(index, body, format!("the force towards {centre}"), Vec::new());
         let mut strength = None;
@@ -48,6 +41,13 @@ impl Builder<'_> {
             self.not_needed("the radial motion in between", why);
         }
         if let Some(gravity) = self.orbit(index, stage, path) {
+            // Energy leaves this of the radial motion, at distances that the body never comes to less than nothing.
+            let radial = Name::of(QuantityKind::Velocity, body).at(index + 1).along("r");
+            if let Some(radial) = self.quantity(radial) {
+                let start = Expr::sum([Expr::from(radial).powi(2), v1.powi(2)]);
+                let gained = Expr::integer(2) * gravity.clone() * (r2.powi(-1) - r1.powi(-1));
+                self.require(start + gained, Relation::AtLeast, v2.clone().powi(2), Reason::OutOfReach(name));
+            }
             let mass = self.mass(body);
             let pull = mass * gravity / self.polar_state(body, point, index + 1).0.power(Expr::integer(2));
             strength = Some(strength.map_or(pull.clone(), |spring| spring + pull));
@@ -94,6 +94,9 @@ impl Builder<'_> {
             moving + energy::of_spring(&stiffness, &deformations[side])
         });
         let because = format!("only {called} does work on {name}");
+        let across = energy::kinetic(&self.mass(body), &[self.polar_state(body, &stage.about, ends[1]).1]);
+        let across = across + energy::of_spring(&stiffness, &deformations[1]);
+        self.require(start.clone(), Relation::AtLeast, across, Reason::OutOfReach(name.clone()));
         self.law(&energy::CONSERVATION, Some(index), because, (start, end));
         self.neglect(format!("the mass of {called}"), "it is light");
         if spring.cord {

@@ -36,9 +36,14 @@ impl<S> Goal<'_, S> {
         self.turned(state).min((self.left)(state) + BEYOND * self.whole)
     }
 
+    /// Whether a motion that has been tried out up to this state goes on beyond the goal, and does not turn back there.
+    pub(super) fn is_crossed(&self, tried: &S) -> bool {
+        (self.left)(tried) < -BEYOND / 2.0 * self.whole
+    }
+
     /// What ends the motion, where it has been tried out up to this state: the goal itself where it goes on beyond, else where it turns.
     pub(super) fn end(&self, tried: &S) -> impl Fn(&S) -> f64 {
-        let crosses = (self.left)(tried) < -BEYOND / 2.0 * self.whole;
+        let crosses = self.is_crossed(tried);
         move |state| if crosses { (self.left)(state) } else { self.turned(state) }
     }
 

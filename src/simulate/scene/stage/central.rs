@@ -131,7 +131,8 @@ impl StageRun<'_> {
                 self.note(&format!("v_{body}{}.r", first + 1), radial, across);
             }
             self.note_here("areal_rate", end[4] / time, 0.0);
-            if radial == 0.0 {
+            // From one turning point to the other it is half a period either way, and the laws count times from the nearer one.
+            if radial == 0.0 && reach.is_crossed(&tried.1) {
                 self.note_here("dt", time, 0.0);
             }
         }
