@@ -66,8 +66,8 @@ fn guide(stage: &Stage) -> Account {
         | Stage::Separate(_)
         | Stage::Interact(_)
         | Stage::SlideOff(_)
-        | Stage::Drift(_) => Account::Taken,
-        Stage::Push(Push { resistance: None, gains: None, loses: None, .. }) => Account::Taken,
+        | Stage::Drift(_)
+        | Stage::Push(Push { resistance: None, gains: None, loses: None, .. }) => Account::Taken,
         Stage::Push(_)
         | Stage::Slide(_)
         | Stage::Spring(_)

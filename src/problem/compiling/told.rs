@@ -32,6 +32,7 @@ use super::any;
 use super::graph_told;
 use super::planned::Form;
 use super::planned::Problem;
+use super::regimes::Leaf;
 
 /// The faults of one form's text.
 pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
@@ -123,7 +124,7 @@ fn untold_expressions<'a>(
         model.stated(symbol).is_some_and(|value| value.symbols().is_subset(&literals))
     };
     let is_used = |symbol: Symbol| {
-        let mut steps = form.solver.leaves().iter().flat_map(|leaf| leaf.answer_steps());
+        let mut steps = form.solver.leaves().iter().flat_map(Leaf::answer_steps);
         steps.any(|step| step.unknowns.contains(&symbol))
     };
     loaded.given.iter().filter_map(move |(name, given)| {
