@@ -40,7 +40,8 @@ fn check(program: &Program, wanted: &[momentous::expr::Symbol], inputs: &[Exact]
         }
         if let Some(value) = solved.value(*symbol) {
             prop_assert!(covers(value, truth), "{:?} is not {:?}", value, truth.decimal(45));
-            prop_assert!(value.error <= 1e-11 * value.value.abs() || value.value.abs() < 1e-60, "{:?}", value);
+            // What is nothing is nothing in fifty decimals.
+            prop_assert!(value.error <= 1e-11 * value.value.abs() || value.value.abs() < 1e-50, "{:?}", value);
         }
     }
     Ok(())

@@ -9,6 +9,11 @@ use momentous::quantity::{Dimension, Unit};
 
 /// What is expected where these names are given (`v:m/s:1:20`), and this formula is right.
 pub(super) fn expected(names: &str, right: &str) -> Expected {
+    readable(names, right).unwrap_or_else(|answer| panic!("{right}: {answer}"))
+}
+
+/// The same, or how the formula is read that is none with these names.
+pub(super) fn readable(names: &str, right: &str) -> Result<Expected, String> {
     let mut symbols = SymbolTable::default();
     let mut add = |name: &str, dimension| {
         symbols.intern(SymbolEntry { name: name.to_owned(), dimension, meaning: String::new() })
@@ -24,11 +29,11 @@ pub(super) fn expected(names: &str, right: &str) -> Expected {
     let blank = ExpectedFormula::new(Expr::one(), Arc::new(symbols), asked, domain);
     let formula = match read(right, &ExpectedKind::Formula(blank.clone()), DecimalMark::Point) {
         Ok(Answer::Formula(answer)) => answer.formula,
-        other => panic!("{right}: {other:?}"),
+        other => return Err(format!("{other:?}")),
     };
     let dimension = formula.dimension(&blank.symbols).unwrap();
     let kind = ExpectedKind::Formula(ExpectedFormula { formula, dimension, ..blank });
-    Expected { id: "Q".to_owned(), points: 1, kind }
+    Ok(Expected { id: "Q".to_owned(), points: 1, kind })
 }
 
 /// The verdict on an answer.
