@@ -80,7 +80,11 @@ const SAID: &[(Promise, &str, &str)] = &[
     ),
     (Promise::Requires, "requires", "every `require` rejects some draws"),
     (Promise::KeyMarks, "key-marks", "the answers of the key get full marks"),
-    (Promise::Sharp, "sharp", "rounding intermediate results shifts no answer by more than 5 %"),
+    (
+        Promise::Sharp,
+        "sharp",
+        "rounding intermediate results shifts no answer by more than three tolerances: drawn numbers with which it does are drawn again",
+    ),
     (Promise::Simulation, "simulation", "an independent simulation agrees"),
     (Promise::WrongForms, "wrong-forms", "the common mistakes can be distinguished from the right answer"),
     (Promise::Rounding, "rounding", "parts rounded as a student rounds get full marks"),

@@ -11,6 +11,9 @@ use crate::problem::ChoicePart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Problem;
+use crate::problem::Sampler;
+use crate::problem::Worked;
+use crate::quantity::MOST_TOLERANCES;
 
 use super::answers::noted;
 use super::promise::Outcome;
@@ -20,9 +23,6 @@ const SOLVED_AGAIN: u64 = 8;
 
 /// Seeds whose keys are marked, as they are printed and rounded on the way.
 const MARKED: u64 = 64;
-
-/// Honest rounding that moves an answer by more than this share of it blurs right and wrong.
-const SHARP: f64 = 0.05;
 
 /// The variants of the first seeds; those that draw nothing are told elsewhere.
 fn exercises(problem: &Arc<Problem>, form: usize, seeds: u64) -> impl Iterator<Item = (u64, Exercise)> {
@@ -101,8 +101,8 @@ pub(super) fn rounding(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outco
     full_marks(problem, form, seeds, |exercise| {
         let worked = exercise.worked();
         let mut answers = exercise.rounded_answers();
-        // With ill-chosen numbers, which are noted, rounding on the way may lead anywhere.
-        let blurred = |part: &&Part| part.numbers().any(|(_, number)| worked.is_ill_chosen(number));
+        // With ill-chosen numbers that the author fixed, which is noted, rounding on the way may lead anywhere.
+        let blurred = |part: &&Part| worked.is_ill_chosen(part);
         answers.extend(worked.form.parts.iter().filter(blurred).map(|part| (part.id.clone(), exercise.printed(part))));
         answers
     })
@@ -125,28 +125,26 @@ fn full_marks(
     first(exercises(problem, form, seeds.min(MARKED)).filter_map(wrong))
 }
 
-/// How often rounding of intermediate values may move an answer too far.
+/// How often rounding on the way shifts an answer too far: of drawn numbers, how often they are rejected for it.
 pub(super) fn sharp(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
-    let mut blurred: BTreeMap<String, u64> = BTreeMap::new();
-    let mut drawn: u64 = 0;
+    let Ok(mut sampler) = Sampler::new(problem, form) else { return Outcome::NotChecked("there is no such form") };
     let mut ill_chosen: BTreeMap<String, u64> = BTreeMap::new();
-    for (_, exercise) in exercises(problem, form, seeds.min(MARKED)) {
+    let mut drawn: u64 = 0;
+    for variant in (1..=seeds.min(MARKED)).filter_map(|seed| sampler.variant(seed).ok()) {
         drawn += 1;
-        let worked = exercise.worked();
-        for (id, number) in worked.form.parts.iter().flat_map(Part::numbers).filter(|(_, number)| !number.whole) {
-            if worked.is_ill_chosen(number) {
-                *ill_chosen.entry(id).or_insert(0) += 1;
-            } else if worked.judged(number).allowance > SHARP * worked.answer(number).value.abs() {
-                *blurred.entry(id).or_insert(0) += 1;
-            }
+        let Some(worked) = Worked::new(problem, &variant) else { continue };
+        for part in worked.form.parts.iter().filter(|part| worked.is_ill_chosen(part)) {
+            *ill_chosen.entry(part.id.clone()).or_insert(0) += 1;
         }
     }
-    let ill_chosen = ill_chosen.iter().map(|(id, times)| {
-        format!("the numbers are ill-chosen for {times} of {drawn} seeds: rounding intermediate results shifts `{id}` by more than half of it")
+    let shifts =
+        |id: &str| format!("rounding intermediate results shifts `{id}` by more than {MOST_TOLERANCES} tolerances");
+    let attempts = drawn + sampler.rejected();
+    let rejected = sampler.rejected_as_ill_chosen().iter();
+    let rejected =
+        rejected.map(|(id, times)| format!("{} in {times} of {attempts} draws, which are drawn again", shifts(id)));
+    let fixed = ill_chosen.keys().map(|id| {
+        format!("{}; ask for more figures (`figures: 4`), widen its `tolerance`, or choose other numbers", shifts(id))
     });
-    let blurred = blurred.iter().map(|(id, times)| {
-        let percent = 100.0 * SHARP;
-        format!("rounding intermediate results shifts `{id}` by more than {percent} % for {times} of {drawn} seeds")
-    });
-    noted(&ill_chosen.chain(blurred).collect::<Vec<_>>())
+    noted(&rejected.chain(fixed).collect::<Vec<_>>())
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::problem::NoVariant;
 use crate::problem::Problem;
 use crate::problem::Sampler;
+use crate::problem::Scheme;
 
 use super::Exercise;
 
@@ -42,7 +43,15 @@ impl<'p> Drawer<'p> {
     /// # Errors
     /// [`NoVariant`] where the seed has no admissible numbers.
     pub fn draw(&mut self, seed: u64) -> Result<Exercise, NoVariant> {
-        Ok(Exercise { problem: Arc::clone(self.problem), variant: self.sampler.variant(seed)? })
+        self.draw_by(seed, Scheme::default())
+    }
+
+    /// The variant of a seed as it was drawn by a version of the program.
+    ///
+    /// # Errors
+    /// [`NoVariant`] where the seed has no admissible numbers.
+    pub fn draw_by(&mut self, seed: u64, scheme: Scheme) -> Result<Exercise, NoVariant> {
+        Ok(Exercise { problem: Arc::clone(self.problem), variant: self.sampler.variant_by(seed, scheme)? })
     }
 }
 

@@ -11,7 +11,6 @@ use crate::problem::NumberPart;
 use crate::problem::PartKind;
 use crate::problem::VectorPart;
 use crate::quantity::Dimension;
-use crate::quantity::Tolerance;
 
 use super::follow_through::Earlier;
 use super::follow_through::Found;
@@ -209,11 +208,7 @@ fn accepted(verdict: Verdict) -> Option<Verdict> {
 /// may be a fraction of something.
 fn is_far(right: &grade::ExpectedNumber, value: f64, answer: f64) -> bool {
     let size = value.abs().max(right.scale);
-    let tolerance = match &right.tolerance {
-        Tolerance::Relative(share) => share.to_f64().abs() * size,
-        Tolerance::Absolute(distance) => distance.to_f64().abs(),
-        Tolerance::ToFigures => size,
-    };
+    let tolerance = right.tolerance.reach(size).unwrap_or(size);
     let reach = 2.0 * (tolerance + right.allowance + ROUNDING * size);
     !right.cyclic && right.unit.dimension() != Dimension::NONE && (answer.abs() - value.abs()).abs() > reach
 }

@@ -9,8 +9,10 @@ use crate::grade::DecimalMark;
 use crate::problem::CourseSymbols;
 use crate::problem::NoVariant;
 use crate::problem::Problem;
+use crate::problem::Scheme;
 use crate::problem::say_quantity;
 
+use super::Drawer;
 use super::Exercise;
 use super::issued::Derivation;
 use super::student_sheet::StudentSheet;
@@ -114,10 +116,11 @@ impl Issued {
     /// The same variant of a problem, which may have been corrected.
     ///
     /// # Errors
-    /// Where the problem has no such form any more, or the seed draws nothing.
+    /// Where the problem has no such form any more, this program does not know the scheme, or the seed draws nothing.
     pub fn draw(&self, problem: &Arc<Problem>) -> Result<Exercise, NoVariant> {
         let form = problem.form(self.form.as_deref()).ok_or(NoVariant::NoForm)?;
-        Exercise::draw(problem, form, self.seed)
+        let scheme = Scheme::numbered(self.scheme).ok_or(NoVariant::NoScheme(self.scheme))?;
+        Drawer::new(problem, form)?.draw_by(self.seed, scheme)
     }
 
     /// Whether answers to this sheet can be marked by a problem that may have been corrected.

@@ -49,7 +49,7 @@ use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Problem;
 use crate::problem::RangePart;
-use crate::problem::Scheme;
+use crate::problem::USUAL_FIGURES;
 use crate::problem::Variant;
 use crate::problem::Worked;
 use crate::quantity::Printed;
@@ -114,7 +114,7 @@ impl Exercise {
             seed: self.variant.seed(),
             secret: self.problem.secret_mark().filter(|_| self.variant.seed().is_some()).map(str::to_owned),
             digest: Some(self.problem.loaded().digest.clone()),
-            scheme: Some(Scheme::CURRENT.number()),
+            scheme: Some(self.variant.scheme().number()),
         }
     }
 
@@ -148,7 +148,8 @@ impl Exercise {
                 let name = self.problem.math_of(number.symbol);
                 let every =
                     if number.every_root { "every value, possible or not, that the equations give for " } else { "" };
-                let mut text = Inline::line(&format!("Find {every}{}, ", part.label));
+                let figures = precision(number);
+                let mut text = Inline::line(&format!("Find{figures} {every}{}, ", part.label));
                 text.push(Inline::Math(name));
                 if unit.is_none() {
                     text.push(Inline::Text(".".into()));
@@ -163,7 +164,8 @@ impl Exercise {
                     if unit.is_none() { "." } else { "" }
                 );
                 let name = self.problem.math_of_vector(&part.id, vector);
-                let mut text = Inline::line(&format!("Find {}, ", part.label));
+                let figures = vector.components.first().map(precision).unwrap_or_default();
+                let mut text = Inline::line(&format!("Find{figures} {}, ", part.label));
                 text.extend([Inline::Math(name), Inline::Text(along)]);
                 (text, unit)
             }
@@ -345,6 +347,15 @@ fn roots_joined(roots: Vec<Math>) -> Vec<Inline> {
         joined.push(Inline::Math(root));
     }
     joined
+}
+
+/// The figures that an answer needs, where they are more than usual.
+fn precision(number: &NumberPart) -> String {
+    if number.figures > USUAL_FIGURES && !number.whole {
+        format!(", to {} significant figures,", number.figures)
+    } else {
+        String::new()
+    }
 }
 
 /// The label of a part: a, b, c, ...

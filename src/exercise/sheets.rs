@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::io::BufRead;
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::problem::Scheme;
 
 use super::issued::{Derivation, SeedSource, VariantRef};
 use super::submission::excerpt;
@@ -24,8 +26,8 @@ pub enum Sheets {
 /// What a table of seeds says.
 #[derive(Clone, Debug, Default)]
 pub struct Listed {
-    /// Student, problem, form and seed of each sheet, as a hash: classes are large.
-    sheets: FxHashSet<u64>,
+    /// Student, problem, form and seed of each sheet, as a hash: classes are large; and how its numbers were drawn.
+    sheets: FxHashMap<u64, Scheme>,
     /// The same without the seed.
     asked: FxHashSet<u64>,
     digests: BTreeMap<String, String>,
@@ -42,6 +44,8 @@ pub struct Derived {
     pub derivation: Derivation,
     /// The secret of the course.
     pub secret: Option<Vec<u8>>,
+    /// How the numbers were drawn.
+    pub scheme: Scheme,
 }
 
 /// Why a sheet is not the student's.
@@ -60,24 +64,24 @@ pub enum NotIssued {
 }
 
 impl Sheets {
-    /// Whether a student was given a variant; where its form `is_first`, a table may leave the form out.
+    /// How the numbers of a variant were drawn that a student was given; where its form `is_first`, a table may leave the form out.
     ///
     /// # Errors
-    /// Why not.
-    pub fn check(&self, student: &str, variant: VariantRef<'_>, is_first: bool) -> Result<(), NotIssued> {
+    /// Why the student was not given it.
+    pub fn scheme(&self, student: &str, variant: VariantRef<'_>, is_first: bool) -> Result<Scheme, NotIssued> {
         if student.is_empty() {
             return Err(NotIssued::Nobody);
         }
         match self {
             Self::Listed(listed) => {
                 let unnamed = VariantRef { form: "", ..variant };
-                let named = listed.check(student, variant);
-                if is_first && named.is_err() && listed.check(student, unnamed) != Err(NotIssued::NotAsked) {
-                    return listed.check(student, unnamed);
+                let named = listed.scheme(student, variant);
+                if is_first && named.is_err() && listed.scheme(student, unnamed) != Err(NotIssued::NotAsked) {
+                    return listed.scheme(student, unnamed);
                 }
                 named
             }
-            Self::Derived(derived) => derived.check(student, variant),
+            Self::Derived(derived) => derived.check(student, variant).map(|()| derived.scheme),
         }
     }
 
@@ -92,7 +96,8 @@ impl Sheets {
 }
 
 impl Listed {
-    /// Reads a table of seeds, with the columns `student`, `problem`, `form`, `seed` and `digest`.
+    /// Reads a table of seeds, with the columns `student`, `problem`, `form`, `seed`, `scheme` and `digest`. Tables without a
+    /// column `scheme` are older than its second version.
     ///
     /// # Errors
     /// What is wrong with the table, or with each of its rows.
@@ -110,6 +115,7 @@ impl Listed {
         let (student, problem, seed) = (student.map_err(alone)?, problem.map_err(alone)?, seed.map_err(alone)?);
         let [form, digest, secret] = ["form", "digest", "secret"].map(|heading| table.column(heading));
         let (form, digest, secret) = (form.map_err(alone)?, digest.map_err(alone)?, secret.map_err(alone)?);
+        let scheme = table.column("scheme").map_err(alone)?;
         let mut listed = Self::default();
         let mut faults = Vec::new();
         while let Some((line, row)) = table.next_row() {
@@ -118,7 +124,11 @@ impl Listed {
                 let seed =
                     row.cell(seed).parse().map_err(|_| format!("`{}` is not a seed", excerpt(row.cell(seed))))?;
                 let variant = VariantRef { problem: row.cell(problem), form: cell(form), seed };
-                listed.add(row.cell(student), variant);
+                let scheme = match cell(scheme) {
+                    "" => Scheme::Solvable,
+                    number => number.parse().map_err(|fault| format!("`{}` is no scheme: {fault}", excerpt(number)))?,
+                };
+                listed.add(row.cell(student), variant, scheme);
                 if secret.is_some() && !listed.secrets.contains(cell(secret)) {
                     listed.secrets.insert(cell(secret).to_owned());
                 }
@@ -156,14 +166,14 @@ impl Listed {
         })
     }
 
-    fn add(&mut self, student: &str, variant: VariantRef<'_>) {
-        self.sheets.insert(hash((student, variant)));
+    fn add(&mut self, student: &str, variant: VariantRef<'_>, scheme: Scheme) {
+        self.sheets.insert(hash((student, variant)), scheme);
         self.asked.insert(hash((student, variant.problem, variant.form)));
     }
 
-    fn check(&self, student: &str, variant: VariantRef<'_>) -> Result<(), NotIssued> {
-        if self.sheets.contains(&hash((student, variant))) {
-            Ok(())
+    fn scheme(&self, student: &str, variant: VariantRef<'_>) -> Result<Scheme, NotIssued> {
+        if let Some(scheme) = self.sheets.get(&hash((student, variant))) {
+            Ok(*scheme)
         } else if self.asked.contains(&hash((student, variant.problem, variant.form))) {
             Err(NotIssued::OtherSeed)
         } else {
@@ -222,13 +232,13 @@ mod tests {
     #[test]
     fn a_table_says_whose_sheet_it_is() {
         let sheets = listed("student,problem,form,seed,digest\ns1,a/b,f,07,abc\ns2,a/b,,8,\n").unwrap();
-        assert_eq!(sheets.check("s1", variant("f", 7), true), Ok(()));
-        assert_eq!(sheets.check("s1", variant("f", 8), true), Err(NotIssued::OtherSeed));
-        assert_eq!(sheets.check("s1", variant("g", 7), false), Err(NotIssued::NotAsked));
-        assert_eq!(sheets.check("s2", variant("f", 8), true), Ok(()), "a first form may be left out");
-        assert_eq!(sheets.check("s2", variant("f", 7), true), Err(NotIssued::OtherSeed));
-        assert_eq!(sheets.check("s2", variant("f", 8), false), Err(NotIssued::NotAsked));
-        assert_eq!(sheets.check("", variant("f", 7), true), Err(NotIssued::Nobody));
+        assert_eq!(sheets.scheme("s1", variant("f", 7), true), Ok(Scheme::Solvable));
+        assert_eq!(sheets.scheme("s1", variant("f", 8), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.scheme("s1", variant("g", 7), false), Err(NotIssued::NotAsked));
+        assert_eq!(sheets.scheme("s2", variant("f", 8), true), Ok(Scheme::Solvable), "a first form may be left out");
+        assert_eq!(sheets.scheme("s2", variant("f", 7), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.scheme("s2", variant("f", 8), false), Err(NotIssued::NotAsked));
+        assert_eq!(sheets.scheme("", variant("f", 7), true), Err(NotIssued::Nobody));
         assert_eq!((sheets.digest("a/b"), sheets.digest("c/d")), (Some("abc"), None));
     }
 
@@ -246,10 +256,11 @@ mod tests {
         let secret = Some(b"course".to_vec());
         let seed = |derivation| SeedSource { derivation, secret: secret.as_deref() }.seed("s1", "a/b", "f");
         let [old, new] = Derivation::ALL.map(seed);
-        let sheets = Sheets::Derived(Derived { students, derivation: Derivation::Question, secret: secret.clone() });
-        assert_eq!(sheets.check("s1", variant("f", new), true), Ok(()));
-        assert_eq!(sheets.check("s1", variant("g", new), true), Err(NotIssued::OtherSeed));
-        assert_eq!(sheets.check("s1", variant("f", old), true), Err(NotIssued::OtherDerivation(Derivation::Student)));
-        assert_eq!(sheets.check("s2", variant("f", new), true), Err(NotIssued::Stranger));
+        let (derivation, scheme) = (Derivation::Question, Scheme::Markable);
+        let sheets = Sheets::Derived(Derived { students, derivation, secret: secret.clone(), scheme });
+        assert_eq!(sheets.scheme("s1", variant("f", new), true), Ok(Scheme::Markable));
+        assert_eq!(sheets.scheme("s1", variant("g", new), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.scheme("s1", variant("f", old), true), Err(NotIssued::OtherDerivation(Derivation::Student)));
+        assert_eq!(sheets.scheme("s2", variant("f", new), true), Err(NotIssued::Stranger));
     }
 }

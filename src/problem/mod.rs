@@ -27,7 +27,7 @@ pub use language::ask::{
 pub use language::comparison::split_relation;
 pub use language::course::CourseSymbols;
 pub use language::domain::{Domain, Grid};
-pub use language::draft::{Draft, Expect, Form, Level, Relation, Roots, Units};
+pub use language::draft::{Draft, Expect, Form, Level, Relation, Roots, USUAL_FIGURES, Units};
 pub use language::entries::Entries;
 pub use language::form::Question;
 pub use language::given::{ChoiceEntry, Given, GivenEntry, RangeEntry, ValueEntry};

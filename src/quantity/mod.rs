@@ -28,6 +28,7 @@ pub use double::nearest_double;
 pub use factor::Factor;
 pub use figures::{Printed, round_rational, round_to_figures, with_minus_signs};
 pub use place::{first_place, half_unit, unit_of_place};
+pub use tolerance::MOST_TOLERANCES;
 pub use tolerance::Tolerance;
 pub use unit::Unit;
 pub use unit_fault::{UnitFault, UnitFaultKind};

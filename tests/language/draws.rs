@@ -2,7 +2,7 @@
 //! definitions), and the values that a problem draws from them.
 
 use momentous::fault::Source;
-use momentous::problem::{Given, Scheme, Streams, load};
+use momentous::problem::{Given, Streams, load};
 
 type Golden = (&'static str, Option<&'static str>, &'static str, u64, u64, u64);
 
@@ -21,7 +21,7 @@ const WORDS: &[Golden] = &[
 #[test]
 fn words_are_those_of_the_scheme() {
     for &(problem, secret, name, seed, attempt, word) in WORDS {
-        let streams = Streams::new(Scheme::CURRENT, problem, secret.map(str::as_bytes), [name]);
+        let streams = Streams::new(problem, secret.map(str::as_bytes), [name]);
         assert_eq!(streams.words().word(0, seed, attempt), word, "{problem} {name} {seed} {attempt}");
     }
 }
@@ -30,7 +30,7 @@ fn words_are_those_of_the_scheme() {
 fn a_problem_draws_these_values() {
     let text = include_str!("../fixtures/problems/two_carts.yaml");
     let loaded = load(Source::new("two_carts.yaml", text)).unwrap();
-    let streams = Streams::new(Scheme::CURRENT, &loaded.draft.id, None, loaded.given.names());
+    let streams = Streams::new(&loaded.draft.id, None, loaded.given.names());
     let mut words = streams.words();
     let mut variant = |seed: u64| {
         let draw = |(index, (name, given)): (usize, (&str, &Given))| match given {

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assert_cmd::Command;
-use momentous::exercise::Exercise;
+use momentous::exercise::{Drawer, Exercise};
 use momentous::fault::Source;
-use momentous::problem::{Problem, compile, load};
+use momentous::problem::{Problem, Scheme, compile, load};
 use serde_json::Value;
 
 const PROBLEMS: &[&str] = &["two_carts", "hockey_pucks", "crate", "rubber_ball", "softball"];
@@ -45,7 +45,7 @@ fn lines(exercise: &Exercise) -> String {
     format!("    given: {}\n    answer: {}\n", given.join(", "), answers.join(", "))
 }
 
-fn variants() -> String {
+fn variants(scheme: Scheme) -> String {
     let mut text = String::new();
     for name in PROBLEMS {
         for secret in SECRETS {
@@ -54,8 +54,9 @@ fn variants() -> String {
                 let form = form.question.name.as_deref().unwrap_or("the only form");
                 let key = secret.map(|secret| format!(", secret {secret}")).unwrap_or_default();
                 writeln!(text, "{name}, {form}{key}:").unwrap();
+                let mut drawer = Drawer::new(&problem, index).unwrap();
                 for seed in SEEDS {
-                    let exercise = Exercise::draw(&problem, index, *seed).unwrap_or_else(|reason| panic!("{reason}"));
+                    let exercise = drawer.draw_by(*seed, scheme).unwrap_or_else(|reason| panic!("{reason}"));
                     write!(text, "  {seed}:\n{}", lines(&exercise)).unwrap();
                 }
             }
@@ -66,10 +67,12 @@ fn variants() -> String {
 
 #[test]
 fn every_variant_has_the_numbers_that_it_always_had() {
-    let expected = fs::read_to_string(folder().join("variants.yaml")).unwrap();
-    let found = variants();
-    let differs = expected.lines().zip(found.lines()).find(|(expected, found)| expected != found);
-    assert!(expected == found, "the first line that differs: {differs:?}\nall of it:\n{found}");
+    for scheme in Scheme::ALL {
+        let expected = fs::read_to_string(folder().join(format!("scheme_{scheme}.txt"))).unwrap();
+        let drawn = variants(scheme);
+        let differs = expected.lines().zip(drawn.lines()).find(|(expected, drawn)| expected != drawn);
+        assert!(expected == drawn, "scheme {scheme}, the first line that differs: {differs:?}\nall of it:\n{drawn}");
+    }
 }
 
 #[test]

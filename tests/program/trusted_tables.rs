@@ -133,7 +133,7 @@ fn sheets_of_an_earlier_version_stay_valid() {
     // By Python, as in the test of the derivation.
     let old = row("s17", "3788136342373", "");
     assert!(
-        room.read("old-teacher/seeds.csv").contains(",forward,3788136342373,1,"),
+        room.read("old-teacher/seeds.csv").contains(",forward,3788136342373,2,1,"),
         "{}",
         room.read("old-teacher/seeds.csv")
     );
@@ -142,6 +142,37 @@ fn sheets_of_an_earlier_version_stay_valid() {
     assert!(!issued(&["--roster", "roster.csv", "--derivation", "1"]).contains("not issued"));
     let now = issued(&["--roster", "roster.csv"]);
     assert!(now.contains("not issued: class.csv:2: ") && now.contains("help: give --derivation 1"), "{now}");
+}
+
+/// Scheme 2 rejects the numbers that scheme 1 drew for this seed: rounding shifts the small velocity of cart B too far.
+#[test]
+fn sheets_keep_the_numbers_of_the_scheme_that_drew_them() {
+    let room = Room::with(&[
+        ("before.csv", "student,problem,form,seed\ns1,impact/two-carts,forward,2\n"),
+        ("after.csv", "student,problem,form,seed,scheme\ns1,impact/two-carts,forward,2,2\n"),
+        ("unknown.csv", "student,problem,form,seed,scheme\ns1,impact/two-carts,forward,2,3\n"),
+    ]);
+    let record = |scheme: &str| {
+        let made = ["generate", "impact/two-carts", "--seed", "2", "--scheme", scheme, "--format", "json"];
+        lines(&room.fine(&made)).remove(0)
+    };
+    let [before, after] = ["1", "2"].map(record);
+    assert_eq!((&before["scheme"], &after["scheme"]), (&1.into(), &2.into()));
+    let row = |record: &serde_json::Value| {
+        let parts = record["ask"].as_array().unwrap().iter().map(|part| part["printed"].as_str().unwrap());
+        format!("s1,impact/two-carts,2,forward,{}", parts.collect::<Vec<_>>().join(","))
+    };
+    let is_right = |record: &serde_json::Value, more: &[&str]| {
+        let ran = grade(&room, &[row(record)], more);
+        assert!(ran.code < 2, "{}", ran.err);
+        marks(&room).iter().filter(|mark| mark.contains(" right ")).count() == 3
+    };
+    for (old, new) in [(&["--sheets", "before.csv"][..], &["--sheets", "after.csv"][..]), (&["--scheme", "1"], &[])] {
+        assert!(is_right(&before, old) && is_right(&after, new));
+        assert!(!is_right(&before, new) && !is_right(&after, old));
+    }
+    let unknown = grade(&room, &[row(&after)], &["--sheets", "unknown.csv"]);
+    assert!(unknown.code == 2 && unknown.err.contains("line 2: `3` is no scheme"), "{}", unknown.err);
 }
 
 #[test]

@@ -10,6 +10,7 @@ use crate::cli::failure::Failure;
 use crate::cli::failure::tell;
 use crate::cli::table;
 use crate::exercise::SeedSource;
+use crate::problem::Scheme;
 
 use super::asked::Asked;
 
@@ -24,6 +25,8 @@ struct Row {
     problem: String,
     form: String,
     seed: u64,
+    /// How its numbers were drawn; the first version did not write it.
+    scheme: Option<u32>,
     /// The beginning of the names of its files; earlier versions did not write it.
     #[serde(default)]
     file: String,
@@ -36,7 +39,7 @@ pub(super) struct Earlier(Vec<Row>);
 impl Earlier {
     /// Reads the table that lies there, if there is one, and refuses to write over rows of what is not asked this time, or of sheets
     /// that were drawn from other seeds.
-    pub(super) fn at(path: &Path, asked: &[Asked], seeds: SeedSource<'_>) -> Result<Self, Failure> {
+    pub(super) fn at(path: &Path, asked: &[Asked], seeds: SeedSource<'_>, scheme: Scheme) -> Result<Self, Failure> {
         if !path.exists() {
             return Ok(Self::default());
         }
@@ -51,13 +54,14 @@ impl Earlier {
             let is_same = |row: &Row| {
                 // The table has an apostrophe where a spreadsheet would run the cell.
                 let student = row.student.strip_prefix('\'').unwrap_or(&row.student);
-                [student, &row.student].iter().any(|id| seeds.seed(id, &row.problem, &row.form) == row.seed)
+                row.scheme.unwrap_or(Scheme::Solvable.number()) == scheme.number()
+                    && [student, &row.student].iter().any(|id| seeds.seed(id, &row.problem, &row.form) == row.seed)
             };
             if rows.iter().all(is_same) {
                 return Ok(Self(rows));
             }
             return Err(Failure::unusable(format!(
-                "{} has the seeds of sheets that were made with another secret or derivation, which would be lost\n\
+                "{} has the seeds of sheets that were made with another secret, derivation or scheme, which would be lost\n\
                  help: write into another folder, or give what those sheets were made with",
                 path.display()
             )));

@@ -4,8 +4,10 @@ use serde_json::Value;
 use serde_json::json;
 
 use crate::cli::failure::Failure;
+use crate::exercise::Drawer;
 use crate::exercise::Exercise;
 use crate::exercise::SeedSource;
+use crate::problem::Scheme;
 use crate::render::KeyRow;
 use crate::render::Sheet;
 
@@ -18,6 +20,7 @@ use super::roster::Sitter;
 pub(super) struct Job {
     asked: Asked,
     seed: u64,
+    scheme: Scheme,
     sitter: Option<Sitter>,
 }
 
@@ -27,12 +30,13 @@ impl Job {
         asked: &[Asked],
         first: u64,
         count: u64,
+        scheme: Scheme,
     ) -> Result<Box<dyn Iterator<Item = Self> + '_>, Failure> {
         let last = first.checked_add(count - 1);
         let last = last.ok_or_else(|| Failure::unusable(format!("there are not {count} seeds from {first} on")))?;
         let of = move |asked: &'_ Asked| {
             let asked = asked.clone();
-            (first..=last).map(move |seed| Self { asked: asked.clone(), seed, sitter: None })
+            (first..=last).map(move |seed| Self { asked: asked.clone(), seed, scheme, sitter: None })
         };
         Ok(Box::new(asked.iter().flat_map(of)))
     }
@@ -42,11 +46,12 @@ impl Job {
         asked: &'a [Asked],
         sitters: &'a [Sitter],
         seeds: SeedSource<'a>,
+        scheme: Scheme,
     ) -> Box<dyn Iterator<Item = Self> + 'a> {
         let of = move |sitter: &'a Sitter| {
             asked.iter().map(move |asked| {
                 let seed = sitter.variant(asked, seeds).seed;
-                Self { asked: asked.clone(), seed, sitter: Some(sitter.clone()) }
+                Self { asked: asked.clone(), seed, scheme, sitter: Some(sitter.clone()) }
             })
         };
         Box::new(sitters.iter().flat_map(of))
@@ -55,7 +60,8 @@ impl Job {
     /// The variant, solved.
     pub(super) fn exercise(&self) -> Result<Exercise, Failure> {
         let Asked { problem, form, .. } = &self.asked;
-        Exercise::draw(problem, *form, self.seed)
+        Drawer::new(problem, *form)
+            .and_then(|mut drawer| drawer.draw_by(self.seed, self.scheme))
             .map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))
     }
 

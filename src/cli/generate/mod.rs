@@ -18,6 +18,7 @@ use crate::exercise::Derivation;
 use crate::exercise::Exercise;
 use crate::exercise::SeedSource;
 use crate::exercise::SheetSeed;
+use crate::problem::Scheme;
 use crate::render::Figures;
 use crate::render::Key;
 use crate::render::KeyRow;
@@ -91,6 +92,9 @@ pub(super) struct Generate {
     /// How students' seeds are derived: 2, or 1 to print sheets of an earlier version of the program again
     #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
     derivation: Derivation,
+    /// How numbers are drawn: 2, or 1 to print sheets of an earlier version of the program again
+    #[arg(long, value_name = "VERSION", default_value_t)]
+    scheme: Scheme,
     /// Write to this file, or files into this folder, instead of printing
     #[arg(short, long, value_name = "FILE|FOLDER")]
     output: Option<PathBuf>,
@@ -119,11 +123,11 @@ impl Generate {
         let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
         let first = asked.first().map_or(Ok(self.seed.number), |own| open::seed(&self.seed, &own.problem))?;
         let jobs = |count| match &roster {
-            Some(roster) => Ok(Job::for_students(&asked, &roster.0, seeds)),
-            None => Job::for_seeds(&asked, first, count),
+            Some(roster) => Ok(Job::for_students(&asked, &roster.0, seeds, self.scheme)),
+            None => Job::for_seeds(&asked, first, count, self.scheme),
         };
         let earlier = match &roster {
-            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), &asked, seeds)?),
+            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), &asked, seeds, self.scheme)?),
             None => None,
         };
         let mut files = BTreeSet::new();
@@ -142,7 +146,7 @@ impl Generate {
             Some(printer) => self.documents(jobs, printer, &destination)?,
         }
         if let Some(roster) = &roster {
-            destination.write_for_teacher(SEEDS, &roster.seeds(&asked, seeds)?)?;
+            destination.write_for_teacher(SEEDS, &roster.seeds(&asked, seeds, self.scheme)?)?;
             if secret.is_none() {
                 tell("note: without --secret, a student who has this program can print his or her own solution");
             }

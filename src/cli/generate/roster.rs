@@ -8,6 +8,7 @@ use crate::exercise::SeedSource;
 use crate::exercise::Student;
 use crate::exercise::VariantRef;
 use crate::exercise::defused;
+use crate::problem::Scheme;
 
 use super::asked::Asked;
 use super::names;
@@ -42,11 +43,13 @@ impl Roster {
     }
 
     /// The table of who has which seed.
-    pub(super) fn seeds(&self, asked: &[Asked], seeds: SeedSource<'_>) -> Result<String, Failure> {
+    pub(super) fn seeds(&self, asked: &[Asked], seeds: SeedSource<'_>, scheme: Scheme) -> Result<String, Failure> {
         let mut table = csv::Writer::from_writer(Vec::new());
         let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
-        let headings = ["student", "name", "problem", "digest", "form", "seed", "derivation", "secret", "file"];
+        let headings =
+            ["student", "name", "problem", "digest", "form", "seed", "scheme", "derivation", "secret", "file"];
         table.write_record(headings).map_err(failed)?;
+        let scheme = scheme.to_string();
         for sitter in &self.0 {
             for own in asked {
                 let variant = sitter.variant(own, seeds);
@@ -54,7 +57,7 @@ impl Roster {
                 let digest = &own.problem.loaded().digest;
                 let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), sitter.file_stem(own));
                 let (id, name) = (&sitter.student.id, &sitter.student.name);
-                let row = [id, name, variant.problem, digest, variant.form, &seed, &derivation, mark, &file];
+                let row = [id, name, variant.problem, digest, variant.form, &seed, &scheme, &derivation, mark, &file];
                 table.write_record(row.map(|cell| defused(cell).into_owned())).map_err(failed)?;
             }
         }

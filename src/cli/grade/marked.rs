@@ -211,6 +211,7 @@ mod tests {
     use super::super::source::Source;
     use super::*;
     use crate::grade::DecimalMark;
+    use crate::problem::Scheme;
 
     /// How many tables are marked; `MOMENTOUS_TABLES=10000` marks a million rows.
     const TABLES: u64 = 250;
@@ -250,7 +251,7 @@ mod tests {
 
     /// What becomes of the rows of a file.
     fn counted(path: &Path, problems: Problems) -> RowCounts {
-        let mut reader = Reader::new(Source::open(path).unwrap(), Register::new(problems, None));
+        let mut reader = Reader::new(Source::open(path).unwrap(), Register::new(problems, None, Scheme::default()));
         let mut counts = RowCounts::default();
         let (mut written, mut refused) = (0, BTreeSet::new());
         loop {

@@ -28,6 +28,7 @@ use crate::exercise::Derivation;
 use crate::exercise::SheetSeed;
 use crate::grade::DecimalMark;
 use crate::grade::Sitting;
+use crate::problem::Scheme;
 
 use super::exit::Exit;
 use super::failure::Failure;
@@ -113,6 +114,9 @@ pub(super) struct Grade {
     /// How students' seeds were derived: 2, or 1 by an earlier version of the program
     #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
     derivation: Derivation,
+    /// How the numbers were drawn: 2, or 1 by an earlier version of the program; a table of seeds says it itself
+    #[arg(long, value_name = "VERSION", default_value_t, conflicts_with = "sheets")]
+    scheme: Scheme,
     /// Bring together attempts of one student at one sheet that are not in adjacent rows; the file is read twice
     #[arg(long, requires = "submissions")]
     any_order: bool,

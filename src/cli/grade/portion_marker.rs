@@ -80,10 +80,11 @@ impl<'p> Form<'p> {
 
     /// The marker with the variant that is asked, which is drawn where it is not the one that was drawn last.
     fn open(&mut self, question: Question) -> Result<(&mut Marker, &Exercise), String> {
-        let is_asked = |last: &Exercise| last.variant().seed() == Some(question.seed);
+        let Question { seed, scheme, .. } = question;
+        let is_asked = |last: &Exercise| last.variant().seed() == Some(seed) && last.variant().scheme() == scheme;
         let exercise = match self.last.take() {
             Some(last) if is_asked(&last) => last,
-            _ => self.drawer.draw(question.seed).map_err(|reason| reason.to_string())?,
+            _ => self.drawer.draw_by(seed, scheme).map_err(|reason| reason.to_string())?,
         };
         Ok((&mut self.marker, self.last.insert(exercise)))
     }

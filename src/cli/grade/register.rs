@@ -17,6 +17,7 @@ use crate::exercise::Together;
 use crate::exercise::VariantRef;
 use crate::exercise::excerpt;
 use crate::grade::Seen;
+use crate::problem::Scheme;
 
 use super::problems::{Met, Problems};
 
@@ -46,18 +47,22 @@ pub(super) struct Facts {
     pub seen: Seen,
 }
 
-/// The variant that is answered: the position of the problem among those that are open, that of its form, and the seed.
+/// The variant that is answered: the position of the problem among those that are open, that of its form, the seed, and how its
+/// numbers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Question {
     pub problem: usize,
     pub form: usize,
     pub seed: u64,
+    pub scheme: Scheme,
 }
 
 /// What is known of the class so far.
 pub(super) struct Register {
     problems: Problems,
     sheets: Option<Sheets>,
+    /// How the numbers of sheets were drawn of which nobody says it.
+    scheme: Scheme,
     together: Together,
     /// The rows whose problem is known; those of them that name another secret than the one given, and what is said of one.
     looked_at: u64,
@@ -70,10 +75,11 @@ pub(super) struct Register {
 }
 
 impl Register {
-    pub(super) fn new(problems: Problems, sheets: Option<Sheets>) -> Self {
+    pub(super) fn new(problems: Problems, sheets: Option<Sheets>, scheme: Scheme) -> Self {
         Self {
             problems,
             sheets,
+            scheme,
             together: Together::default(),
             looked_at: 0,
             of_other_secrets: 0,
@@ -136,13 +142,19 @@ impl Register {
             self.other_secret = Some(message.clone());
             return Err(message);
         }
-        let question = met.question(submission)?;
+        let question = Question { scheme: self.scheme, ..met.question(submission)? };
         let attempt = submission.number(Key::Attempt, 1)?;
         let [hints, further] = [submission.number(Key::Hints, 0)?, submission.number(Key::FurtherHints, 0)?];
         let seen = Seen { hints: hints.unwrap_or(0), further: further.unwrap_or(0) };
         met.asks(submission, question)?;
         let (student, variant) = (submission.key(Key::Student), met.variant(question));
-        let not_issued = self.sheets.as_ref().and_then(|own| own.check(student, variant, question.form == 0).err());
+        let issued = self.sheets.as_ref().map(|sheets| sheets.scheme(student, variant, question.form == 0));
+        let (scheme, not_issued) = match issued {
+            None => (question.scheme, None),
+            Some(Ok(scheme)) => (scheme, None),
+            Some(Err(reason)) => (question.scheme, Some(reason)),
+        };
+        let question = Question { scheme, ..question };
         self.note_a_change(&met);
         let is_beside = match self.together.add(student, variant, number) {
             Standing::First => false,
@@ -198,7 +210,7 @@ impl Met {
             let id = self.problem.id();
             return Err(format!("the sheet was made from another version of {id}: its digest is {digest}"));
         }
-        Ok(Question { problem: self.place, form, seed })
+        Ok(Question { problem: self.place, form, seed, scheme: Scheme::default() })
     }
 
     /// What is answered, by its names.

@@ -9,6 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::format::Listing;
 use crate::cli::open;
 use crate::cli::output::Output;
+use crate::exercise::Drawer;
 use crate::exercise::Exercise;
 use crate::exercise::SheetSeed;
 use crate::grade::Report;
@@ -22,7 +23,7 @@ impl Grade {
         let problem = open::problem(name, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;
         let seed = seed.of_a_sheet(&problem).map_err(|message| Failure::unusable(format!("--seed: {message}")))?;
-        let exercise = Exercise::draw(&problem, form, seed);
+        let exercise = Drawer::new(&problem, form).and_then(|mut drawer| drawer.draw_by(seed, self.scheme));
         let exercise = exercise.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
         let answers = self.answers(&exercise)?;
         let report = exercise.mark(&answers, self.decimal.into(), self.sitting());

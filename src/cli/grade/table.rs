@@ -47,7 +47,7 @@ impl Grade {
                 (Source::Responses(responses.into_iter()), students)
             }
         };
-        let register = Register::new(problems, sheets);
+        let register = Register::new(problems, sheets, self.scheme);
         let mut reader =
             if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
         let mut chunk = reader.chunk();
@@ -122,7 +122,7 @@ impl Grade {
         let Some(path) = &self.roster else { return Ok(None) };
         let students = generate::students(path)?.into_iter().map(|student| student.id).collect();
         let secret = secret.map(<[u8]>::to_vec);
-        Ok(Some(Sheets::Derived(Derived { students, derivation: self.derivation, secret })))
+        Ok(Some(Sheets::Derived(Derived { students, derivation: self.derivation, secret, scheme: self.scheme })))
     }
 }
 

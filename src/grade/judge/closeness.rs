@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 
 use dashu::base::Abs;
 
+use crate::quantity::MOST_TOLERANCES;
 use crate::quantity::Rational;
 use crate::quantity::Tolerance;
 use crate::quantity::Unit;
@@ -54,16 +55,14 @@ impl<'a> Target<'a> {
         let value = turn.map_or(expected.value, |turn| nearest(expected.value, turn));
         let tolerance = match &expected.tolerance {
             _ if expected.whole => 0.0,
-            Tolerance::ToFigures => half_unit(value, expected),
-            Tolerance::Absolute(distance) => distance.to_f64().abs(),
-            Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(value, expected.scale),
+            tolerance => {
+                let reach = tolerance.reach(reference(value, expected.scale));
+                reach.unwrap_or_else(|| half_unit(value, expected))
+            }
         };
-        let allowance = match (gives_nothing_away(expected), turn) {
-            (true, _) => 0.0,
-            // A direction has no size that rounding could be compared with.
-            (_, Some(_)) => expected.allowance,
-            _ => capped(expected.allowance, value),
-        };
+        // A direction has no size that rounding could be compared with.
+        let size = if turn.is_some() { 0.0 } else { value };
+        let allowance = if gives_nothing_away(expected) { 0.0 } else { capped(expected.allowance, tolerance, size) };
         Self { expected, value, tolerance, allowance, turn, exact: OnceCell::new() }
     }
 
@@ -185,8 +184,10 @@ pub(super) fn reference(value: f64, scale: f64) -> f64 {
     if value == 0.0 { scale } else { value.abs() }
 }
 
-/// How far honest rounding may lead: never so far that nothing, or the opposite, would be right.
-pub(super) fn capped(allowance: f64, value: f64) -> f64 {
+/// How far honest rounding may lead: no further than a few tolerances, and never so far that nothing, or the opposite, would be
+/// right.
+pub(super) fn capped(allowance: f64, tolerance: f64, value: f64) -> f64 {
+    let allowance = allowance.min(MOST_TOLERANCES * tolerance);
     if value == 0.0 { allowance } else { allowance.min(value.abs() / 2.0) }
 }
 

@@ -82,7 +82,7 @@ fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
     }
     let slack = size(&expected.components.iter().map(|component| component.error).collect::<Vec<_>>());
     let allowance = size(&expected.components.iter().map(|component| component.allowance).collect::<Vec<_>>());
-    let allowance = capped(allowance, size(&right));
+    let allowance = capped(allowance, limit, size(&right));
     let inexact = SLACK * size(&given.iter().map(Number::to_f64).collect::<Vec<_>>());
     if near(&right, limit + slack + inexact) {
         return Some(Verdict::Right);
@@ -119,14 +119,8 @@ fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
 
 fn tolerance(expected: &ExpectedVector, right: &[f64]) -> f64 {
     let Some(first) = expected.components.first() else { return 0.0 };
-    match &first.tolerance {
-        Tolerance::ToFigures => half_unit(size(right), first),
-        Tolerance::Absolute(distance) => distance.to_f64().abs(),
-        Tolerance::Relative(fraction) => {
-            let scale = size(&expected.components.iter().map(|component| component.scale).collect::<Vec<_>>());
-            fraction.to_f64().abs() * reference(size(right), scale)
-        }
-    }
+    let scale = size(&expected.components.iter().map(|component| component.scale).collect::<Vec<_>>());
+    first.tolerance.reach(reference(size(right), scale)).unwrap_or_else(|| half_unit(size(right), first))
 }
 
 /// The comparison of squares, which needs no root and so has an exact boundary.

@@ -43,7 +43,6 @@ use super::super::reading::turning;
 use super::super::reading::unsound;
 use super::super::sampling::no_variant::Rejection;
 use super::super::sampling::sampler::Sampler;
-use super::super::sampling::stream::Scheme;
 use super::super::sampling::stream::Streams;
 use super::any;
 use super::form_draft::FormDraft;
@@ -178,7 +177,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
         return Err(faults);
     }
     let drawn = drawn.iter().filter_map(|position| known.get(*position)).map(|known| known.name.as_str());
-    let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
+    let streams = Streams::new(&draft.id, secret, drawn);
     Ok(Built { model, known, forms, streams, units, notation })
 }
 

@@ -5,7 +5,7 @@ use crate::expr::Symbol;
 use crate::laws::wrong::reading::DEGREES;
 use crate::laws::wrong::reading::SlipOf;
 use crate::model::QuantityKind;
-use crate::quantity::Tolerance;
+use crate::quantity::MOST_TOLERANCES;
 use crate::quantity::half_unit;
 use crate::solve::BatchValues;
 use crate::solve::Bounded;
@@ -198,12 +198,8 @@ impl<'a> Worked<'a> {
         for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {
             for number in numbers() {
                 let right = self.answer(number).value;
-                let allowed = match &number.tolerance {
-                    Tolerance::Relative(share) => share.to_f64() * right.abs(),
-                    Tolerance::Absolute(distance) => distance.to_f64(),
-                    Tolerance::ToFigures => half_unit(right, number.figures),
-                };
-                let allowed = allowed.max(self.judged(number).allowance);
+                let tolerance = number.tolerance.reach(right).unwrap_or_else(|| half_unit(right, number.figures));
+                let allowed = tolerance.max(self.judged(number).allowance.min(MOST_TOLERANCES * tolerance));
                 for value in simulated.answers(mistake, number) {
                     possible = true;
                     if (value - right).abs() > allowed {

@@ -99,11 +99,14 @@ pub struct Draft {
     pub rubric: Rubric,
 }
 
+/// Significant figures to which answers are expected where nothing is said.
+pub const USUAL_FIGURES: usize = 3;
+
 impl Draft {
     /// To how many significant figures answers are printed.
     #[must_use]
     pub fn significant_figures(&self) -> usize {
-        usize::from(self.figures.unwrap_or(3))
+        self.figures.map_or(USUAL_FIGURES, usize::from)
     }
 
     /// The points of a part, which may say its own.

@@ -2,6 +2,7 @@
 
 use crate::model::Reason;
 use crate::model::Warning;
+use crate::quantity::MOST_TOLERANCES;
 
 /// Tries for one seed before the problem is given up as one that cannot be drawn.
 pub const MOST_ATTEMPTS: u64 = 256;
@@ -15,6 +16,9 @@ pub enum NoVariant {
     /// The problem has no form at that position.
     #[error("the problem has no such form")]
     NoForm,
+    /// A newer version of the program drew the numbers, by a scheme of this number.
+    #[error("its numbers were drawn by a newer version of the program (scheme {0})")]
+    NoScheme(u32),
     /// The values leave no admissible solution, or more than one.
     #[error("with these values the problem has {count} admissible solutions{}", because(.reason.as_ref()))]
     Solutions {
@@ -77,6 +81,12 @@ pub enum Rejection {
     /// They leave a choice without its one right option.
     #[error("{0}")]
     Options(String),
+    /// They let rounding on the way shift the answer to a part so far that it cannot be marked; the part's name.
+    #[error(
+        "rounding intermediate results shifts `{0}` by more than {MOST_TOLERANCES} tolerances; draw other numbers, ask for more \
+         figures (`figures: 4`), or widen its `tolerance`"
+    )]
+    IllChosen(String),
     /// They leave no real solution.
     #[error("there is no real solution")]
     NotReal,
@@ -91,7 +101,7 @@ impl NoVariant {
     pub fn rejection(&self) -> Option<&Rejection> {
         match self {
             Self::Exhausted(reason) | Self::Solutions { reason, .. } => reason.as_ref(),
-            Self::NoForm => None,
+            Self::NoForm | Self::NoScheme(_) => None,
         }
     }
 

@@ -20,6 +20,9 @@ impl Sampler<'_> {
             if let Some(refused) = self.refused() {
                 return Some(refused);
             }
+            if let Some(part) = self.ill_chosen() {
+                return Some(Rejection::IllChosen(part.to_owned()));
+            }
         } else if several > 1 {
             return Some(Rejection::Several(several));
         }

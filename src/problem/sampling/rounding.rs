@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Dimension;
+use crate::quantity::MOST_TOLERANCES;
 use crate::quantity::first_place;
 use crate::quantity::half_unit;
 use crate::quantity::unit_of_place;
@@ -10,6 +11,7 @@ use crate::solve::Sensitivity;
 
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
+use super::super::questions::part::Part;
 use super::variant::Worked;
 
 /// A value just below a power of ten may be computed just above it, where its last figure counts ten times as much.
@@ -47,13 +49,24 @@ impl Worked<'_> {
         Judged { allowance: if is_decimal { found } else { found + written }, scale }
     }
 
-    /// Whether honest rounding may move an answer by more than half of it: with such numbers nobody can tell a right sign from a
-    /// wrong one. A direction has no size, so it is none of these.
+    /// Whether honest rounding may move the answer to a part by more than a few tolerances, or by half of it: with such numbers
+    /// nobody can tell a right answer from a wrong one.
+    ///
+    /// Of a vector, the sizes are those of the whole vector.
     #[must_use]
-    pub fn is_ill_chosen(&self, number: &NumberPart) -> bool {
-        let is_angle = matches!(&number.unit, AskedUnit::Unit(unit) if unit.is_plain_angle());
-        let answer = self.answer(number).value.abs();
-        !is_angle && !self.is_nothing(number.symbol) && self.judged(number).allowance > answer / 2.0
+    pub fn is_ill_chosen(&self, part: &Part) -> bool {
+        let numbers = part.kind.numbers();
+        let Some(first) = numbers.first().filter(|first| !first.whole) else { return false };
+        let judged: Vec<Judged> = numbers.iter().map(|number| self.judged(number)).collect();
+        let size = |values: &mut dyn Iterator<Item = f64>| libm::sqrt(values.map(|value| value * value).sum());
+        let answer = size(&mut numbers.iter().map(|number| self.answer(number).value));
+        let is_nothing = numbers.iter().all(|number| self.is_nothing(number.symbol));
+        let scale = size(&mut judged.iter().map(|own| own.scale));
+        let shift = size(&mut judged.iter().map(|own| own.allowance));
+        let Some(tolerance) = first.tolerance.reach(if is_nothing { scale } else { answer }) else { return false };
+        // A direction has no size.
+        let has_size = !is_nothing && !matches!(&first.unit, AskedUnit::Unit(unit) if unit.is_plain_angle());
+        shift > MOST_TOLERANCES * tolerance || (has_size && shift > answer / 2.0)
     }
 
     /// Whether a quantity is exactly nothing: known to be, or around nothing in as many digits as there are.

@@ -1,5 +1,7 @@
 //! Drawing variants: numbers from their streams, revealed values rounded as they are printed, everything else solved.
 
+use std::collections::BTreeMap;
+
 use crate::expr::Symbol;
 use crate::model::QuantityKind;
 use crate::quantity::Decimal;
@@ -20,6 +22,7 @@ use super::super::language::known::Origin;
 use super::super::language::text::Text;
 use super::no_variant::MOST_ATTEMPTS;
 use super::no_variant::NoVariant;
+use super::stream::Scheme;
 use super::stream::Words;
 use super::variant::Variant;
 use super::variant::Worked;
@@ -45,7 +48,10 @@ pub struct Sampler<'p> {
     pub(super) printed: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
     told: Vec<(usize, &'p Known)>,
+    /// Whether any of its numbers is drawn.
+    is_drawn: bool,
     rejected: u64,
+    ill_chosen: BTreeMap<&'p str, u64>,
 }
 
 impl<'p> Sampler<'p> {
@@ -80,7 +86,9 @@ impl<'p> Sampler<'p> {
             directions: directions(problem, own),
             printed: printed(problem, own),
             told: own.known.iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
+            is_drawn: own.known.iter().any(|known| matches!(known.origin, Origin::Drawn(_))),
             rejected: 0,
+            ill_chosen: BTreeMap::new(),
         })
     }
 
@@ -90,15 +98,25 @@ impl<'p> Sampler<'p> {
         self.rejected
     }
 
+    /// How many of them because rounding on the way would shift an answer too far, by the part that is asked.
+    #[must_use]
+    pub fn rejected_as_ill_chosen(&self) -> &BTreeMap<&'p str, u64> {
+        &self.ill_chosen
+    }
+
     /// Draws and solves a seed without keeping the variant; the certificate is within [`Self::answer`].
     ///
     /// # Errors
     /// [`NoVariant::Exhausted`] where no attempt was admissible.
     pub fn draw(&mut self, seed: u64) -> Result<(), NoVariant> {
+        self.draw_by(seed, Scheme::default())
+    }
+
+    fn draw_by(&mut self, seed: u64, scheme: Scheme) -> Result<(), NoVariant> {
         for attempt in 0..MOST_ATTEMPTS {
             self.draw_attempt(seed, attempt);
             let count = self.solve();
-            if self.is_admissible(count) && self.discriminates(seed) {
+            if self.is_admissible(count) && self.discriminates() && self.is_markable(scheme) {
                 return Ok(());
             }
             self.rejected += 1;
@@ -119,8 +137,16 @@ impl<'p> Sampler<'p> {
     /// # Errors
     /// [`NoVariant::Exhausted`] where no attempt was admissible.
     pub fn variant(&mut self, seed: u64) -> Result<Variant, NoVariant> {
-        self.draw(seed)?;
-        Ok(self.keep(Some(seed)))
+        self.variant_by(seed, Scheme::default())
+    }
+
+    /// The variant of a seed as it was drawn by a version of the program.
+    ///
+    /// # Errors
+    /// [`NoVariant::Exhausted`] where no attempt was admissible.
+    pub fn variant_by(&mut self, seed: u64, scheme: Scheme) -> Result<Variant, NoVariant> {
+        self.draw_by(seed, scheme)?;
+        Ok(Variant { scheme, ..self.keep(Some(seed)) })
     }
 
     /// The variant in which these quantities have these values instead of drawn ones.
@@ -147,14 +173,30 @@ impl<'p> Sampler<'p> {
     }
 
     /// Whether every mistake that the author wants to see changes some answer.
-    fn discriminates(&self, seed: u64) -> bool {
+    fn discriminates(&self) -> bool {
         let wanted = &self.problem.loaded().draft.discriminate;
-        if wanted.is_empty() {
+        wanted.is_empty() || self.with_worked(|worked| wanted.iter().all(|mistake| worked.tells_apart(mistake)))
+    }
+
+    /// Whether a student who rounds on the way can be told from one who is wrong. Numbers that the author fixed stay as they are.
+    fn is_markable(&mut self, scheme: Scheme) -> bool {
+        if scheme < Scheme::Markable || !self.is_drawn {
             return true;
         }
-        let variant = self.keep(Some(seed));
-        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
-        wanted.iter().all(|mistake| worked.tells_apart(mistake))
+        let Some(part) = self.ill_chosen() else { return true };
+        *self.ill_chosen.entry(part).or_insert(0) += 1;
+        false
+    }
+
+    /// The part whose answer rounding on the way shifts too far, with the numbers solved last.
+    pub(super) fn ill_chosen(&self) -> Option<&'p str> {
+        let part = |worked: &Worked<'_>| self.form.parts.iter().find(|part| worked.is_ill_chosen(part));
+        self.with_worked(part).map(|part| part.id.as_str())
+    }
+
+    fn with_worked<T>(&self, read: impl FnOnce(&Worked<'_>) -> T) -> T {
+        let variant = self.keep(None);
+        read(&Worked { problem: self.problem, form: self.form, variant: &variant })
     }
 
     fn draw_attempt(&mut self, seed: u64, attempt: u64) {
@@ -232,6 +274,7 @@ impl<'p> Sampler<'p> {
         Variant {
             form: self.position,
             seed,
+            scheme: Scheme::default(),
             given,
             values,
             forward: forward.unwrap_or_default(),

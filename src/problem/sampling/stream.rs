@@ -1,4 +1,7 @@
-//! Random words, each fixed for ever by scheme, problem, seed, name and attempt.
+//! Random words, each fixed for ever by problem, seed, name and attempt.
+
+use std::fmt;
+use std::str::FromStr;
 
 use hmac::{Hmac, KeyInit, Mac};
 use rand::rngs::ChaCha8Rng;
@@ -8,21 +11,56 @@ use sha2::Sha256;
 use super::secret::letter;
 use super::secret::secret_mark;
 
-/// How numbers are drawn; a change of it changes the numbers of every variant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Scheme(u32);
+/// How the numbers of a seed are drawn. Each version stays as it is, so that sheets that were handed out keep their numbers.
+///
+/// Every version takes its words from the same streams: a key by HMAC-SHA-256 of the problem, `ChaCha8` with a stream for each name,
+/// the seed as the block counter, and a word for each attempt. They differ in which attempts they reject.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Scheme {
+    /// Version 1: numbers are rejected only where they have no admissible solution.
+    Solvable,
+    /// Version 2: numbers are rejected as well where rounding on the way shifts an answer by more than a few tolerances.
+    #[default]
+    Markable,
+}
 
 impl Scheme {
-    /// The present scheme: a key by HMAC-SHA-256 of scheme and problem, `ChaCha8` with a stream for each name, the seed as the
-    /// block counter, and a word for each attempt.
-    pub const CURRENT: Self = Self(1);
+    /// Every version, the oldest first.
+    pub const ALL: [Self; 2] = [Self::Solvable, Self::Markable];
 
-    /// The number that stands in outputs.
+    /// The number by which outputs, tables and arguments name it.
     #[must_use]
     pub fn number(self) -> u32 {
-        self.0
+        match self {
+            Self::Solvable => 1,
+            Self::Markable => 2,
+        }
+    }
+
+    /// The version of that number.
+    #[must_use]
+    pub fn numbered(number: u32) -> Option<Self> {
+        Self::ALL.into_iter().find(|scheme| scheme.number() == number)
     }
 }
+
+impl fmt::Display for Scheme {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.number().fmt(out)
+    }
+}
+
+impl FromStr for Scheme {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let scheme = text.trim().parse().ok().and_then(Self::numbered);
+        scheme.ok_or_else(|| format!("the versions are 1 to {}", Self::ALL.len()))
+    }
+}
+
+/// The number that stands in every key.
+const KEY_VERSION: u32 = 1;
 
 /// Words of a block of `ChaCha8`, as 64 bits: those of one seed, one for each of so many attempts.
 const BLOCK: usize = 8;
@@ -31,9 +69,9 @@ const BLOCK: usize = 8;
 /// removed and the others stay.
 ///
 /// ```
-/// use momentous::problem::{Scheme, Streams};
-/// let mut two = Streams::new(Scheme::CURRENT, "impact/two-carts", None, ["m_A", "m_B"]).words();
-/// let mut one = Streams::new(Scheme::CURRENT, "impact/two-carts", None, ["m_B"]).words();
+/// use momentous::problem::Streams;
+/// let mut two = Streams::new("impact/two-carts", None, ["m_A", "m_B"]).words();
+/// let mut one = Streams::new("impact/two-carts", None, ["m_B"]).words();
 /// assert_eq!(two.word(1, 7, 0), one.word(0, 7, 0));
 /// ```
 #[derive(Clone, Debug)]
@@ -49,15 +87,10 @@ const CODE: usize = 12;
 
 impl Streams {
     /// The streams of a problem, in the order of the names. With a course secret, nobody without it can find the words.
-    pub fn new<'a>(
-        scheme: Scheme,
-        problem: &str,
-        secret: Option<&[u8]>,
-        names: impl IntoIterator<Item = &'a str>,
-    ) -> Self {
+    pub fn new<'a>(problem: &str, secret: Option<&[u8]>, names: impl IntoIterator<Item = &'a str>) -> Self {
         let kind: &[u8] = if secret.is_some() { b"secret" } else { b"open" };
-        let scheme = scheme.0.to_le_bytes();
-        let key = digest(secret.unwrap_or_default(), &[b"momentous", &scheme, kind, problem.as_bytes()]);
+        let version = KEY_VERSION.to_le_bytes();
+        let key = digest(secret.unwrap_or_default(), &[b"momentous", &version, kind, problem.as_bytes()]);
         let id = |name: &str| first_word(digest(&key, &[b"stream", name.as_bytes()]));
         Self { key, ids: names.into_iter().map(id).collect(), mark: secret.map(secret_mark) }
     }
@@ -160,7 +193,7 @@ mod tests {
     use super::*;
 
     fn streams(problem: &str, secret: Option<&[u8]>) -> Words {
-        Streams::new(Scheme::CURRENT, problem, secret, ["m_A", "m_B", "v_A1"]).words()
+        Streams::new(problem, secret, ["m_A", "m_B", "v_A1"]).words()
     }
 
     #[test]

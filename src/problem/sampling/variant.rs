@@ -16,6 +16,7 @@ use super::super::compiling::regimes::Leaf;
 use super::super::questions::number::unit_for;
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
+use super::stream::Scheme;
 
 /// The numbers of one variant. Made only by [`super::super::Sampler`]: its givens satisfy what the problem requires, and exactly
 /// one admissible solution belongs to them.
@@ -23,6 +24,7 @@ use super::super::questions::part::NumberPart;
 pub struct Variant {
     pub(in crate::problem) form: usize,
     pub(in crate::problem) seed: Option<u64>,
+    pub(in crate::problem) scheme: Scheme,
     pub(in crate::problem) given: Vec<(Symbol, Decimal, Unit)>,
     pub(in crate::problem) values: Vec<Option<Bounded>>,
     pub(in crate::problem) forward: Vec<Option<Bounded>>,
@@ -44,6 +46,12 @@ impl Variant {
     #[must_use]
     pub fn seed(&self) -> Option<u64> {
         self.seed
+    }
+
+    /// How its numbers were drawn.
+    #[must_use]
+    pub fn scheme(&self) -> Scheme {
+        self.scheme
     }
 
     /// The same numbers without a seed: they were not drawn.

@@ -221,7 +221,7 @@ fn seeds_of_another_secret_are_not_lost() {
     let before = files();
     for other in [&["--secret", "b.txt"][..], &[], &["--secret", "a.txt", "--derivation", "1"]] {
         let ran = generate(other);
-        assert!(ran.code == 2 && ran.err.contains("another secret or derivation"), "{other:?}: {}", ran.err);
+        assert!(ran.code == 2 && ran.err.contains("another secret, derivation or scheme"), "{other:?}: {}", ran.err);
         assert_eq!(files(), before);
     }
     let again = generate(&["--secret", "a.txt"]);
