@@ -42,6 +42,13 @@ impl Bank {
         self.problems.iter().map(|(id, _)| id.as_str())
     }
 
+    /// The identity that a problem has now which had this one before it was renamed.
+    #[must_use]
+    pub fn renamed(&self, before: &str) -> Option<&str> {
+        let was = |source: &Source| declared(source, "was:").is_some_and(|was| was == before);
+        self.problems.iter().find(|(_, source)| was(source)).map(|(id, _)| id.as_str())
+    }
+
     /// The topics: what stands before the first slash of the identities, each once, in order.
     #[must_use]
     pub fn topics(&self) -> Vec<&str> {
@@ -108,7 +115,12 @@ fn name_of(id: &str) -> &str {
 /// The identity that a file says it has, found without reading the rest of it: a bank may hold hundreds of files, and
 /// most commands need one.
 fn declared_id(source: &Source) -> Option<String> {
-    let value = source.text.lines().find_map(|line| line.strip_prefix("id:"))?;
+    declared(source, "id:")
+}
+
+/// The value of a key at the top of a file.
+fn declared(source: &Source, key: &str) -> Option<String> {
+    let value = source.text.lines().find_map(|line| line.strip_prefix(key))?;
     let value = value.split(" #").next().unwrap_or(value).trim().trim_matches(['"', '\'']);
     (!value.is_empty()).then(|| value.to_owned())
 }

@@ -8,6 +8,7 @@ use crate::problem::Sampler;
 use crate::problem::Scheme;
 
 use super::Exercise;
+use super::sheet_numbers::SheetNumbers;
 
 /// Draws variants of one form with memory of its own, which is faster than drawing each by itself; each thread takes its own.
 ///
@@ -52,6 +53,27 @@ impl<'p> Drawer<'p> {
     /// [`NoVariant`] where the seed has no admissible numbers.
     pub fn draw_by(&mut self, seed: u64, scheme: Scheme) -> Result<Exercise, NoVariant> {
         Ok(Exercise { problem: Arc::clone(self.problem), variant: self.sampler.variant_by(seed, scheme)? })
+    }
+
+    /// The variant of a sheet that was handed out, with the numbers that stand on it: the problem may have got other ranges since.
+    ///
+    /// # Errors
+    /// [`NoVariant`] where the numbers cannot be those of the problem as it is now.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use momentous::{bank::Bank, exercise::Drawer, fault::Source, problem::{Scheme, compile, load}};
+    /// let file = Bank::built_in().find("impact/two-carts")?.clone();
+    /// let wider = Source::new("carts.yaml", &file.text.replace("m_B: { min: 1, max: 6", "m_B: { min: 1, max: 9"));
+    /// let [before, now] = [Arc::new(compile(load(file)?, None)?), Arc::new(compile(load(wider)?, None)?)];
+    /// let handed_out = Drawer::new(&before, 0)?.draw(7)?;
+    /// let again = Drawer::new(&now, 0)?.issued(7, Scheme::default(), &handed_out.sheet_numbers())?;
+    /// assert_eq!(again.sheet_numbers(), handed_out.sheet_numbers());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn issued(&mut self, seed: u64, scheme: Scheme, sheet: &SheetNumbers) -> Result<Exercise, NoVariant> {
+        let printed = sheet.printed(self.problem)?;
+        Ok(Exercise { problem: Arc::clone(self.problem), variant: self.sampler.issued(seed, scheme, &printed)? })
     }
 }
 

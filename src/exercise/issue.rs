@@ -10,11 +10,11 @@ use crate::problem::CourseSymbols;
 use crate::problem::NoVariant;
 use crate::problem::Problem;
 use crate::problem::Scheme;
-use crate::problem::say_quantity;
 
 use super::Drawer;
 use super::Exercise;
 use super::issued::Derivation;
+use super::sheet_numbers::SheetNumbers;
 use super::student_sheet::StudentSheet;
 
 /// A variant as a person got it. It is written once, when the sheet is first seen, and never made anew.
@@ -57,7 +57,7 @@ pub struct Issued {
     pub letters: CourseSymbols,
     /// The text of the sheet as it was shown.
     pub statement: String,
-    given: Vec<(String, String)>,
+    given: SheetNumbers,
     parts: Vec<IssuedPart>,
 }
 
@@ -72,7 +72,7 @@ struct IssuedPart {
 /// What becomes of a sheet when its problem was corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remark {
-    /// The corrected problem draws the same givens and asks the same parts in the same units: old answers can be marked by it.
+    /// The corrected problem can have the same givens and asks the same parts in the same units: old answers can be marked by it.
     Same,
     /// It does not: the sheet that was handed out is no longer its sheet.
     Differs,
@@ -84,11 +84,9 @@ impl Exercise {
     pub fn issue(&self, derivation: Option<Derivation>, decimal: DecimalMark) -> Issued {
         let identity = self.identity();
         let StudentSheet { statement, fields, .. } = self.student_sheet();
-        let symbols = &self.problem.model().symbols;
-        let given = self.variant.all_given().iter();
         Issued {
             problem: identity.problem,
-            digest: identity.digest.unwrap_or_default(),
+            digest: self.problem.loaded().digest.clone(),
             scheme: identity.scheme.unwrap_or_default(),
             form: identity.form,
             seed: identity.seed.unwrap_or_default(),
@@ -97,9 +95,7 @@ impl Exercise {
             decimal,
             letters: self.problem.loaded().draft.symbols.clone(),
             statement,
-            given: given
-                .map(|(symbol, value, unit)| (symbols.entry(*symbol).name.clone(), say_quantity(value, unit)))
-                .collect(),
+            given: self.sheet_numbers(),
             parts: fields
                 .into_iter()
                 .map(|field| IssuedPart {
@@ -113,14 +109,14 @@ impl Exercise {
 }
 
 impl Issued {
-    /// The same variant of a problem, which may have been corrected.
+    /// The same variant of a problem, which may have been corrected, with the numbers that were handed out.
     ///
     /// # Errors
-    /// Where the problem has no such form any more, this program does not know the scheme, or the seed draws nothing.
+    /// Where the problem has no such form any more, or tells other quantities, or this program does not know the scheme.
     pub fn draw(&self, problem: &Arc<Problem>) -> Result<Exercise, NoVariant> {
         let form = problem.form(self.form.as_deref()).ok_or(NoVariant::NoForm)?;
         let scheme = Scheme::numbered(self.scheme).ok_or(NoVariant::NoScheme(self.scheme))?;
-        Drawer::new(problem, form)?.draw_by(self.seed, scheme)
+        Drawer::new(problem, form)?.issued(self.seed, scheme, &self.given)
     }
 
     /// Whether answers to this sheet can be marked by a problem that may have been corrected.
@@ -129,7 +125,7 @@ impl Issued {
         let same = self.draw(problem).is_ok_and(|exercise| {
             let now = exercise.issue(None, self.decimal);
             let asks_the_same = now.letters == self.letters && now.parts == self.parts;
-            now.secret == self.secret && now.given == self.given && asks_the_same
+            now.secret == self.secret && asks_the_same
         });
         if same { Remark::Same } else { Remark::Differs }
     }
@@ -158,7 +154,8 @@ mod tests {
             ("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 3", Remark::Same),
             ("v_A2, unit: m/s, points: 2", "v_A2, unit: km/h, points: 2", Remark::Differs),
             ("{ find: T_lost, unit: J, points: 1 }", "{ find: p_A2, unit: N s, points: 1 }", Remark::Differs),
-            ("min: 1, max: 6, step: 0.5, unit: kg", "min: 11, max: 16, step: 0.5, unit: kg", Remark::Differs),
+            ("min: 1, max: 6, step: 0.5, unit: kg", "min: 11, max: 16, step: 0.5, unit: kg", Remark::Same),
+            ("m_A: { min: 1, max: 6, step: 0.5, unit: kg }", "m_A: 7 kg", Remark::Differs),
             ("forward:", "onward:", Remark::Differs),
             ("scene:", "symbols: { momentum: L }\nscene:", Remark::Differs),
         ];

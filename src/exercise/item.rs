@@ -25,6 +25,7 @@ use super::Exercise;
 use super::diagnosis::{hints_on, likeliest_first, misjudged};
 use super::roots::{each_expected, several};
 use super::rules::Rules;
+use super::sheet_numbers::SheetNumbers;
 use super::student_sheet::{Field, StudentSheet};
 
 /// Ends of windows that are nearer to each other than this share of them are one.
@@ -35,6 +36,10 @@ const SAME: f64 = 1e-9;
 pub struct Item {
     /// What makes the same numbers again.
     pub identity: Identity,
+    /// The numbers that the sheet tells.
+    pub given: SheetNumbers,
+    /// The version of the problem.
+    pub version: String,
     /// Letters by which the variant is known; nothing can be read from them.
     pub code: String,
     /// What the student sees.
@@ -159,6 +164,8 @@ impl Exercise {
         });
         let attempts = Rules { problem: worked.problem, form: worked.form }.rubric().attempts;
         Item {
+            given: self.sheet_numbers(),
+            version: self.problem.loaded().digests.version(),
             identity: self.identity(),
             code: self.code(),
             parts: parts.collect(),

@@ -20,6 +20,7 @@ mod record;
 mod roots;
 mod roster;
 mod rules;
+mod sheet_numbers;
 mod sheet_seed;
 mod sheets;
 mod student_sheet;
@@ -65,8 +66,9 @@ pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
 pub use roster::Student;
+pub use sheet_numbers::SheetNumbers;
 pub use sheet_seed::SheetSeed;
-pub use sheets::{Derived, Listed, NotIssued, Sheets};
+pub use sheets::{Derived, HandedOut, Listed, NotIssued, Sheets};
 pub use student_sheet::{Field, FieldKind, StudentSheet};
 pub use submission::{Column, Key, Place, Submission, excerpt};
 pub use table::{Line, Lines, Row, Rows, Table, defused};
@@ -113,7 +115,7 @@ impl Exercise {
             form: self.worked().form.question.name.clone(),
             seed: self.variant.seed(),
             secret: self.problem.secret_mark().filter(|_| self.variant.seed().is_some()).map(str::to_owned),
-            digest: Some(self.problem.loaded().digest.clone()),
+            digest: Some(self.problem.loaded().digests.draw.clone()),
             scheme: Some(self.variant.scheme().number()),
         }
     }

@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::io::BufRead;
+use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::problem::Scheme;
 
 use super::issued::{Derivation, SeedSource, VariantRef};
+use super::sheet_numbers::SheetNumbers;
 use super::submission::excerpt;
 use super::table::Table;
 use super::together::hash;
@@ -26,13 +28,22 @@ pub enum Sheets {
 /// What a table of seeds says.
 #[derive(Clone, Debug, Default)]
 pub struct Listed {
-    /// Student, problem, form and seed of each sheet, as a hash: classes are large; and how its numbers were drawn.
-    sheets: FxHashMap<u64, Scheme>,
+    /// Student, problem, form and seed of each sheet, as a hash: classes are large.
+    sheets: FxHashMap<u64, HandedOut>,
     /// The same without the seed.
     asked: FxHashSet<u64>,
     digests: BTreeMap<String, String>,
     /// The marks of the secrets with which they were drawn, empty for none; nothing where the table does not say it.
     secrets: BTreeSet<String>,
+}
+
+/// How a sheet was handed out.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct HandedOut {
+    /// How its numbers were drawn.
+    pub scheme: Scheme,
+    /// The numbers that stand on it, where that is known.
+    pub given: Option<Arc<SheetNumbers>>,
 }
 
 /// What sheets are derived from.
@@ -64,24 +75,27 @@ pub enum NotIssued {
 }
 
 impl Sheets {
-    /// How the numbers of a variant were drawn that a student was given; where its form `is_first`, a table may leave the form out.
+    /// How a variant was handed out to a student; where its form `is_first`, a table may leave the form out.
     ///
     /// # Errors
     /// Why the student was not given it.
-    pub fn scheme(&self, student: &str, variant: VariantRef<'_>, is_first: bool) -> Result<Scheme, NotIssued> {
+    pub fn handed_out(&self, student: &str, variant: VariantRef<'_>, is_first: bool) -> Result<HandedOut, NotIssued> {
         if student.is_empty() {
             return Err(NotIssued::Nobody);
         }
         match self {
             Self::Listed(listed) => {
                 let unnamed = VariantRef { form: "", ..variant };
-                let named = listed.scheme(student, variant);
-                if is_first && named.is_err() && listed.scheme(student, unnamed) != Err(NotIssued::NotAsked) {
-                    return listed.scheme(student, unnamed);
+                let named = listed.handed_out(student, variant);
+                if is_first && named.is_err() && listed.handed_out(student, unnamed) != Err(NotIssued::NotAsked) {
+                    return listed.handed_out(student, unnamed);
                 }
                 named
             }
-            Self::Derived(derived) => derived.check(student, variant).map(|()| derived.scheme),
+            Self::Derived(derived) => {
+                let handed_out = HandedOut { scheme: derived.scheme, given: None };
+                derived.check(student, variant).map(|()| handed_out)
+            }
         }
     }
 
@@ -96,8 +110,8 @@ impl Sheets {
 }
 
 impl Listed {
-    /// Reads a table of seeds, with the columns `student`, `problem`, `form`, `seed`, `scheme` and `digest`. Tables without a
-    /// column `scheme` are older than its second version.
+    /// Reads a table of seeds, with the columns `student`, `problem`, `form`, `seed`, `scheme`, `given` and `digest`. Tables without
+    /// a column `scheme` are older than its second version.
     ///
     /// # Errors
     /// What is wrong with the table, or with each of its rows.
@@ -115,7 +129,7 @@ impl Listed {
         let (student, problem, seed) = (student.map_err(alone)?, problem.map_err(alone)?, seed.map_err(alone)?);
         let [form, digest, secret] = ["form", "digest", "secret"].map(|heading| table.column(heading));
         let (form, digest, secret) = (form.map_err(alone)?, digest.map_err(alone)?, secret.map_err(alone)?);
-        let scheme = table.column("scheme").map_err(alone)?;
+        let (scheme, given) = (table.column("scheme").map_err(alone)?, table.column("given").map_err(alone)?);
         let mut listed = Self::default();
         let mut faults = Vec::new();
         while let Some((line, row)) = table.next_row() {
@@ -128,7 +142,11 @@ impl Listed {
                     "" => Scheme::Solvable,
                     number => number.parse().map_err(|fault| format!("`{}` is no scheme: {fault}", excerpt(number)))?,
                 };
-                listed.add(row.cell(student), variant, scheme);
+                let given = match cell(given) {
+                    "" => None,
+                    text => Some(Arc::new(text.parse()?)),
+                };
+                listed.add(row.cell(student), variant, HandedOut { scheme, given });
                 if secret.is_some() && !listed.secrets.contains(cell(secret)) {
                     listed.secrets.insert(cell(secret).to_owned());
                 }
@@ -166,14 +184,14 @@ impl Listed {
         })
     }
 
-    fn add(&mut self, student: &str, variant: VariantRef<'_>, scheme: Scheme) {
-        self.sheets.insert(hash((student, variant)), scheme);
+    fn add(&mut self, student: &str, variant: VariantRef<'_>, handed_out: HandedOut) {
+        self.sheets.insert(hash((student, variant)), handed_out);
         self.asked.insert(hash((student, variant.problem, variant.form)));
     }
 
-    fn scheme(&self, student: &str, variant: VariantRef<'_>) -> Result<Scheme, NotIssued> {
-        if let Some(scheme) = self.sheets.get(&hash((student, variant))) {
-            Ok(*scheme)
+    fn handed_out(&self, student: &str, variant: VariantRef<'_>) -> Result<HandedOut, NotIssued> {
+        if let Some(handed_out) = self.sheets.get(&hash((student, variant))) {
+            Ok(handed_out.clone())
         } else if self.asked.contains(&hash((student, variant.problem, variant.form))) {
             Err(NotIssued::OtherSeed)
         } else {
@@ -225,6 +243,10 @@ mod tests {
         VariantRef { problem: "a/b", form, seed }
     }
 
+    fn by(scheme: Scheme) -> HandedOut {
+        HandedOut { scheme, given: None }
+    }
+
     fn listed(text: &str) -> Result<Sheets, Vec<String>> {
         Listed::read(Table::read(text.as_bytes()).unwrap()).map(Sheets::Listed)
     }
@@ -232,13 +254,17 @@ mod tests {
     #[test]
     fn a_table_says_whose_sheet_it_is() {
         let sheets = listed("student,problem,form,seed,digest\ns1,a/b,f,07,abc\ns2,a/b,,8,\n").unwrap();
-        assert_eq!(sheets.scheme("s1", variant("f", 7), true), Ok(Scheme::Solvable));
-        assert_eq!(sheets.scheme("s1", variant("f", 8), true), Err(NotIssued::OtherSeed));
-        assert_eq!(sheets.scheme("s1", variant("g", 7), false), Err(NotIssued::NotAsked));
-        assert_eq!(sheets.scheme("s2", variant("f", 8), true), Ok(Scheme::Solvable), "a first form may be left out");
-        assert_eq!(sheets.scheme("s2", variant("f", 7), true), Err(NotIssued::OtherSeed));
-        assert_eq!(sheets.scheme("s2", variant("f", 8), false), Err(NotIssued::NotAsked));
-        assert_eq!(sheets.scheme("", variant("f", 7), true), Err(NotIssued::Nobody));
+        assert_eq!(sheets.handed_out("s1", variant("f", 7), true), Ok(by(Scheme::Solvable)));
+        assert_eq!(sheets.handed_out("s1", variant("f", 8), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.handed_out("s1", variant("g", 7), false), Err(NotIssued::NotAsked));
+        assert_eq!(
+            sheets.handed_out("s2", variant("f", 8), true),
+            Ok(by(Scheme::Solvable)),
+            "a first form may be left out"
+        );
+        assert_eq!(sheets.handed_out("s2", variant("f", 7), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.handed_out("s2", variant("f", 8), false), Err(NotIssued::NotAsked));
+        assert_eq!(sheets.handed_out("", variant("f", 7), true), Err(NotIssued::Nobody));
         assert_eq!((sheets.digest("a/b"), sheets.digest("c/d")), (Some("abc"), None));
     }
 
@@ -258,9 +284,12 @@ mod tests {
         let [old, new] = Derivation::ALL.map(seed);
         let (derivation, scheme) = (Derivation::Question, Scheme::Markable);
         let sheets = Sheets::Derived(Derived { students, derivation, secret: secret.clone(), scheme });
-        assert_eq!(sheets.scheme("s1", variant("f", new), true), Ok(Scheme::Markable));
-        assert_eq!(sheets.scheme("s1", variant("g", new), true), Err(NotIssued::OtherSeed));
-        assert_eq!(sheets.scheme("s1", variant("f", old), true), Err(NotIssued::OtherDerivation(Derivation::Student)));
-        assert_eq!(sheets.scheme("s2", variant("f", new), true), Err(NotIssued::Stranger));
+        assert_eq!(sheets.handed_out("s1", variant("f", new), true), Ok(by(Scheme::Markable)));
+        assert_eq!(sheets.handed_out("s1", variant("g", new), true), Err(NotIssued::OtherSeed));
+        assert_eq!(
+            sheets.handed_out("s1", variant("f", old), true),
+            Err(NotIssued::OtherDerivation(Derivation::Student))
+        );
+        assert_eq!(sheets.handed_out("s2", variant("f", new), true), Err(NotIssued::Stranger));
     }
 }

@@ -19,8 +19,14 @@ pub struct Coded {
     pub code: String,
     /// The problem's identity.
     pub problem: String,
-    /// The digest of the problem's file.
+    /// The digest of what the problem's numbers are drawn from.
     pub digest: Option<String>,
+    /// How its numbers were drawn; earlier versions did not write it.
+    #[serde(default)]
+    pub scheme: Option<u32>,
+    /// The numbers that it tells; earlier versions did not write them.
+    #[serde(default)]
+    pub given: Option<String>,
     /// The form.
     pub form: Option<String>,
     /// The seed, as it is printed on sheets.
@@ -75,6 +81,8 @@ impl Coded {
             code: question.item.code.clone(),
             problem: identity.problem.clone(),
             digest: identity.digest.clone(),
+            scheme: identity.scheme,
+            given: Some(question.item.given.to_string()),
             form: identity.form.clone(),
             seed: identity.seed.map(|seed| format!("{seed}{mark}")).unwrap_or_default(),
             parts: question.asked.iter().map(part).collect(),

@@ -144,7 +144,16 @@ mod tests {
         let parts =
             vec![part("v", "{} m/s", &["a"]), part("p", "({}, {}) kg m/s", &["b1", "b2"]), part("k", "{}", &["c"])];
         let text = str::to_owned;
-        Coded { code: text(code), problem: text("a/b"), digest: None, form: None, seed: text("7"), parts }
+        Coded {
+            code: text(code),
+            problem: text("a/b"),
+            digest: None,
+            scheme: None,
+            given: None,
+            form: None,
+            seed: text("7"),
+            parts,
+        }
     }
 
     /// The student, the code and the answers of a response.

@@ -118,7 +118,8 @@ impl Renderer {
         context.insert("language", &self.language);
         context.insert_value("style", tera::Value::safe_string(&templates.style));
         context.insert("statistics", statistics);
-        context.insert("most", &statistics.histogram.iter().max());
+        // A class of which nothing counts has bars, too.
+        context.insert("most", &statistics.histogram.iter().max().map_or(1, |most| (*most).max(1)));
         templates.render_from("statistics.tera", &context)
     }
 

@@ -26,7 +26,7 @@ const READERS: &[(&str, &str)] = &[
     ("src/problem/reading/document.rs", "YAML"),
     ("src/problem/language/given.rs", "values as authors write them"),
     ("src/problem/language/literal.rs", "values as authors write them"),
-    ("src/problem/reading/load.rs", "line ends of files"),
+    ("src/problem/reading/digest.rs", "line ends of files"),
     ("src/problem/reading/numerals.rs", "numbers in authors' texts"),
     ("src/problem/questions/number.rs", "questions as authors write them"),
     ("src/problem/language/rubric.rs", "marks as authors write them"),

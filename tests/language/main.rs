@@ -13,6 +13,7 @@ mod golden;
 mod load_properties;
 mod other_values;
 mod schema;
+mod sheet_numbers;
 mod stages;
 #[path = "../support/works.rs"]
 mod works;

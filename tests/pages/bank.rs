@@ -27,7 +27,11 @@ fn solution(exercise: &Exercise, faded: Option<usize>) -> Page {
     Page::Solution(Solution { outline, identity, audience: Audience::Everyone, faded })
 }
 
+/// What a page says without its footer, which is tested elsewhere: a digest in every snapshot would hide what has changed.
 fn check(name: &str, text: &str) {
+    let is_digest = |line: &&str| line.contains(" · digest ") || line.trim_start().starts_with("\"digest\": ");
+    let text: Vec<&str> = text.lines().filter(|line| !is_digest(line)).collect();
+    let text = text.join("\n");
     insta::with_settings!({ snapshot_path => "snapshots/bank", prepend_module_to_snapshot => false, omit_expression => true }, {
         insta::assert_snapshot!(name, text);
     });

@@ -11,6 +11,7 @@ mod found;
 mod fuzz;
 mod grade_files;
 mod hand;
+mod issued_numbers;
 mod readme;
 #[path = "../support/room.rs"]
 mod room;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::cli::failure::Failure;
 use crate::cli::table;
+use crate::exercise::Drawer;
 use crate::exercise::SeedSource;
 use crate::exercise::Student;
 use crate::exercise::VariantRef;
@@ -47,17 +48,23 @@ impl Roster {
         let mut table = csv::Writer::from_writer(Vec::new());
         let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
         let headings =
-            ["student", "name", "problem", "digest", "form", "seed", "scheme", "derivation", "secret", "file"];
+            ["student", "name", "problem", "digest", "form", "seed", "scheme", "given", "derivation", "secret", "file"];
         table.write_record(headings).map_err(failed)?;
-        let scheme = scheme.to_string();
+        let number = scheme.to_string();
+        let mut drawers: Vec<Option<Drawer<'_>>> =
+            asked.iter().map(|own| Drawer::new(&own.problem, own.form).ok()).collect();
         for sitter in &self.0 {
-            for own in asked {
+            for (own, drawer) in asked.iter().zip(&mut drawers) {
                 let variant = sitter.variant(own, seeds);
                 let (seed, derivation) = (variant.seed.to_string(), seeds.derivation.to_string());
-                let digest = &own.problem.loaded().digest;
+                // A seed without numbers has no sheet, which is told where sheets are made.
+                let drawn = drawer.as_mut().and_then(|drawer| drawer.draw_by(variant.seed, scheme).ok());
+                let given = drawn.map(|exercise| exercise.sheet_numbers().to_string()).unwrap_or_default();
+                let digest = &own.problem.loaded().digests.draw;
                 let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), sitter.file_stem(own));
                 let (id, name) = (&sitter.student.id, &sitter.student.name);
-                let row = [id, name, variant.problem, digest, variant.form, &seed, &scheme, &derivation, mark, &file];
+                let row =
+                    [id, name, variant.problem, digest, variant.form, &seed, &number, &given, &derivation, mark, &file];
                 table.write_record(row.map(|cell| defused(cell).into_owned())).map_err(failed)?;
             }
         }
@@ -69,7 +76,8 @@ impl Roster {
 impl Sitter {
     /// The variant that the student gets; it stays the same when others come or go.
     pub(super) fn variant<'a>(&self, asked: &'a Asked, seeds: SeedSource<'_>) -> VariantRef<'a> {
-        seeds.variant(&self.student.id, asked.problem.id(), asked.form_name())
+        let drawn = seeds.variant(&self.student.id, asked.problem.drawn_as(), asked.form_name());
+        VariantRef { problem: asked.problem.id(), ..drawn }
     }
 
     /// The name of the student's files without an ending.

@@ -49,15 +49,15 @@ Examples:
   momentous grade submissions.csv -o marks-2.csv --changes marks.csv
   momentous grade responses.csv --codes codes.jsonl -o marks.csv --gradebook grades.csv
 
-A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form` and `attempt`; every
-other column is a part, named as in the JSON of `momentous generate`:
+A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form`, `scheme`, `given` and
+`attempt`; every other column is a part, named as in the JSON of `momentous generate`:
 
   student,problem,seed,form,attempt,v_A2,v_B2,T_lost
   s17,impact/two-carts,7,forward,1,-0.4 m/s,3.1 m/s,7.65 J
 
 The same keys may be used in JSON Lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a folder of YAML files, one per submission.
 
-The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given which seed; a row with another seed gets the verdict `not_issued` and no points.
+The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given which seed; a row with another seed gets the verdict `not_issued` and no points. With --sheets, each sheet is marked by the numbers that stand on it, whatever the problem draws now.
 
 The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
 marked; at the end it says how many rows were read, marked and refused. It exits with 0 if every answer is right, with 1 if one is not, and with 2 if an answer given by --answer cannot be read or a row cannot be used.";

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::exercise::Drawer;
 use crate::exercise::Exercise;
+use crate::exercise::HandedOut;
 use crate::exercise::Marker;
 use crate::exercise::Try;
 use crate::grade::Report;
@@ -27,7 +28,7 @@ struct Form<'p> {
     asked: [usize; 2],
     marker: Marker,
     drawer: Drawer<'p>,
-    last: Option<Exercise>,
+    last: Option<(HandedOut, Exercise)>,
 }
 
 impl<'p> PortionMarker<'p> {
@@ -42,7 +43,7 @@ impl<'p> PortionMarker<'p> {
         if first.facts.not_issued.is_some() {
             return Ok(attempts.iter().map(|_| form.marker.not_issued()).collect());
         }
-        let (marker, exercise) = form.open(first.facts.question)?;
+        let (marker, exercise) = form.open(first.facts.question.seed, &first.facts.handed_out)?;
         let mut order: Vec<(usize, &Entry)> = attempts.iter().enumerate().collect();
         order.sort_by_key(|(_, own)| own.facts.attempt);
         let before = order.first().and_then(|(_, own)| own.facts.attempt).map_or(0, |number| number - 1);
@@ -79,14 +80,18 @@ impl<'p> Form<'p> {
     }
 
     /// The marker with the variant that is asked, which is drawn where it is not the one that was drawn last.
-    fn open(&mut self, question: Question) -> Result<(&mut Marker, &Exercise), String> {
-        let Question { seed, scheme, .. } = question;
-        let is_asked = |last: &Exercise| last.variant().seed() == Some(seed) && last.variant().scheme() == scheme;
-        let exercise = match self.last.take() {
-            Some(last) if is_asked(&last) => last,
-            _ => self.drawer.draw_by(seed, scheme).map_err(|reason| reason.to_string())?,
+    fn open(&mut self, seed: u64, handed_out: &HandedOut) -> Result<(&mut Marker, &Exercise), String> {
+        let last = match self.last.take() {
+            Some((own, exercise)) if exercise.variant().seed() == Some(seed) && own == *handed_out => (own, exercise),
+            _ => {
+                let drawn = match &handed_out.given {
+                    Some(given) => self.drawer.issued(seed, handed_out.scheme, given),
+                    None => self.drawer.draw_by(seed, handed_out.scheme),
+                };
+                (handed_out.clone(), drawn.map_err(|reason| reason.to_string())?)
+            }
         };
-        Ok((&mut self.marker, self.last.insert(exercise)))
+        Ok((&mut self.marker, &self.last.insert(last).1))
     }
 }
 

@@ -51,7 +51,11 @@ impl Problems {
         let named = if named.is_empty() { Vec::new() } else { open::problems(named, own.secret.as_deref())? };
         for problem in named {
             let id = problem.id().to_owned();
+            let before = problem.drawn_as().to_owned();
             let met = own.add(problem);
+            if before != id {
+                own.met.entry(before).or_insert_with(|| Ok(Arc::clone(&met)));
+            }
             if own.met.insert(id.clone(), Ok(met)).is_some() {
                 let message = format!("two of the problems named have the identity `{id}`");
                 return Err(Failure::unusable(format!("{message}\nhelp: give one of them another `id`")));
@@ -76,7 +80,12 @@ impl Problems {
         match self.met.get(id) {
             Some(met) => return met.clone(),
             None if self.bank.ids().any(|own| own == id) => {}
-            None => return Err(self.unknown(id)),
+            None => {
+                let renamed = self.bank.renamed(id).map(str::to_owned).ok_or_else(|| self.unknown(id))?;
+                let met = self.find(&renamed)?;
+                self.met.insert(id.to_owned(), Ok(Arc::clone(&met)));
+                return Ok(met);
+            }
         }
         let source = self.bank.find(id).cloned().map_err(|faults| faults.to_string())?;
         let (kept, result) = match open::compiled(source, self.secret.as_deref()) {

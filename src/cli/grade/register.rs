@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::cli::failure::tell;
 use crate::cli::open;
+use crate::exercise::HandedOut;
 use crate::exercise::Key;
 use crate::exercise::NotIssued;
 use crate::exercise::Place;
@@ -34,9 +35,10 @@ pub(super) struct Entry {
 }
 
 /// What is known of a submission before it is marked.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Facts {
     pub question: Question,
+    pub handed_out: HandedOut,
     /// Why the sheet is not the student's, where it is known not to be.
     pub not_issued: Option<NotIssued>,
     /// Whether it is a further attempt at the sheet of the one before it.
@@ -47,14 +49,12 @@ pub(super) struct Facts {
     pub seen: Seen,
 }
 
-/// The variant that is answered: the position of the problem among those that are open, that of its form, the seed, and how its
-/// numbers are drawn.
+/// The variant that is answered: the position of the problem among those that are open, that of its form, and the seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Question {
     pub problem: usize,
     pub form: usize,
     pub seed: u64,
-    pub scheme: Scheme,
 }
 
 /// What is known of the class so far.
@@ -142,19 +142,21 @@ impl Register {
             self.other_secret = Some(message.clone());
             return Err(message);
         }
-        let question = Question { scheme: self.scheme, ..met.question(submission)? };
+        let question = met.question(submission)?;
         let attempt = submission.number(Key::Attempt, 1)?;
         let [hints, further] = [submission.number(Key::Hints, 0)?, submission.number(Key::FurtherHints, 0)?];
         let seen = Seen { hints: hints.unwrap_or(0), further: further.unwrap_or(0) };
         met.asks(submission, question)?;
         let (student, variant) = (submission.key(Key::Student), met.variant(question));
-        let issued = self.sheets.as_ref().map(|sheets| sheets.scheme(student, variant, question.form == 0));
-        let (scheme, not_issued) = match issued {
-            None => (question.scheme, None),
-            Some(Ok(scheme)) => (scheme, None),
-            Some(Err(reason)) => (question.scheme, Some(reason)),
+        let said = self.said(submission)?;
+        let (handed_out, not_issued) = match &self.sheets {
+            None => (said, None),
+            Some(sheets) => match handed_out(sheets, student, variant, &met, question.form == 0) {
+                Ok(listed) => (HandedOut { given: listed.given.or(said.given), ..listed }, None),
+                Err(reason) => (said, Some(reason)),
+            },
         };
-        let question = Question { scheme, ..question };
+        met.check_digest(submission, &handed_out)?;
         self.note_a_change(&met);
         let is_beside = match self.together.add(student, variant, number) {
             Standing::First => false,
@@ -183,20 +185,46 @@ impl Register {
                 ));
             }
         }
-        Ok(Facts { question, not_issued, is_beside, attempt, seen })
+        Ok(Facts { question, handed_out, not_issued, is_beside, attempt, seen })
     }
 
-    /// Says where the sheets were made from another version of a problem, once for each.
+    /// How the sheet was handed out, as the row says it.
+    fn said(&self, submission: &Submission) -> Result<HandedOut, String> {
+        let [scheme, given] = [Key::Scheme, Key::Given].map(|key| submission.key(key));
+        let scheme = match scheme {
+            "" => self.scheme,
+            number => number.parse().map_err(|fault| format!("`{}` is no scheme: {fault}", excerpt(number)))?,
+        };
+        let given = if given.is_empty() { None } else { Some(Arc::new(given.parse()?)) };
+        Ok(HandedOut { scheme, given })
+    }
+
+    /// Says where the sheets were drawn from another version of a problem, once for each.
     fn note_a_change(&mut self, met: &Met) {
         let id = met.problem.id();
         let Some(then) = self.sheets.as_ref().and_then(|sheets| sheets.digest(id)) else { return };
-        let now = &met.problem.loaded().digest;
-        if then != now && self.changed.insert(met.place) {
+        if !met.is_drawn_from(then) && self.changed.insert(met.place) {
             tell(&format!(
-                "note: the sheets of {id} were made from another version of its file: its digest was {then}, and is {now}"
+                "note: the sheets of {id} were made from another version of it, which may draw other numbers: its digest was {then}, \
+                 and is {}; each sheet is marked by the numbers that `given` says",
+                met.problem.loaded().digests.draw
             ));
         }
     }
+}
+
+/// How a sheet was handed out, under the identity that the problem has or had.
+fn handed_out(
+    sheets: &Sheets,
+    student: &str,
+    variant: VariantRef<'_>,
+    met: &Met,
+    is_first: bool,
+) -> Result<HandedOut, NotIssued> {
+    let before = VariantRef { problem: met.problem.drawn_as(), ..variant };
+    sheets.handed_out(student, variant, is_first).or_else(|reason| {
+        if before.problem == variant.problem { Err(reason) } else { sheets.handed_out(student, before, is_first) }
+    })
 }
 
 impl Met {
@@ -205,12 +233,27 @@ impl Met {
         let name = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
         let form = open::form(&self.problem, name).map_err(|failure| failure.message())?;
         let seed = seed_of(submission)?.of(&self.problem)?;
-        let (said, digest) = (submission.key(Key::Digest), &self.problem.loaded().digest);
-        if !said.is_empty() && said != digest {
-            let id = self.problem.id();
-            return Err(format!("the sheet was made from another version of {id}: its digest is {digest}"));
+        Ok(Question { problem: self.place, form, seed })
+    }
+
+    /// Whether a digest is that of what the numbers are drawn from. Earlier programs wrote that of the whole file.
+    fn is_drawn_from(&self, digest: &str) -> bool {
+        let loaded = self.problem.loaded();
+        digest == loaded.digests.draw || digest == loaded.digest
+    }
+
+    /// Whether the numbers of a sheet are known that was drawn from another version of the problem.
+    fn check_digest(&self, submission: &Submission, handed_out: &HandedOut) -> Result<(), String> {
+        let said = submission.key(Key::Digest);
+        if said.is_empty() || handed_out.given.is_some() || self.is_drawn_from(said) {
+            return Ok(());
         }
-        Ok(Question { problem: self.place, form, seed, scheme: Scheme::default() })
+        Err(format!(
+            "the sheet was made from another version of {}, which may draw other numbers: its digest is {}\n\
+             help: give --sheets, the table of seeds that says the numbers of each sheet",
+            self.problem.id(),
+            self.problem.loaded().digests.draw
+        ))
     }
 
     /// What is answered, by its names.

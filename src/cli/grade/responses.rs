@@ -13,6 +13,7 @@ use crate::export::Coded;
 use crate::export::Response;
 use crate::export::Responses;
 use crate::fault::Input;
+use crate::problem::Scheme;
 
 use super::gradebook::Students;
 use super::register::Next;
@@ -70,11 +71,13 @@ fn codes(path: &Path) -> Result<Vec<Coded>, Failure> {
 }
 
 fn submission(line: u64, response: &Response<'_>) -> Next {
-    let Coded { problem, digest, form, seed, .. } = response.coded;
+    let Coded { problem, digest, scheme, given, form, seed, .. } = response.coded;
     let answers: serde_json::Map<String, serde_json::Value> =
         response.coded.answers(&response.typed).into_iter().map(|(part, text)| (part, text.into())).collect();
     let mut object = json!({ "student": response.student, "problem": problem, "seed": seed, "answers": answers });
-    for (key, value) in [("digest", digest), ("form", form)] {
+    // Codes of earlier programs are of the first scheme.
+    object["scheme"] = json!(scheme.unwrap_or(Scheme::Solvable.number()));
+    for (key, value) in [("digest", digest), ("given", given), ("form", form)] {
         if let Some(value) = value {
             object[key] = json!(value);
         }

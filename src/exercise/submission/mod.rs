@@ -23,18 +23,22 @@ pub enum Key {
     Digest,
     Seed,
     Form,
+    Scheme,
+    Given,
     Attempt,
     Hints,
     FurtherHints,
 }
 
 /// Every key with its heading, in the order of the type.
-const KEYS: [(Key, &str); 8] = [
+const KEYS: [(Key, &str); 10] = [
     (Key::Student, "student"),
     (Key::Problem, "problem"),
     (Key::Digest, "digest"),
     (Key::Seed, "seed"),
     (Key::Form, "form"),
+    (Key::Scheme, "scheme"),
+    (Key::Given, "given"),
     (Key::Attempt, "attempt"),
     (Key::Hints, "hints"),
     (Key::FurtherHints, "further_hints"),

@@ -35,6 +35,10 @@ struct Object<'a> {
     #[serde(borrow, default)]
     form: Option<&'a RawValue>,
     #[serde(borrow, default)]
+    scheme: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    given: Option<&'a RawValue>,
+    #[serde(borrow, default)]
     attempt: Option<&'a RawValue>,
     #[serde(borrow, default)]
     hints: Option<&'a RawValue>,
@@ -92,6 +96,8 @@ impl Submission {
                 Key::Digest => object.digest,
                 Key::Seed => object.seed,
                 Key::Form => object.form,
+                Key::Scheme => object.scheme,
+                Key::Given => object.given,
                 Key::Attempt => object.attempt,
                 Key::Hints => object.hints,
                 Key::FurtherHints => object.further_hints,

@@ -177,7 +177,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
         return Err(faults);
     }
     let drawn = drawn.iter().filter_map(|position| known.get(*position)).map(|known| known.name.as_str());
-    let streams = Streams::new(&draft.id, secret, drawn);
+    let streams = Streams::new(draft.drawn_as(), secret, drawn);
     Ok(Built { model, known, forms, streams, units, notation })
 }
 

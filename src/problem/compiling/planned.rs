@@ -223,6 +223,12 @@ impl Problem {
         &self.loaded.draft.id
     }
 
+    /// The identity from which its numbers and the seeds of students are drawn: the one before it was renamed.
+    #[must_use]
+    pub fn drawn_as(&self) -> &str {
+        self.loaded.draft.drawn_as()
+    }
+
     /// Its title.
     #[must_use]
     pub fn title(&self) -> &str {

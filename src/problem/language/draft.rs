@@ -21,6 +21,9 @@ pub struct Draft {
     /// The problem's identity, `topic/name` in lower-case letters, digits and hyphens: `impact/two-carts`. Drawn numbers depend on it.
     #[schemars(regex(pattern = r"^[a-z0-9]+(-[a-z0-9]+)*(/[a-z0-9]+(-[a-z0-9]+)*)*$"))]
     pub id: String,
+    /// The identity that it had before it was renamed. Its numbers stay the same: `impulse/lift-cable`.
+    #[serde(default)]
+    pub was: Option<String>,
     /// The title on the sheet.
     pub title: String,
     /// How demanding the problem is.
@@ -103,6 +106,12 @@ pub struct Draft {
 pub const USUAL_FIGURES: usize = 3;
 
 impl Draft {
+    /// The identity from which its numbers are drawn: the one before it was renamed.
+    #[must_use]
+    pub fn drawn_as(&self) -> &str {
+        self.was.as_deref().unwrap_or(&self.id)
+    }
+
     /// To how many significant figures answers are printed.
     #[must_use]
     pub fn significant_figures(&self) -> usize {

@@ -1,11 +1,9 @@
 //! From the text of a problem file to its draft, or to all its faults.
 
 use std::borrow::Borrow;
-use std::fmt::Write;
 
 use serde::de::DeserializeOwned;
 use serde_yaml::{Value, with::singleton_map_recursive};
-use sha2::{Digest, Sha256};
 
 use crate::fault::{Code, Fault, Faults, Path, Source};
 
@@ -16,6 +14,7 @@ use super::super::language::given::{Given, GivenEntry};
 use super::super::language::spoken::Spoken;
 use super::super::language::text::Text;
 use super::check::check;
+use super::digest::{Digests, digest};
 use super::document::Document;
 use super::limits;
 use super::position::Index;
@@ -26,8 +25,10 @@ use super::schema::SHAPES;
 pub struct Loaded {
     /// The file.
     pub source: Source,
-    /// Its digest, a part of every variant's identity.
+    /// The digest of its bytes.
     pub digest: String,
+    /// The digests of what its numbers, marks and words depend on.
+    pub digests: Digests,
     /// The keys, as they were written.
     pub draft: Draft,
     /// What is known, in the order of the file.
@@ -72,7 +73,7 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
     let Some(root) = root else { return Err(Index::new(&source, None).locate_all(faults)) };
     let (value, of_form) = check(&root, &SHAPES);
     faults.extend(of_form);
-    faults.extend(id_fault(&value));
+    faults.extend(["id", "was"].into_iter().filter_map(|key| id_fault(&value, key)));
     faults.extend(forms_faults(&value));
     faults.extend(text_faults(&value));
     faults.extend(limits::counts(&value));
@@ -97,27 +98,12 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
     }
     Ok(Loaded {
         digest: digest(&source),
+        digests: Digests::new(&root, draft.drawn_as()),
         questions: Question::all(&draft),
         spoken: Spoken::of(&root),
         source,
         draft,
         given,
-    })
-}
-
-/// The first 16 hexadecimal digits of SHA-256 of a file's bytes, each line end as a single line feed.
-///
-/// ```
-/// use momentous::{fault::Source, problem::digest};
-/// assert_eq!(digest(&Source::new("a", "x: 1\r\n")), digest(&Source::new("b", "x: 1\n")));
-/// ```
-#[must_use]
-pub fn digest(source: &Source) -> String {
-    let bytes = Sha256::digest(source.text.replace("\r\n", "\n").as_bytes());
-    bytes.iter().take(8).fold(String::new(), |mut digits, byte| {
-        // Writing to a string cannot fail.
-        let _ = write!(digits, "{byte:02x}");
-        digits
     })
 }
 
@@ -139,8 +125,8 @@ pub(super) fn typed<T: DeserializeOwned>(value: Value) -> Result<T, Fault> {
 }
 
 /// The rule of identities: words of small letters, digits and hyphens, with slashes between them.
-fn id_fault(value: &Value) -> Option<Fault> {
-    let id = value.get("id")?.as_str()?;
+fn id_fault(value: &Value, key: &str) -> Option<Fault> {
+    let id = value.get(key)?.as_str()?;
     let plain = |letter: char| letter.is_ascii_lowercase() || letter.is_ascii_digit();
     let word = |word: &str| !word.is_empty() && word.chars().all(plain);
     if id.split('/').all(|part| part.split('-').all(word)) {
@@ -148,7 +134,7 @@ fn id_fault(value: &Value) -> Option<Fault> {
     }
     let fault = Fault::new(Code::Value, format!("`{id}` cannot be the identity of a problem"));
     let help = "write lower-case letters, digits and hyphens, with the topic before a slash: `impact/two-carts`";
-    Some(fault.help(help).at_path(Path::root().key("id")))
+    Some(fault.help(help).at_path(Path::root().key(key)))
 }
 
 /// The rule of forms: what is asked stands at the top, or under named forms, and is not empty.

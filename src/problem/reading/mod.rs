@@ -2,6 +2,7 @@
 
 pub(super) mod check;
 mod course_file;
+pub(super) mod digest;
 pub(super) mod document;
 pub(super) mod limits;
 pub(super) mod load;

@@ -1,6 +1,7 @@
 //! Drawing variants: random words, values, what they round to, and why a draw is refused.
 
-pub(super) mod limit;
+pub(super) mod issued;
+mod limit;
 pub(super) mod neglected;
 pub(super) mod no_variant;
 mod passage;

@@ -16,6 +16,9 @@ pub enum NoVariant {
     /// The problem has no form at that position.
     #[error("the problem has no such form")]
     NoForm,
+    /// The problem tells this quantity otherwise than a sheet that was handed out.
+    #[error("the sheet was made from another version of the problem, which tells `{0}` otherwise")]
+    OtherSheet(String),
     /// A newer version of the program drew the numbers, by a scheme of this number.
     #[error("its numbers were drawn by a newer version of the program (scheme {0})")]
     NoScheme(u32),
@@ -101,7 +104,7 @@ impl NoVariant {
     pub fn rejection(&self) -> Option<&Rejection> {
         match self {
             Self::Exhausted(reason) | Self::Solutions { reason, .. } => reason.as_ref(),
-            Self::NoForm | Self::NoScheme(_) => None,
+            Self::NoForm | Self::NoScheme(_) | Self::OtherSheet(_) => None,
         }
     }
 

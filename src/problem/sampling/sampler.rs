@@ -47,7 +47,7 @@ pub struct Sampler<'p> {
     /// The quantities that its texts print and nobody tells: they are solved.
     pub(super) printed: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
-    told: Vec<(usize, &'p Known)>,
+    pub(super) told: Vec<(usize, &'p Known)>,
     /// Whether any of its numbers is drawn.
     is_drawn: bool,
     rejected: u64,
@@ -160,14 +160,21 @@ impl<'p> Sampler<'p> {
                 *input = Input::of(value, unit);
             }
         }
-        let count = self.solve();
+        let count = if self.form.reveal.iter().all(|reveal| values.iter().any(|(symbol, ..)| *symbol == reveal.symbol))
+        {
+            self.solve_sheet()
+        } else {
+            self.solve()
+        };
         if !self.is_admissible(count) {
             return Err(NoVariant::Solutions { count, reason: self.why() });
         }
         let mut variant = self.keep(None);
         for own in values {
-            variant.given.retain(|(symbol, ..)| *symbol != own.0);
-            variant.given.push(own.clone());
+            match variant.given.iter_mut().find(|(symbol, ..)| *symbol == own.0) {
+                Some(given) => *given = own.clone(),
+                None => variant.given.push(own.clone()),
+            }
         }
         Ok(variant)
     }
@@ -226,6 +233,11 @@ impl<'p> Sampler<'p> {
                 *input = Input::of(&printed.to_decimal(), &reveal.unit);
             }
         }
+        self.solve_sheet()
+    }
+
+    /// Solves what is asked, from what the sheet tells.
+    fn solve_sheet(&mut self) -> usize {
         let count = self.scratch.run(&self.form.solver, &self.inputs, &self.domains);
         match &self.form.weighed {
             Some(weighed) if count > 0 && self.weighing.run(weighed, &self.inputs, &self.domains) == 0 => 0,
