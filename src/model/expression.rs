@@ -18,7 +18,7 @@ use super::name::is_bare_name;
 impl Builder<'_> {
     /// The quantity `id`, which is the value of an expression: the same one each time for the same expression. `path` is the
     /// question; faults are noted.
-    pub fn expression(&mut self, id: &str, text: &str, meaning: &str, path: &Path) -> Option<Symbol> {
+    pub fn expression(&mut self, id: &str, text: &str, meaning: Option<&str>, path: &Path) -> Option<Symbol> {
         let known = self.faults.len();
         let term = self.read_any(text, &path.key("find"));
         if self.faults.len() > known {
@@ -47,7 +47,9 @@ impl Builder<'_> {
         match dimension {
             Ok(dimension) => {
                 let own = Name::of(QuantityKind::Own(id.to_owned()), "");
-                let symbol = self.symbol_of(own, dimension, meaning);
+                let meaning = meaning.map(str::to_owned).or_else(|| self.spoken(&term));
+                let meaning = meaning.unwrap_or_else(|| format!("the value of {text}"));
+                let symbol = self.symbol_of(own, dimension, &meaning);
                 self.named_at(symbol, &path.key("id"));
                 self.law(&geometry::ASKED, None, Because::Definition, (symbol.into(), term.clone()));
                 self.expressions.insert(symbol, term);

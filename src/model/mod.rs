@@ -34,6 +34,7 @@ mod reason;
 mod rotor;
 mod space;
 mod speeds;
+mod spoken_term;
 mod stage;
 mod standing;
 mod stored;

@@ -94,42 +94,56 @@ fn same([before, after]: [Total; 2]) -> bool {
     (after.0 - before.0).abs() <= UNCHANGED * before.1.max(after.1)
 }
 
-/// Whether the sum is the same at every moment that is watched; of bodies that are not seen to move nothing changes.
+/// Whether the sum is the same at every moment that is watched; of bodies that are not seen to move nothing changes. Bodies that move
+/// by themselves are added up where they are watched at the same times, and judged by the ends alone elsewhere.
 fn stays(scene: &Scene, ask: &Conserved, motions: &[RecordedMotion]) -> bool {
-    motions.iter().all(|motion| {
-        // Beside the only axis of a scene, a motion may have a height of its own, along which nobody asks.
-        let is_asked = |component: &Component| match scene.axes.rectangular().len() {
-            0 | 1 => motion.components.len() < 2 || !component.vertical,
-            _ => ask.along.is_none_or(|own| own.letter() == component.letter),
-        };
-        let mut totals: Vec<Vec<Total>> = Vec::new();
-        for moment in &motion.record.moments {
-            let mut sums: Vec<Total> = vec![(0.0, 0.0); motion.components.len().max(1)];
-            for (place, _) in motion.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name)) {
-                let (Some(mass), Some(velocity)) = (moment.masses.get(place), moment.velocities.get(place)) else {
-                    continue;
-                };
-                match ask.conserved {
-                    Conservable::Momentum => {
-                        for ((sum, part), component) in sums.iter_mut().zip(velocity).zip(&motion.components) {
-                            if is_asked(component) {
-                                *sum = (sum.0 + mass * part, sum.1 + (mass * part).abs());
-                            }
-                        }
+    let is_asked = |motion: &&RecordedMotion| motion.record.bodies.iter().any(|own| ask.of.contains(&own.name));
+    let watched: Vec<&RecordedMotion> = motions.iter().filter(is_asked).collect();
+    let times = |motion: &RecordedMotion| motion.record.moments.iter().map(|moment| moment.time).collect::<Vec<_>>();
+    let Some((first, others)) = watched.split_first() else { return true };
+    let is_beside = |other: &&RecordedMotion| times(other) == times(first) && other.components == first.components;
+    if !others.iter().all(is_beside) {
+        return true;
+    }
+    let totals: Vec<Vec<Total>> = (0..first.record.moments.len())
+        .map(|moment| {
+            let mut sums = vec![(0.0, 0.0); first.components.len().max(1)];
+            for motion in &watched {
+                add(&mut sums, scene, ask, motion, moment);
+            }
+            sums
+        })
+        .collect();
+    let size = totals.iter().flatten().map(|sum| sum.1).fold(0.0, f64::max);
+    let Some(start) = totals.first() else { return true };
+    let is_same =
+        |sums: &Vec<Total>| sums.iter().zip(start).all(|(own, start)| (own.0 - start.0).abs() <= UNCHANGED * size);
+    totals.iter().all(is_same)
+}
+
+/// Adds what the bodies that are asked for have in a motion at a moment.
+fn add(sums: &mut [Total], scene: &Scene, ask: &Conserved, motion: &RecordedMotion, moment: usize) {
+    // Beside the only axis of a scene, a motion may have a height of its own, along which nobody asks.
+    let is_asked = |component: &Component| match scene.axes.rectangular().len() {
+        0 | 1 => motion.components.len() < 2 || !component.vertical,
+        _ => ask.along.is_none_or(|own| own.letter() == component.letter),
+    };
+    let Some(moment) = motion.record.moments.get(moment) else { return };
+    for (place, _) in motion.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name)) {
+        let (Some(mass), Some(velocity)) = (moment.masses.get(place), moment.velocities.get(place)) else { continue };
+        match ask.conserved {
+            Conservable::Momentum => {
+                for ((sum, part), component) in sums.iter_mut().zip(velocity).zip(&motion.components) {
+                    if is_asked(component) {
+                        *sum = (sum.0 + mass * part, sum.1 + (mass * part).abs());
                     }
-                    Conservable::Energy => {
-                        let own = mass * velocity.iter().map(|part| part * part).sum::<f64>() / 2.0;
-                        sums[0] = (sums[0].0 + own, sums[0].1 + own);
-                    }
-                    Conservable::AngularMomentum => {}
                 }
             }
-            totals.push(sums);
+            Conservable::Energy => {
+                let own = mass * velocity.iter().map(|part| part * part).sum::<f64>() / 2.0;
+                sums[0] = (sums[0].0 + own, sums[0].1 + own);
+            }
+            Conservable::AngularMomentum => {}
         }
-        let size = totals.iter().flatten().map(|sum| sum.1).fold(0.0, f64::max);
-        let Some(first) = totals.first() else { return true };
-        let is_same =
-            |sums: &Vec<Total>| sums.iter().zip(first).all(|(own, start)| (own.0 - start.0).abs() <= UNCHANGED * size);
-        totals.iter().all(is_same)
-    })
+    }
 }

@@ -42,6 +42,12 @@ const FOUND: &[(&str, Outcome)] = &[
     ("enough_for_an_angle", Holds(&["a = no"])),
     ("distance_in_brackets", Refused(&["`distance[rise]` is not known", "`distance: s`, and ask for `s`"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),
+    // By hand: the speed along the line of impact is 6*3/5.
+    ("calculation_of_an_angle", Holds(&["speed_B2 = 2.16 m/s", "v_A2.y = -3.46 m/s"])),
+    // By hand: -sqrt(1 + 2*4.9e12/1.74e6^2*12).
+    ("gravity_from_an_expression", Holds(&["v_A2 = -6.31 m/s", "W_A = 3.24 N"])),
+    ("opposite_forces", Holds(&["v_G2 = 1.00 m/s", "T_gained = 60.0 J", "a = yes"])),
+    ("expression_without_a_label", Holds(&["gap = "])),
     // 2/5 of sqrt(2*9.81*0.4).
     ("falls_on_a_string", Holds(&["v_B3 = 1.12 m/s"])),
     ("fraction_beside_a_kind", Holds(&["v_B2 = 1.50 m/s", "b = inelastic, but not perfectly"])),
@@ -199,6 +205,12 @@ fn quantities_of_several_stages_are_told_apart_and_a_multiple_keeps_its_letter()
         ("multiple_backwards", r"that is $0.333\,v_{n1}$ to the left"),
         ("height_of_a_counted_bounce", r"\left(\frac{h_{n}}{h_{0}}\right)^{\frac{1}{2\,n}}"),
         ("jerked_along", r"=0.1667\,u"),
+        (
+            "expression_without_a_label",
+            "the velocity of cart B just after the impact minus the velocity of cart A just after the impact, ",
+        ),
+        ("calculation_of_an_angle", r"$\gamma$ = $\arctan\left(\frac{3}{4}\right)$"),
+        ("calculation_of_an_angle", r"$e = \text{4/5} = 0.800$"),
     ] {
         let (_, solved) = run(&["generate", &path(name), "--seed", "1", "--solution"]);
         assert!(solved.contains(said), "{name}: {said}\n{solved}");

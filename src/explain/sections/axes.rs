@@ -11,6 +11,7 @@ use crate::problem::Worked;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
+use crate::quantity::with_minus_signs;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Partners;
@@ -151,10 +152,12 @@ fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
     used
 }
 
-/// `m = 360 g = 0.36 kg`; `e = 0.8`.
+/// `m = 360 g = 0.36 kg`; `e = 0.8`; `e = 4/5 = 0.8`.
 fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) -> Math {
     let mut parts = vec![display.name(*symbol), Math::Operator(Operator::Equals)];
-    if unit != display.unit(*symbol) && !value.is_zero() {
+    if let Some(calculation) = calculation(display, *symbol) {
+        parts.extend([calculation, Math::Operator(Operator::Equals)]);
+    } else if unit != display.unit(*symbol) && !value.is_zero() {
         parts.extend([with_unit(number_math(Printed::written(value).plain()), unit), Math::Operator(Operator::Equals)]);
     }
     parts.push(display.quantity(*symbol));
@@ -166,5 +169,21 @@ fn as_printed(display: Display<'_>, symbol: Symbol) -> Option<Math> {
     let (variant, problem) = (display.worked.variant, display.worked.problem);
     let value = number_math(Printed::written(&variant.printed_value(problem, symbol)?).plain());
     let printed = with_unit(value, &variant.unit(problem, symbol));
-    Some(Math::Row(vec![display.name(symbol), Math::Operator(Operator::Equals), printed]))
+    let calculation = calculation(display, symbol).map(|own| [own, Math::Operator(Operator::Equals)]);
+    let parts = [display.name(symbol), Math::Operator(Operator::Equals)].into_iter();
+    Some(Math::Row(parts.chain(calculation.into_iter().flatten()).chain([printed]).collect()))
+}
+
+/// The calculation by which a number is given, as the sheet prints it: `4/5`, `arctan(3/4)`.
+fn calculation(display: Display<'_>, symbol: Symbol) -> Option<Math> {
+    let problem = display.worked.problem;
+    let name = &problem.model().symbols.entry(symbol).name;
+    let given = problem.loaded().given.get(name).filter(|_| display.worked.form.question.given.get(name).is_none())?;
+    match given.constant() {
+        Some(written) => Some(Math::Text(with_minus_signs(written))),
+        None => {
+            let stated = problem.model().stated(symbol).filter(|stated| stated.symbols().is_empty())?;
+            Some(display.symbolic(stated))
+        }
+    }
 }

@@ -144,7 +144,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
         loaded.questions.iter().map(|question| FormDraft::read(loaded, question, &mut builder)).collect();
     let units = draft.units.system();
     if let Some(gravity) = builder.symbols().find("g")
-        && !known.iter().any(|known| known.symbol == gravity)
+        && loaded.given.get("g").is_none()
     {
         known.push(default_gravity(gravity, units));
     }

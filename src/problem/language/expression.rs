@@ -10,13 +10,6 @@ use super::ask::Find;
 
 /// The quantity for which the name stands; its equation becomes part of the model.
 pub(in crate::problem) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Path) -> Option<Symbol> {
-    let Some(label) = &find.label else {
-        let fault = Fault::new(Code::MissingKey, format!("`{id}` has no label, so the sheet cannot say what is asked"));
-        builder.fault(
-            fault.help("write `label:` with the question in words: `the speed of separation`").at_path(path.clone()),
-        );
-        return None;
-    };
     if let Some((key, _)) =
         [("from", find.from.is_some()), ("sense", find.sense.is_some())].into_iter().find(|own| own.1)
     {
@@ -24,12 +17,12 @@ pub(in crate::problem) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>
         builder.fault(fault.help("remove it, or ask for a direction by its own name").at_path(path.key(key)));
         return None;
     }
-    builder.expression(id, &find.find, label, path)
+    builder.expression(id, &find.find, find.label.as_deref(), path)
 }
 
 /// The fault of an expression without a name; none where what is asked cannot be read as one.
 pub(in crate::problem) fn without_id(find: &Find, builder: &mut Builder<'_>) -> Option<Fault> {
     let message = format!("`{}` is an expression, which needs a name for its answer", find.find);
-    let help = "add `id: gap`, or another name that the scene does not use, and a `label`";
+    let help = "add `id: gap`, or another name that the scene does not use; a `label` says in words what it is";
     builder.is_term(&find.find).then(|| Fault::new(Code::MissingKey, message).help(help))
 }

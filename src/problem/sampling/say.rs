@@ -15,8 +15,10 @@ use crate::scene::Senses;
 use crate::scene::Stage;
 
 use super::super::compiling::planned::Problem;
+use super::super::language::given::Given;
 use super::super::language::text::Filter;
 use super::super::language::text::Piece;
+use super::super::language::text::Placeholder;
 use super::super::language::text::Text;
 use super::variant::Variant;
 use super::variant::Worked;
@@ -115,22 +117,32 @@ impl Variant {
     }
 
     /// The numbers that the story and the question of its form print, each once by the name of its quantity, as they would be
-    /// typed: what is written as a calculation is left out.
+    /// typed: what is written as a calculation, or follows from others that are printed, is left out.
     #[must_use]
     pub fn printed_numbers(&self, problem: &Problem) -> Vec<(String, String)> {
         let question = problem.forms().get(self.form()).map(|form| &form.question.text);
+        let texts = [&problem.loaded().draft.text].into_iter().chain(question);
+        let tells = |own: &&Placeholder| own.filter.tells_size() || own.filter == Filter::Motion;
+        let told: Vec<(&str, Symbol)> = (texts.flat_map(Text::placeholders).filter(tells))
+            .filter_map(|own| Some((own.name.as_str(), problem.model().symbol_of(&own.name)?)))
+            .collect();
+        let is_told = |symbol: &Symbol| told.iter().any(|(_, own)| own == symbol);
+        let follows = |name: &str, symbol: Symbol| {
+            let is_derived = problem.loaded().given.get(name).is_some_and(Given::is_derived);
+            let stated = problem.model().stated(symbol).filter(|_| is_derived);
+            stated.is_some_and(|stated| stated.symbols().iter().all(is_told))
+        };
         let mut numbers: Vec<(String, String)> = Vec::new();
-        for placeholder in [&problem.loaded().draft.text].into_iter().chain(question).flat_map(Text::placeholders) {
-            let name = &placeholder.name;
-            let tells = placeholder.filter.tells_size() || placeholder.filter == Filter::Motion;
-            let Some(symbol) = problem.model().symbol_of(name).filter(|_| tells) else { continue };
+        for (name, symbol) in &told {
+            let (name, symbol) = (*name, *symbol);
             let speaker = Speaker { problem, variant: self, symbol, name };
-            if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
+            let is_new = speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name);
+            if is_new && !follows(name, symbol) {
                 let (Some(value), unit) = (self.printed_value(problem, symbol), self.unit(problem, symbol)) else {
                     continue;
                 };
                 let typed = Printed::written(&value).plain().replace(" × 10^", "e");
-                numbers.push((name.clone(), format!("{typed} {unit}").trim_end().to_owned()));
+                numbers.push((name.to_owned(), format!("{typed} {unit}").trim_end().to_owned()));
             }
         }
         let graph = problem.model().graph.iter().flat_map(PrintedGraph::symbols);
@@ -178,8 +190,8 @@ impl Speaker<'_> {
         format!("${}$", self.problem.math_of(self.symbol).latex())
     }
 
-    /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded. So is an
-    /// expression of what may be anything, which has no value.
+    /// A number that is given as a calculation, as `1/3` or `atan(3/4)`: it is printed as it is written, since its decimals would be
+    /// rounded. So is an expression of what may be anything, which has no value.
     fn constant(&self) -> Option<String> {
         let form = self.problem.forms().get(self.variant.form());
         let is_changed = form.is_some_and(|form| form.question.given.get(self.name).is_some());
@@ -187,7 +199,13 @@ impl Speaker<'_> {
             return self.formula();
         }
         let given = self.problem.loaded().given.get(self.name).filter(|_| !is_changed)?;
-        Some(with_minus_signs(given.constant()?))
+        match given.constant() {
+            Some(written) => Some(with_minus_signs(written)),
+            None if given.is_derived() && self.problem.model().stated(self.symbol)?.symbols().is_empty() => {
+                self.formula()
+            }
+            None => None,
+        }
     }
 
     /// The expression by which it is given, typeset; a pure number that the sheet tells without a name stands in it as a number.
