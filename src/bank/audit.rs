@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::fault::Source;
+use crate::fault::{Faults, Source};
 use crate::problem::Meant;
 use crate::problem::NoVariant;
 use crate::problem::PlannedForm;
@@ -22,6 +22,7 @@ use super::promise::Outcome;
 use super::promise::Promise;
 use super::repeat;
 use super::report::Audit;
+use super::report::Failing;
 use super::report::FormAudit;
 use super::sample::Samples;
 use super::wrong_forms;
@@ -38,27 +39,44 @@ pub struct Seeds {
     pub simulated: u64,
 }
 
+/// What is said of a file that is no problem.
+#[must_use]
+pub fn unusable(faults: &Faults) -> Audit {
+    Audit {
+        problem: None,
+        file: faults.source.name.to_string(),
+        digest: digest(&faults.source),
+        faults: Some(faults.to_string()),
+        failing: Failing::placed(faults),
+        forms: Vec::new(),
+    }
+}
+
 /// Looks at every promise over the seeds, form by form; the renderer prints what a user would print. The outcome does not depend on how many threads work.
 #[must_use]
 pub fn audit(source: &Source, seeds: Seeds, renderer: &Renderer) -> Audit {
-    let of = |problem: Option<String>, faults: Option<String>, forms: Vec<FormAudit>| Audit {
+    let of = |problem, faults, forms, failing| Audit {
         problem,
         file: source.name.to_string(),
         digest: digest(source),
         faults,
+        failing,
         forms,
     };
     match load_in_course(source.clone()).and_then(|loaded| compile(loaded, None)) {
-        Err(faults) => of(None, Some(faults.to_string()), Vec::new()),
+        Err(faults) => unusable(&faults),
         Ok(problem) => {
             let problem = Arc::new(problem);
             let idle = idle_requires(&problem, seeds.drawn);
             let audits = (0..problem.forms().len()).map(|form| form_audit(&problem, form, seeds, renderer, &idle));
-            let (forms, fault) = match audits.collect::<Result<_, _>>() {
-                Ok(forms) => (forms, None),
-                Err(reason) => (Vec::new(), Some(reason.to_string())),
-            };
-            of(Some(problem.id().to_owned()), fault, forms)
+            let id = Some(problem.id().to_owned());
+            match audits.collect::<Result<Vec<_>, _>>() {
+                Ok(forms) => {
+                    let failing = forms.iter().flat_map(Failing::broken).collect();
+                    of(id, None, forms, failing)
+                }
+                Err(reason) => of(id, Some(reason.to_string()), Vec::new(), vec![Failing::nowhere(reason.to_string())]),
+            }
         }
     }
 }

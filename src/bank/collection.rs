@@ -21,20 +21,28 @@ const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/built_in_b
 #[derive(Clone, Debug)]
 pub struct Bank {
     pub(super) problems: Vec<(String, Source)>,
+    is_built_in: bool,
 }
 
 impl Bank {
     /// The bank that is built into the program.
     #[must_use]
     pub fn built_in() -> Self {
-        Self::of(BUILT_IN.iter().map(|(path, text)| Source::new(path, text)).collect())
+        let sources = BUILT_IN.iter().map(|(path, text)| Source::new(path, text)).collect();
+        Self { is_built_in: true, ..Self::of(sources) }
     }
 
     pub(super) fn of(sources: Vec<Source>) -> Self {
         let named = |source: Source| (declared_id(&source).unwrap_or_else(|| source.name.to_string()), source);
         let mut problems: Vec<(String, Source)> = sources.into_iter().map(named).collect();
         problems.sort_by(|left, right| (&left.0, &left.1.name).cmp(&(&right.0, &right.1.name)));
-        Self { problems }
+        Self { problems, is_built_in: false }
+    }
+
+    /// Whether it is the one that is built in.
+    #[must_use]
+    pub fn is_built_in(&self) -> bool {
+        self.is_built_in
     }
 
     /// The identities, in order.

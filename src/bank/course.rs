@@ -56,6 +56,8 @@ pub fn course_letters(source: &Source) -> Result<CourseSymbols, Faults> {
 
 #[cfg(feature = "files")]
 fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
+    // A file of the current folder may lie in the bank all the same.
+    let file = &std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let folders: Vec<&Path> = file.ancestors().skip(1).collect();
     let is_bank = |folder: &&Path| folder.file_name().is_some_and(|name| name == FOLDER);
     let searched = folders.iter().position(is_bank).map_or(1, |top| top + 1);

@@ -16,20 +16,32 @@ use super::course::COURSE_FILE;
 use super::course::FOLDER;
 use super::read_file::read_file;
 use super::read_file::unreadable;
+use super::repository::course_folder;
 
 /// How deep folders may lie in each other; a bank has topics, and perhaps chapters.
 const DEEPEST: usize = 16;
 
 impl Bank {
-    /// The bank of the current folder's `problem_bank/`, else the one that is built in. A folder without problems sets only how
-    /// those are printed, by a `course.yaml`.
+    /// The bank of the course's `problem_bank/`, in the current folder or above it in the repository, else the one that is built in.
+    /// A folder without problems sets only how those are printed, by a `course.yaml`.
     ///
     /// # Errors
     /// Where the folder is there and cannot be read.
     pub fn here() -> Result<Self, Faults> {
-        let folder = Path::new(FOLDER);
-        let own = if folder.is_dir() { Self::in_folder(folder)? } else { Self { problems: Vec::new() } };
-        Ok(if own.problems.is_empty() { Self::built_in() } else { own })
+        let (bank, unusable) = Self::gathered_here()?;
+        unusable.into_iter().next().map_or(Ok(bank), Err)
+    }
+
+    /// The same beside the files that are no problem of it: those that cannot be read, and those that have the identity of another.
+    ///
+    /// # Errors
+    /// Where the folder is there and cannot be read.
+    pub fn gathered_here() -> Result<(Self, Vec<Faults>), Faults> {
+        let folder = course_folder().join(FOLDER);
+        let (own, unusable) =
+            if folder.is_dir() { Self::gathered(&folder)? } else { (Self::of(Vec::new()), Vec::new()) };
+        let is_empty = own.problems.is_empty() && unusable.is_empty();
+        Ok((if is_empty { Self::built_in() } else { own }, unusable))
     }
 
     /// Every problem file under a folder.
@@ -37,16 +49,32 @@ impl Bank {
     /// # Errors
     /// Where the folder or a file in it cannot be read, or two files have one identity.
     pub fn in_folder(folder: &Path) -> Result<Self, Faults> {
-        let bank = Self::of(files_under(folder)?.iter().map(|path| read_file(path)).collect::<Result<_, _>>()?);
-        match bank.problems.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            None => Ok(bank),
-            Some(twins) => {
-                let [(id, first), (_, second)] = [&twins[0], &twins[1]];
-                let message = format!("`{id}` is also the identity of {}", first.name);
-                let fault = Fault::new(Code::Duplicate, message).help("give one of them another `id`");
-                Err(Faults { source: second.clone(), list: vec![fault] })
+        let (bank, unusable) = Self::gathered(folder)?;
+        unusable.into_iter().next().map_or(Ok(bank), Err)
+    }
+
+    fn gathered(folder: &Path) -> Result<(Self, Vec<Faults>), Faults> {
+        let (mut sources, mut unusable) = (Vec::new(), Vec::new());
+        for path in files_under(folder)? {
+            match read_file(&path) {
+                Ok(source) => sources.push(source),
+                Err(faults) => unusable.push(faults),
             }
         }
+        let mut bank = Self::of(sources);
+        let mut problems: Vec<(String, Source)> = Vec::new();
+        for (id, source) in std::mem::take(&mut bank.problems) {
+            match problems.last().filter(|(own, _)| *own == id) {
+                None => problems.push((id, source)),
+                Some((_, first)) => {
+                    let message = format!("`{id}` is also the identity of {}", first.name);
+                    let fault = Fault::new(Code::Duplicate, message).help("give one of them another `id`");
+                    unusable.push(Faults { source, list: vec![fault] });
+                }
+            }
+        }
+        bank.problems = problems;
+        Ok((bank, unusable))
     }
 
     /// The file that a user means by an identity or by a path.
@@ -63,17 +91,30 @@ impl Bank {
     /// # Errors
     /// Every name that means nothing.
     pub fn select(&self, names: &[String]) -> Result<Vec<Source>, Vec<Faults>> {
+        let (sources, unusable) = self.selected(names)?;
+        if unusable.is_empty() { Ok(sources) } else { Err(unusable) }
+    }
+
+    /// The same beside the files of folders that are no problems: those that cannot be read, and those that have the identity of
+    /// another.
+    ///
+    /// # Errors
+    /// Every name that means nothing.
+    pub fn selected(&self, names: &[String]) -> Result<(Vec<Source>, Vec<Faults>), Vec<Faults>> {
         if names.is_empty() {
-            return Ok(self.sources().cloned().collect());
+            return Ok((self.sources().cloned().collect(), Vec::new()));
         }
         let mut sources: Vec<Source> = Vec::new();
-        let mut faults = Vec::new();
+        let (mut faults, mut files) = (Vec::new(), Vec::new());
         for name in names {
             let path = Path::new(name);
             let found = if self.ids().any(|id| topic_of(id) == name) && !is_path(name) {
                 self.topic(name).map(|sources| sources.into_iter().cloned().collect())
             } else if path.is_dir() {
-                Self::in_folder(path).map(|bank| bank.sources().cloned().collect())
+                Self::gathered(path).map(|(bank, unusable)| {
+                    files.extend(unusable);
+                    bank.sources().cloned().collect()
+                })
             } else {
                 self.open(name).map(|source| vec![source])
             };
@@ -85,11 +126,11 @@ impl Bank {
                 Err(found) => faults.push(found),
             }
         }
-        if faults.is_empty() { Ok(sources) } else { Err(faults) }
+        if faults.is_empty() { Ok((sources, files)) } else { Err(faults) }
     }
 }
 
-/// Every problem file under a folder, in the order of the paths. Folders that are links are not entered.
+/// Every problem file under a folder, in the order of the paths. Folders that are links are not entered, and hidden files passed over.
 ///
 /// # Errors
 /// Where a folder cannot be read.
@@ -103,6 +144,10 @@ pub fn files_under(folder: &Path) -> Result<Vec<PathBuf>, Faults> {
 fn walk(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
+        // What editors and systems leave: `._carts.yaml`, `.git`.
+        if entry.file_name().as_encoded_bytes().starts_with(b".") {
+            continue;
+        }
         let path = entry.path();
         if entry.file_type()?.is_dir() {
             if depth > 0 {

@@ -16,10 +16,12 @@ mod promise;
 mod read_file;
 mod repeat;
 mod report;
+#[cfg(feature = "files")]
+mod repository;
 mod sample;
 mod wrong_forms;
 
-pub use audit::{Seeds, audit};
+pub use audit::{Seeds, audit, unusable};
 pub use collection::Bank;
 #[cfg(feature = "files")]
 pub use course::course_letters;
@@ -29,4 +31,6 @@ pub use entry::Card;
 #[cfg(feature = "files")]
 pub use files::files_under;
 pub use promise::{Finding, Outcome, Promise};
-pub use report::{AnswerSpread, Audit, FormAudit};
+pub use report::{AnswerSpread, Audit, Failing, FormAudit};
+#[cfg(feature = "files")]
+pub use repository::course_folder;

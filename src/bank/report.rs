@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::witness::Simulated;
 use serde::Serialize;
+
+use crate::fault::{Fault, Faults, Span};
+use crate::witness::Simulated;
 
 use super::promise::Finding;
 use super::promise::Outcome;
@@ -20,8 +22,21 @@ pub struct Audit {
     pub digest: String,
     /// Every fault of the file, where it does not load or cannot be planned.
     pub faults: Option<String>,
+    /// What fails, each with its place in the file where it has one: faults, and promises that are broken.
+    pub failing: Vec<Failing>,
     /// What was found of each form; empty where there are faults.
     pub forms: Vec<FormAudit>,
+}
+
+/// Something that fails, in a sentence.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Failing {
+    /// The line of the file, from 1.
+    pub line: Option<usize>,
+    /// The column, from 1.
+    pub column: Option<usize>,
+    /// What fails, and in which form.
+    pub message: String,
 }
 
 /// What was found of one form.
@@ -81,6 +96,35 @@ pub enum AnswerSpread {
         /// How often each phrase, or each formula, is the right one.
         right: BTreeMap<String, usize>,
     },
+}
+
+impl Failing {
+    pub(super) fn nowhere(message: String) -> Self {
+        Self { line: None, column: None, message }
+    }
+
+    /// Each fault of a file.
+    pub(super) fn placed(faults: &Faults) -> Vec<Self> {
+        let place = |span: Span| faults.source.line_and_column(span.start);
+        let placed = |fault: &Fault| {
+            let (line, column) = fault.span.map(place).unzip();
+            let help = fault.help.as_ref().map_or_else(String::new, |help| format!("; {help}"));
+            Self { line, column, message: format!("{}{help}", fault.message) }
+        };
+        faults.list.iter().map(placed).collect()
+    }
+
+    /// Each promise that a form breaks.
+    pub(super) fn broken(form: &FormAudit) -> Vec<Self> {
+        let name = form.form.as_ref().map_or_else(String::new, |form| format!("{form}: "));
+        let broken = |finding: &Finding| match &finding.outcome {
+            Outcome::Broken(remark) => {
+                Some(Self::nowhere(format!("{name}broken: {}: {remark}", finding.promise.sentence())))
+            }
+            Outcome::Kept | Outcome::Noted(_) | Outcome::NotChecked(_) => None,
+        };
+        form.promises.iter().filter_map(broken).collect()
+    }
 }
 
 impl Audit {

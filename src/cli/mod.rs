@@ -10,6 +10,7 @@ mod failure;
 mod format;
 mod generate;
 mod grade;
+mod init;
 mod list;
 mod new;
 mod open;
@@ -23,11 +24,13 @@ mod schema;
 mod secret;
 #[cfg(feature = "serve")]
 mod serve;
+mod show;
 mod simulate;
 mod snapshot;
 mod solve;
 mod style;
 mod table;
+mod templates;
 mod terminal;
 mod witnessed;
 
@@ -51,7 +54,7 @@ struct Cli {
 
 const HELP: &str = "\
 A PROBLEM is an identity from `momentous list`, such as impact/two-carts, or the path of a YAML file.
-The bank is the folder problem_bank/ in the current folder; if there is none, the built-in bank.
+The bank is the folder problem_bank/ here, or above in the same repository; if there is none, the built-in bank.
 
 Examples:
   momentous list                                          the problems of the bank
@@ -74,6 +77,7 @@ enum Command {
     Diagnose(diagnose::Diagnose),
     Export(export::Export),
     Generate(generate::Generate),
+    Init(init::Init),
     Simulate(simulate::Simulate),
     Solve(solve::Solve),
     Grade(grade::Grade),
@@ -81,8 +85,10 @@ enum Command {
     Secret(secret::Secret),
     #[cfg(feature = "serve")]
     Serve(serve::Serve),
+    Show(show::Show),
     Snapshot(snapshot::Snapshot),
     Schema(schema::Schema),
+    Templates(templates::Templates),
     Completions(completions::Completions),
 }
 
@@ -122,6 +128,7 @@ impl Command {
             Self::Diagnose(diagnose) => diagnose.run(),
             Self::Export(export) => export.run(),
             Self::Generate(generate) => generate.run(),
+            Self::Init(init) => init.run(),
             Self::Simulate(simulate) => simulate.run(),
             Self::Solve(solve) => solve.run(),
             Self::Grade(grade) => grade.run(),
@@ -129,8 +136,10 @@ impl Command {
             Self::Secret(secret) => secret.run(),
             #[cfg(feature = "serve")]
             Self::Serve(serve) => serve.run(),
+            Self::Show(show) => show.run(),
             Self::Snapshot(snapshot) => snapshot.run(),
             Self::Schema(schema) => schema.run(),
+            Self::Templates(templates) => templates.run(),
             Self::Completions(completions) => completions.run(&mut Cli::command()),
         }
     }

@@ -1,9 +1,10 @@
 //! From exercises to documents.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::bank::course_folder;
 use crate::exercise::Exercise;
 use crate::explain::Audience;
 use crate::render::Format;
@@ -66,12 +67,12 @@ impl Held {
     }
 }
 
-/// The folder with the user's own templates, where there is one.
-pub(super) fn templates() -> Option<&'static Path> {
-    Some(Path::new(TEMPLATES)).filter(|own| own.is_dir())
+/// The folder with the course's own templates, where there is one.
+pub(super) fn templates() -> Option<PathBuf> {
+    Some(course_folder().join(TEMPLATES)).filter(|own| own.is_dir())
 }
 
 /// The renderer with the templates of the current folder, where there are some.
 pub(super) fn renderer() -> Result<Renderer, Failure> {
-    Ok(Renderer::new(templates())?)
+    Ok(Renderer::new(templates().as_deref())?)
 }

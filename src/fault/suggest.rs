@@ -5,6 +5,7 @@
 /// ```
 /// use momentous::fault::did_you_mean;
 /// assert_eq!(did_you_mean("resitution", ["between", "restitution"]), Some("restitution"));
+/// assert_eq!(did_you_mean("m_b", ["m_A", "m_B"]), Some("m_B"));
 /// assert_eq!(did_you_mean("w", ["x", "y"]), None);
 /// assert_eq!(did_you_mean("mass", ["between", "restitution"]), None);
 /// ```
@@ -13,7 +14,10 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str
     let most = 1 + length / 4;
     // The distance is at least the difference of the lengths; one that is far is not compared letter by letter.
     let may_be_near = |candidate: &&str| candidate.chars().count().abs_diff(length) <= most;
-    let near = |candidate: &'a str| (strsim::damerau_levenshtein(name, candidate), candidate);
-    let (distance, best) = candidates.into_iter().filter(may_be_near).map(near).min()?;
+    // Of names equally far, the one that differs in capital letters alone is nearer.
+    let near = |candidate: &'a str| {
+        (strsim::damerau_levenshtein(name, candidate), !name.eq_ignore_ascii_case(candidate), candidate)
+    };
+    let (distance, _, best) = candidates.into_iter().filter(may_be_near).map(near).min()?;
     (distance <= most && distance < length).then_some(best)
 }

@@ -4,6 +4,7 @@
 //! What reaches them is already in the tongue of the format: escaped text, typeset mathematics, drawn figures.
 
 mod authored;
+mod built_in;
 mod depth;
 mod document;
 mod equation;
@@ -17,6 +18,8 @@ mod markdown;
 mod markup;
 mod mathml;
 mod mathml_typst;
+#[cfg(feature = "files")]
+mod overrides;
 mod page;
 #[cfg(feature = "pdf")]
 mod press;
@@ -30,6 +33,7 @@ mod writer;
 mod writers;
 
 pub use authored::{line_faults, text_faults};
+pub use built_in::built_in_templates;
 pub use document::{BesideFile, Document, Figures, Format};
 pub use fade::{fade, steps};
 pub use font::{MATH_FONT, base64};

@@ -8,89 +8,15 @@ use tera::{Delimiters, Error, ErrorKind, Tera};
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
-#[cfg(feature = "files")]
-use crate::fault::Input;
 use crate::fault::Source;
 use crate::fault::Span;
 
+use super::built_in::{BUILT_IN, STYLE};
 use super::document::Format;
 use super::html;
 use super::latex_text;
 use super::markdown;
 use super::typst_text;
-
-macro_rules! built_in {
-    ($($path:literal),* $(,)?) => { [$(($path, include_str!(concat!("../../templates/", $path)))),*] };
-}
-
-/// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 62] = built_in![
-    "html/blocks.tera",
-    "html/body.tera",
-    "html/document.tera",
-    "html/key.tera",
-    "html/sheet.tera",
-    "html/solution.tera",
-    "html/statistics.tera",
-    "html/style.css",
-    "latex/blocks.tera",
-    "latex/document.tera",
-    "latex/key.tera",
-    "latex/sheet.tera",
-    "latex/solution.tera",
-    "markdown/blocks.tera",
-    "markdown/document.tera",
-    "markdown/key.tera",
-    "markdown/sheet.tera",
-    "markdown/solution.tera",
-    "typst/blocks.tera",
-    "typst/document.tera",
-    "typst/key.tera",
-    "typst/sheet.tera",
-    "typst/solution.tera",
-    "web/collision.tera",
-    "web/courses/assignment.tera",
-    "web/courses/course.tera",
-    "web/courses/courses.tera",
-    "web/courses/entry.tera",
-    "web/courses/grades/answers.tera",
-    "web/courses/grades/gradebook.tera",
-    "web/courses/grades/member.tera",
-    "web/courses/grades/regrade.tera",
-    "web/courses/grades/retention.tera",
-    "web/courses/grades/statistics.tera",
-    "web/courses/grades/trail.tera",
-    "web/courses/item.tera",
-    "web/courses/link.tera",
-    "web/courses/sign-in.tera",
-    "web/courses/solution.tera",
-    "web/courses/staff/editor.tera",
-    "web/courses/staff/extensions.tera",
-    "web/courses/staff/link.tera",
-    "web/courses/staff/look.tera",
-    "web/courses/staff/new-course.tera",
-    "web/courses/staff/people.tera",
-    "web/courses/staff/preview.tera",
-    "web/courses/staff/print.tera",
-    "web/courses/staff/problem.tera",
-    "web/courses/staff/problems.tera",
-    "web/courses/staff/roster.tera",
-    "web/courses/staff/settings.tera",
-    "web/courses/staff/write.tera",
-    "web/field.tera",
-    "web/layout.tera",
-    "web/play.tera",
-    "web/practice.tera",
-    "web/refused.tera",
-    "web/restitution.tera",
-    "web/simulator.tera",
-    "web/solution.tera",
-    "web/solve.tera",
-    "web/start.tera",
-];
-
-/// The style sheet's path, which is not a template.
-const STYLE: &str = "html/style.css";
 
 /// The template that a document starts from.
 const ROOT: &str = "document.tera";
@@ -165,33 +91,10 @@ fn engine(format: Format) -> Tera {
     tera
 }
 
-/// The longest template that is read, in bytes.
-#[cfg(feature = "files")]
-const LARGEST: u64 = 1 << 20;
-
-/// Adds the user's files of that name: each `.tera` file of its folder, and the style sheet.
+/// Adds a course's own files of that name.
 #[cfg(feature = "files")]
 fn add_overrides(name: &str, folder: &Path, sources: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
-    let unreadable = |path: &Path, error: &std::io::Error| Faults {
-        source: Source::new(&path.display().to_string(), ""),
-        list: vec![Fault::new(Code::Unreadable, format!("these templates cannot be read: {error}"))],
-    };
-    std::fs::read_dir(folder).map_err(|error| unreadable(folder, &error))?;
-    let own = folder.join(name);
-    if !own.is_dir() {
-        return Ok(());
-    }
-    for entry in std::fs::read_dir(&own).map_err(|error| unreadable(&own, &error))? {
-        let path = entry.map_err(|error| unreadable(&own, &error))?.path();
-        let Some(file) = path.file_name().and_then(|file| file.to_str()) else { continue };
-        let key = format!("{name}/{file}");
-        if key != STYLE && path.extension().is_none_or(|extension| extension != "tera") {
-            continue;
-        }
-        let text = Input::open(&path).and_then(|file| file.text(LARGEST)).map_err(|error| unreadable(&path, &error))?;
-        sources.insert(key, Source::new(&path.display().to_string(), &text));
-    }
-    Ok(())
+    super::overrides::add(name, folder, sources)
 }
 
 /// Without the feature `files` there is nothing to add from.

@@ -102,15 +102,37 @@ fn marks_as_json_lines_have_the_columns_of_the_table() {
 fn a_changed_mark_is_listed() {
     let folder = folder();
     momentous(folder.path(), "grade class.csv -o marks.csv");
-    let (_, same, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes marks.csv");
-    assert_eq!(same, "0 of 9 marks changed\n");
+    let (code, same, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes marks.csv");
+    assert_eq!((code, same.as_str()), (0, "0 of 9 marks changed\n"));
     let marks = fs::read_to_string(folder.path().join("marks.csv")).unwrap();
     let old = marks.replacen("v_A2,1,2,sense", "v_A2,0,2,wrong", 1);
     assert_ne!(old, marks);
     fs::write(folder.path().join("old.csv"), old).unwrap();
-    let (_, moved, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes old.csv");
+    let (code, moved, _) =
+        momentous(folder.path(), "grade class.csv -o again.csv --changes old.csv --changes-table changed.csv");
     let line = "line 3: s2, impact/two-carts `v_A2`: 0/2 [wrong] -> 1/2 [sense]\n";
-    assert_eq!(moved, format!("{line}1 of 9 marks changed\n"));
+    assert_eq!((code, moved), (1, format!("{line}1 of 9 marks changed\n")));
+    let table = fs::read_to_string(folder.path().join("changed.csv")).unwrap();
+    assert!(table.ends_with("v_A2,0,2,wrong,1,2,sense\n") && table.lines().count() == 2, "{table}");
+}
+
+/// A correction may refuse rows that were marked before, and mark rows that were refused.
+#[test]
+fn a_row_that_is_refused_now_is_a_change() {
+    let folder = folder();
+    momentous(folder.path(), "grade class.csv -o marks.csv");
+    let refused = fs::read_to_string(folder.path().join("class.csv")).unwrap().replacen(
+        "\ns2,impact/two-carts",
+        "\ns2,impact/no-carts",
+        1,
+    );
+    fs::write(folder.path().join("refused.csv"), refused).unwrap();
+    let (code, gone, _) = momentous(folder.path(), "grade refused.csv -o fewer.csv --changes marks.csv");
+    assert_eq!((code, gone.matches("[sense] -> not marked").count()), (1, 1), "{gone}");
+    let (code, come, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes fewer.csv");
+    assert_eq!((code, come.matches("not marked -> 1/2 [sense]").count()), (1, 1), "{come}");
+    let (code, none, _) = momentous(folder.path(), "grade refused.csv -o again.csv --changes fewer.csv");
+    assert_eq!(code, 0, "{none}");
 }
 
 #[test]

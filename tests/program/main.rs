@@ -5,6 +5,7 @@
 #[path = "../support/blocks.rs"]
 mod blocks;
 mod cli;
+mod course_repository;
 mod course_symbols;
 mod found;
 #[cfg(feature = "serve")]

@@ -46,7 +46,7 @@ Examples:
   momentous grade submissions.csv --sheets seeds.csv --secret secret.txt -o marks.csv
   momentous grade submissions.csv --problem my-carts.yaml --roster class.csv --secret secret.txt -o marks.csv
   momentous grade submissions.jsonl -o marks.jsonl --summary class --junit junit.xml
-  momentous grade submissions.csv -o marks-2.csv --changes marks.csv
+  momentous grade submissions.csv -o marks-2.csv --changes marks.csv --changes-table changed.csv
   momentous grade responses.csv --codes codes.jsonl -o marks.csv --gradebook grades.csv
 
 A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form`, `scheme`, `given` and
@@ -60,7 +60,7 @@ The same keys may be used in JSON Lines, `{\"problem\": \"impact/two-carts\", \"
 The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given which seed; a row with another seed gets the verdict `not_issued` and no points. With --sheets, each sheet is marked by the numbers that stand on it, whatever the problem draws now.
 
 The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
-marked; at the end it says how many rows were read, marked and refused. It exits with 0 if every answer is right, with 1 if one is not, and with 2 if an answer given by --answer cannot be read or a row cannot be used.";
+marked; at the end it says how many rows were read, marked and refused. It exits with 0 if every answer is right, with 1 if one is not, and with 2 if an answer given by --answer cannot be read or a row cannot be used; with --changes, with 0 if no mark has changed and with 1 if one has.";
 
 /// Mark answers, one set or a table of many
 #[derive(Args, Debug)]
@@ -129,9 +129,12 @@ pub(super) struct Grade {
     /// Write the points of each student to this file, as the gradebooks of Moodle and Canvas import them
     #[arg(long, value_name = "FILE", requires = "submissions")]
     gradebook: Option<PathBuf>,
-    /// Print every mark that differs from those in this file, which an earlier run wrote for the same submissions
+    /// Print every mark that differs from those in this file, which an earlier run wrote for the same submissions; exits with 0 if none does, and with 1 if one does
     #[arg(long, value_name = "OLD.csv", requires = "output")]
     changes: Option<PathBuf>,
+    /// Write the marks that differ to this file, as a table
+    #[arg(long, value_name = "FILE.csv", requires = "changes")]
+    changes_table: Option<PathBuf>,
     #[command(flatten)]
     secret: Secret,
 }

@@ -26,7 +26,11 @@ pub(super) struct Readers {
 impl Readers {
     pub(super) fn of(grade: &Grade, students: Students) -> Result<Self, Failure> {
         Ok(Self {
-            changes: grade.changes.as_deref().map(Changes::since).transpose()?,
+            changes: grade
+                .changes
+                .as_deref()
+                .map(|path| Changes::since(path, grade.changes_table.as_deref()))
+                .transpose()?,
             gathering: grade.summary.as_ref().map(|_| Gathering::default()),
             junit: grade.junit.as_deref().map(Junit::to).transpose()?,
             gradebook: grade.gradebook.as_deref().map(|path| Gradebook::to(path, students)),
@@ -65,13 +69,14 @@ impl Readers {
         Ok(())
     }
 
-    /// Writes what was asked for.
-    pub(super) fn finish(self, grade: &Grade, counts: RowCounts) -> Result<(), Failure> {
-        self.changes.map_or(Ok(()), Changes::finish)?;
+    /// Writes what was asked for; whether a mark has changed, where earlier marks are there to compare with.
+    pub(super) fn finish(self, grade: &Grade, counts: RowCounts) -> Result<Option<bool>, Failure> {
+        let have_changed = self.changes.map(Changes::finish).transpose()?;
         if let (Some(gathering), Some(path)) = (self.gathering, &grade.summary) {
             summary::write(&gathering.statistics(counts), path)?;
         }
         self.gradebook.map_or(Ok(()), Gradebook::finish)?;
-        self.junit.map_or(Ok(()), Junit::finish)
+        self.junit.map_or(Ok(()), Junit::finish)?;
+        Ok(have_changed)
     }
 }

@@ -88,7 +88,7 @@ impl Grade {
             return Err(table::of(path, "it contains no submission"));
         }
         sink.finish()?;
-        readers.finish(self, counts)?;
+        let have_changed = readers.finish(self, counts)?;
         tell(&counts.to_string());
         if let Some(told) = legibility.told(self.decimal) {
             tell(&told);
@@ -96,7 +96,13 @@ impl Grade {
         if !counts.is_complete() {
             return Err(Failure::unusable("rows were lost: this is a fault of the program; please report it"));
         }
-        Ok(if counts.refused > 0 { Exit::Unusable } else { exit })
+        Ok(match have_changed {
+            // Marked once more, the question is no longer whether the answers are right.
+            Some(false) => Exit::Fine,
+            Some(true) => Exit::NotRight,
+            None if counts.refused > 0 => Exit::Unusable,
+            None => exit,
+        })
     }
 
     /// Whether nothing that is read would be written over.
@@ -105,7 +111,8 @@ impl Grade {
             [Some(path), self.codes.as_deref(), self.sheets.as_deref(), self.roster.as_deref(), self.secret.path()];
         let named = self.problem.iter().map(Path::new).filter(|path| path.is_file());
         let summary = self.summary.iter().flat_map(|path| summary::paths(path));
-        let written = self.output.iter().chain(&self.junit).chain(&self.gradebook).cloned().chain(summary);
+        let tables = self.output.iter().chain(&self.junit).chain(&self.gradebook).chain(&self.changes_table);
+        let written = tables.cloned().chain(summary);
         output::keep_apart(read.into_iter().flatten().chain(named), written)
     }
 

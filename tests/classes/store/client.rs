@@ -37,7 +37,17 @@ impl Client {
         self.ask(&format!("POST {path}"), cookie, &pairs.join("&"))
     }
 
+    /// Whether the server has closed the connection since its last response, as it may close any that waits for nothing.
+    fn is_closed(&self) -> bool {
+        let stream = self.stream.get_ref();
+        let has_ended = stream.set_nonblocking(true).is_ok() && matches!(stream.peek(&mut [0]), Ok(0));
+        stream.set_nonblocking(false).is_err() || has_ended
+    }
+
     fn ask(&mut self, what: &str, cookie: &str, body: &str) -> Result<Response> {
+        if self.is_closed() {
+            *self = Self::of(&self.address)?;
+        }
         let (address, length) = (&self.address, body.len());
         let request = format!(
             "{what} HTTP/1.1\r\nHost: {address}\r\nOrigin: http://{address}\r\nCookie: {cookie}\r\n\

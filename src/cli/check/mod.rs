@@ -1,31 +1,39 @@
 //! `momentous check`
 
+mod changed;
+mod failures;
+
 use std::collections::BTreeMap;
 use std::io::Write;
+use std::path::PathBuf;
 
 use clap::Args;
 use rayon::prelude::*;
 
+use crate::bank;
 use crate::bank::AnswerSpread;
 use crate::bank::Audit;
 use crate::bank::Bank;
+use crate::bank::FOLDER;
 use crate::bank::FormAudit;
 use crate::bank::Outcome;
 use crate::bank::Seeds;
 use crate::bank::audit;
 use crate::bank::load_in_course;
+use crate::fault::Faults;
 use crate::fault::Source;
 use crate::problem::compile;
 use crate::quantity::Printed;
 
-use super::exit::Exit;
-use super::failure::Failure;
-use super::format::Listing;
-use super::output::Output;
-use super::pages;
-use super::progress;
-use super::style::Style;
-use super::witnessed;
+use crate::cli::exit::Exit;
+use crate::cli::failure::Failure;
+use crate::cli::failure::tell;
+use crate::cli::format::Listing;
+use crate::cli::output::Output;
+use crate::cli::pages;
+use crate::cli::progress;
+use crate::cli::style::Style;
+use crate::cli::witnessed;
 
 const HELP: &str = "\
 Examples:
@@ -36,6 +44,8 @@ Examples:
   momentous check my-problem.yaml my-folder/
   momentous check --load my-problem.yaml        whether it loads, at once
   momentous check --format json | jq 'select(.faults)'
+  momentous check --quiet --junit check.xml     in the course's CI: what fails, and a report for its page
+  momentous check --changed-since origin/main   only what a change may touch
 
 It exits with 1 if a promise is broken, and with 2 if a file does not load. A promise that this version does not check is listed as not checked.";
 
@@ -61,6 +71,18 @@ pub(super) struct Check {
     /// For people, or one JSON object per line
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
+    /// Say nothing of what is well
+    #[arg(short, long, conflicts_with_all = ["format", "load"])]
+    quiet: bool,
+    /// Check only problems that differ from this revision of git, or whose `course.yaml` or templates do
+    #[arg(long, value_name = "REVISION")]
+    changed_since: Option<String>,
+    /// Write a report in the form that CI services show (JUnit XML)
+    #[arg(long, value_name = "FILE", conflicts_with = "load")]
+    junit: Option<PathBuf>,
+    /// Print what fails as annotations of GitHub Actions, too
+    #[arg(long, conflicts_with_all = ["format", "load"])]
+    annotations: bool,
 }
 
 impl Check {
@@ -69,9 +91,26 @@ impl Check {
     }
 
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        let sources = Bank::here()?.select(&self.problems)?;
+        let (bank, mut unusable) = Bank::gathered_here()?;
+        if self.problems.is_empty() && bank.is_built_in() {
+            tell(&format!(
+                "note: there is no folder {FOLDER} with problems here, so the {} that are built in are checked\n\
+                 help: name the folder that is meant: momentous check FOLDER",
+                bank.ids().count()
+            ));
+        }
+        let (mut sources, named) = bank.selected(&self.problems)?;
+        if !self.problems.is_empty() {
+            unusable = named;
+        }
+        if let Some(revision) = &self.changed_since {
+            sources = changed::since(revision, sources)?;
+            if sources.is_empty() {
+                tell(&format!("note: no problem has changed since {revision}"));
+            }
+        }
         if self.load {
-            return loaded(&sources);
+            return loaded(&sources, &unusable);
         }
         let renderer = pages::renderer()?;
         let bar = progress::bar(sources.len() as u64, false);
@@ -80,11 +119,12 @@ impl Check {
             bar.inc(1);
             audit
         };
-        let audits: Vec<Audit> = sources.par_iter().map(look).collect();
+        let mut audits: Vec<Audit> = sources.par_iter().map(look).collect();
+        audits.extend(unusable.iter().map(bank::unusable));
         bar.finish_and_clear();
         let mut output = Output::to(None)?;
         match self.format {
-            Listing::Text => write_text(&mut output, &audits, self.simulated())?,
+            Listing::Text => self.write_text(&mut output, &audits)?,
             Listing::Json => {
                 for audit in &audits {
                     serde_json::to_writer(&mut output, audit)?;
@@ -93,6 +133,9 @@ impl Check {
             }
         }
         output.finish()?;
+        if let Some(path) = &self.junit {
+            failures::write_junit(path, &audits)?;
+        }
         Ok(if audits.iter().any(|audit| audit.faults.is_some()) {
             Exit::Unusable
         } else if audits.iter().any(Audit::is_broken) {
@@ -103,8 +146,31 @@ impl Check {
     }
 }
 
+impl Check {
+    fn write_text(&self, output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
+        let style = Style::of_stdout();
+        for audit in audits.iter().filter(|audit| !self.quiet || audit.is_broken()) {
+            write_audit(output, audit, style)?;
+        }
+        let broken = audits.iter().filter(|audit| audit.is_broken()).count();
+        let forms: usize = audits.iter().map(|audit| audit.forms.len()).sum();
+        let counted = format!("{}, {}", count(audits.len(), "problem"), count(forms, "form"));
+        match broken {
+            0 => writeln!(output, "{counted}: {}", style.good("every promise that was checked holds"))?,
+            _ => writeln!(output, "{counted}: {}", style.bad(&format!("{} broken", count(broken, "problem"))))?,
+        }
+        if !self.quiet {
+            witnessed::write_share(output, audits, self.simulated())?;
+        }
+        if self.annotations {
+            failures::write_annotations(output, audits)?;
+        }
+        failures::write_text(output, audits)
+    }
+}
+
 /// Says of each file whether it loads.
-fn loaded(sources: &[Source]) -> Result<Exit, Failure> {
+fn loaded(sources: &[Source], unusable: &[Faults]) -> Result<Exit, Failure> {
     let compiled = |source: &Source| load_in_course(source.clone()).and_then(|loaded| compile(loaded, None));
     let read: Vec<_> = sources.par_iter().map(compiled).collect();
     let mut output = Output::to(None)?;
@@ -114,31 +180,24 @@ fn loaded(sources: &[Source]) -> Result<Exit, Failure> {
             Err(faults) => writeln!(output, "{faults}")?,
         }
     }
+    for faults in unusable {
+        writeln!(output, "{faults}")?;
+    }
     output.finish()?;
-    Ok(if read.iter().all(Result::is_ok) { Exit::Fine } else { Exit::Unusable })
+    Ok(if unusable.is_empty() && read.iter().all(Result::is_ok) { Exit::Fine } else { Exit::Unusable })
 }
 
-fn write_text(output: &mut Output, audits: &[Audit], simulated: u64) -> Result<(), Failure> {
-    let style = Style::of_stdout();
-    for audit in audits {
-        let name = audit.problem.as_deref().unwrap_or("does not load");
-        writeln!(output, "{}  {}  digest {}", style.strong(name), audit.file, audit.digest)?;
-        if let Some(faults) = &audit.faults {
-            writeln!(output, "{faults}")?;
-        }
-        for form in &audit.forms {
-            write_form(output, form, style)?;
-        }
-        writeln!(output)?;
+fn write_audit(output: &mut Output, audit: &Audit, style: Style) -> Result<(), Failure> {
+    let name = audit.problem.as_deref().unwrap_or("does not load");
+    writeln!(output, "{}  {}  digest {}", style.strong(name), audit.file, audit.digest)?;
+    if let Some(faults) = &audit.faults {
+        writeln!(output, "{faults}")?;
     }
-    let broken = audits.iter().filter(|audit| audit.is_broken()).count();
-    let forms: usize = audits.iter().map(|audit| audit.forms.len()).sum();
-    let counted = format!("{}, {}", count(audits.len(), "problem"), count(forms, "form"));
-    match broken {
-        0 => writeln!(output, "{counted}: {}", style.good("every promise that was checked holds"))?,
-        _ => writeln!(output, "{counted}: {}", style.bad(&format!("{} broken", count(broken, "problem"))))?,
+    for form in &audit.forms {
+        write_form(output, form, style)?;
     }
-    witnessed::write_share(output, audits, simulated)
+    writeln!(output)?;
+    Ok(())
 }
 
 fn count(number: usize, what: &str) -> String {
