@@ -1,6 +1,7 @@
 //! Mistakes about restitution.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::laws::Sides;
 use crate::quantity::Dimension;
 
@@ -115,6 +116,7 @@ pub const SURFACE: &[WrongForm] = &[
     WrongForm { of: &ELASTIC, write: elastic },
     WrongForm { of: &AS_ENERGY, write: as_energy },
     WrongForm { of: &AT_REST, write: at_rest },
+    WrongForm { of: &ADDED, write: surface_added },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
 
@@ -183,22 +185,30 @@ fn exchanged(law: &Taught<'_>) -> Vec<Wrong> {
     vec![Wrong { equations: vec![(a2, b1), (b2, a1)], without: &["conservation-of-momentum"] }]
 }
 
-/// Without the terms of the surface's own velocity.
-fn at_rest(law: &Taught<'_>) -> Vec<Wrong> {
-    let (Expr::Sum(left), Some(e)) = (&law.sides.0, law.coefficient(&law.sides.1)) else { return Vec::new() };
-    let approach = law.right().substitute(&|symbol| (Expr::from(symbol) == e).then(Expr::one));
-    let before = terms(&-approach).into_iter().next();
-    let (Some(after), Some(before)) = (left.first(), before) else { return Vec::new() };
-    match before {
-        Expr::Product(ref parts) => {
-            match parts.iter().find_map(|part| if let Expr::Sum(inner) = part { inner.first() } else { None }) {
-                Some(bare) => one((after.clone(), -(e * bare.clone()))),
-                None => Vec::new(),
-            }
-        }
-        Expr::Sum(inner) => {
-            inner.first().map(|bare| Wrong::from((after.clone(), -(e * bare.clone())))).into_iter().collect()
-        }
-        _ => Vec::new(),
+/// The velocities of the surface itself: they stand on both sides, and each of the body's on one.
+fn of_surface(law: &Taught<'_>) -> Vec<Symbol> {
+    let behind = law.sides.1.symbols();
+    let both = law.sides.0.symbols().into_iter().filter(|symbol| behind.contains(symbol));
+    both.filter(|symbol| law.is(*symbol, Dimension::VELOCITY)).collect()
+}
+
+/// The surface's velocity made something else: in the approach, in the separation, in both.
+fn with_surface(law: &Taught<'_>, change: impl Fn(Symbol) -> Expr) -> Vec<Wrong> {
+    let surface = of_surface(law);
+    if surface.is_empty() {
+        return Vec::new();
     }
+    let changed = |side: &Expr| side.substitute(&|symbol| surface.contains(&symbol).then(|| change(symbol)));
+    let [separation, approach] = [changed(&law.sides.0), changed(&law.sides.1)];
+    vec![(law.left(), approach.clone()).into(), (separation.clone(), law.right()).into(), (separation, approach).into()]
+}
+
+/// Without the surface's own velocity.
+fn at_rest(law: &Taught<'_>) -> Vec<Wrong> {
+    with_surface(law, |_| Expr::zero())
+}
+
+/// The surface's velocity added where it must be subtracted.
+fn surface_added(law: &Taught<'_>) -> Vec<Wrong> {
+    with_surface(law, |symbol| -Expr::from(symbol))
 }
