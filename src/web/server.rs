@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::net::TcpListener;
+use tokio::net::{TcpListener, TcpSocket};
 use tokio::runtime::Builder;
 
 use crate::fault::Faults;
@@ -43,6 +43,9 @@ const FIRST: &str = "operator";
 /// How long work that nobody waits for any more may hold the end up.
 const ENDING: Duration = Duration::from_secs(2);
 
+/// How many connections may wait until they are taken. Whoever finds no room there is let in a second later, when the system tries again.
+const WAITING: u32 = 4096;
+
 /// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first, those of fifteen seconds.
 /// `clock` says what is in time.
 /// `ready` hears the address as soon as there is one, and the path of a link for the first operator where nobody can sign in yet.
@@ -58,7 +61,7 @@ pub fn serve(
     let mut app = App::new(settings)?;
     let runtime = Builder::new_multi_thread().enable_all().build()?;
     let served = runtime.block_on(async {
-        let listener = listening(bind).await?;
+        let listener = listening(bind)?;
         let address = listener.local_addr()?;
         app.settings.bind = address;
         let mut first = None;
@@ -71,7 +74,7 @@ pub fn serve(
         }
         let app = Arc::new(app);
         if let Some(address) = metrics {
-            let (listener, page) = (listening(address).await?, metrics_router(Arc::clone(&app)));
+            let (listener, page) = (listening(address)?, metrics_router(Arc::clone(&app)));
             tokio::spawn(async move { axum::serve(listener, page).await });
         }
         // Whoever hears the address may tell it to stop.
@@ -84,8 +87,16 @@ pub fn serve(
     served
 }
 
-async fn listening(address: SocketAddr) -> Result<TcpListener, NotServed> {
-    TcpListener::bind(address).await.map_err(|error| NotServed::Address(address, error))
+fn listening(address: SocketAddr) -> Result<TcpListener, NotServed> {
+    let listen = || {
+        let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
+        // Connections of a server that has just ended keep nobody from its address. Elsewhere this would let two servers share it.
+        #[cfg(unix)]
+        socket.set_reuseaddr(true)?;
+        socket.bind(address)?;
+        socket.listen(WAITING)
+    };
+    listen().map_err(|error| NotServed::Address(address, error))
 }
 
 /// From now on the program waits to be told to stop; the future ends when it is.
@@ -108,4 +119,21 @@ fn told_to_stop() -> io::Result<impl Future<Output = ()>> {
     Ok(async {
         let _ = tokio::signal::ctrl_c().await;
     })
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hundreds_who_come_at_once_wait_to_be_taken() {
+        let runtime = Builder::new_current_thread().enable_all().build().unwrap();
+        let _within = runtime.enter();
+        let listener = listening(([127, 0, 0, 1], 0).into()).unwrap();
+        let address = listener.local_addr().unwrap();
+        // Nobody takes them meanwhile.
+        let connect = |_| std::net::TcpStream::connect_timeout(&address, Duration::from_millis(900));
+        let connected: Result<Vec<_>, _> = (0..500).map(connect).collect();
+        assert_eq!(connected.map(|all| all.len()).ok(), Some(500));
+    }
 }

@@ -10,6 +10,7 @@ mod blocks;
 mod docs;
 mod draws;
 mod golden;
+mod limits;
 mod load_properties;
 mod other_values;
 mod schema;
