@@ -39,7 +39,7 @@ impl Printer {
         let Some(format) = paper.document() else { return Ok(None) };
         let renderer = held.renderer()?;
         #[cfg(feature = "pdf")]
-        let press = if paper == Paper::Pdf { Some(Press::new(pages::templates())?) } else { None };
+        let press = if paper == Paper::Pdf { Some(Press::new(pages::templates().as_deref())?) } else { None };
         #[cfg(not(feature = "pdf"))]
         if paper == Paper::Pdf {
             return Err(Failure::unusable(format!(

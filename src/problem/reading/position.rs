@@ -1,5 +1,7 @@
 //! From paths to bytes of the source: where a fault is to be shown.
 
+use std::collections::BTreeMap;
+
 use crate::fault::{Fault, Faults, Path, Segment, Source, Span};
 
 use super::document::{Document, Kind, Node, Scalar, Style};
@@ -43,13 +45,17 @@ impl Index {
     /// The fault with its span, from its path and its place within the scalar there.
     #[must_use]
     pub fn locate(&self, fault: Fault) -> Fault {
+        self.locate_by(fault, &mut BTreeMap::new())
+    }
+
+    /// The same, with the ways through the texts of scalars that were gone before.
+    fn locate_by(&self, fault: Fault, ways: &mut BTreeMap<Span, Way>) -> Fault {
         let (None, Some(path)) = (fault.span, &fault.path) else { return fault };
         let Some((mut span, scalar)) = self.find(path) else { return fault };
         if let (Some(scalar), Some(within)) = (scalar, fault.within) {
             let written = self.source.text.get(span.start..span.end).unwrap_or_default();
-            if let (Some(start), Some(end)) =
-                (offset(scalar, written, within.start), offset(scalar, written, within.end))
-            {
+            let way = ways.entry(span).or_insert_with(|| Way::through(scalar, written));
+            if let (Some(start), Some(end)) = (way.at(within.start), way.at(within.end)) {
                 span = Span { start: span.start + start, end: span.start + end };
             }
         }
@@ -59,7 +65,8 @@ impl Index {
     /// All these faults, each with its place, in the order of the file.
     #[must_use]
     pub fn locate_all(&self, faults: Vec<Fault>) -> Faults {
-        let mut list: Vec<Fault> = faults.into_iter().map(|fault| self.locate(fault)).collect();
+        let mut ways = BTreeMap::new();
+        let mut list: Vec<Fault> = faults.into_iter().map(|fault| self.locate_by(fault, &mut ways)).collect();
         list.sort_by_key(|fault| fault.span);
         // What stands once in the file is told once, however many forms it spoils.
         list.dedup_by(|later, earlier| {
@@ -102,34 +109,52 @@ impl Index {
     }
 }
 
-/// Where the byte `target` of a scalar's text stands in the text as written; `None` where an escape is in the way.
-fn offset(scalar: &Scalar, written: &str, target: usize) -> Option<usize> {
-    let quote = match scalar.style {
-        Style::Quoted => written.chars().next(),
-        Style::Plain | Style::Block => None,
-    };
-    let mut at = quote.map_or(0, char::len_utf8);
-    for (byte, wanted) in scalar.text.char_indices() {
-        let here = written.get(at..)?;
-        let blanks = here.len() - here.trim_start().len();
-        if !wanted.is_whitespace() {
-            at += blanks;
-        }
-        if byte >= target {
-            return Some(at);
-        }
-        if wanted.is_whitespace() {
-            at += here.chars().next().filter(|next| next.is_whitespace()).map_or(0, char::len_utf8);
-            continue;
-        }
-        let found = written.get(at..)?.chars().next()?;
-        if found != wanted || (found == '\\' && quote == Some('"')) {
-            return None;
-        }
-        let doubled = found == '\'' && quote == Some('\'');
-        at += found.len_utf8() * if doubled { 2 } else { 1 };
+/// Where the bytes of a scalar's text stand in the text as written.
+struct Way {
+    /// For each character its byte in the text and in the text as written, as far as no escape is in the way.
+    steps: Vec<(usize, usize)>,
+    /// Where the text ends, if it was gone through to its end.
+    end: Option<usize>,
+}
+
+impl Way {
+    fn through(scalar: &Scalar, written: &str) -> Self {
+        let mut steps = Vec::with_capacity(scalar.text.len());
+        let end = Self::walk(scalar, written, &mut steps);
+        Self { steps, end }
     }
-    Some(at.min(written.len()))
+
+    fn walk(scalar: &Scalar, written: &str, steps: &mut Vec<(usize, usize)>) -> Option<usize> {
+        let quote = match scalar.style {
+            Style::Quoted => written.chars().next(),
+            Style::Plain | Style::Block => None,
+        };
+        let mut at = quote.map_or(0, char::len_utf8);
+        for (byte, wanted) in scalar.text.char_indices() {
+            let here = written.get(at..)?;
+            if !wanted.is_whitespace() {
+                at += here.len() - here.trim_start().len();
+            }
+            steps.push((byte, at));
+            if wanted.is_whitespace() {
+                at += here.chars().next().filter(|next| next.is_whitespace()).map_or(0, char::len_utf8);
+                continue;
+            }
+            let found = written.get(at..)?.chars().next()?;
+            if found != wanted || (found == '\\' && quote == Some('"')) {
+                return None;
+            }
+            let doubled = found == '\'' && quote == Some('\'');
+            at += found.len_utf8() * if doubled { 2 } else { 1 };
+        }
+        Some(at.min(written.len()))
+    }
+
+    /// Where the byte `target` of the text stands; `None` where an escape is in the way.
+    fn at(&self, target: usize) -> Option<usize> {
+        let next = self.steps.partition_point(|(byte, _)| *byte < target);
+        self.steps.get(next).map(|(_, at)| *at).or(self.end)
+    }
 }
 
 #[cfg(test)]
