@@ -29,16 +29,33 @@ fn exercises(problem: &Arc<Problem>, form: usize, seeds: u64) -> impl Iterator<I
     (1..=seeds).filter_map(move |seed| Some((seed, Exercise::draw(problem, form, seed).ok()?)))
 }
 
-/// The problem solved with nothing but its printed numbers gives every printed answer.
+/// The problem solved with nothing but its printed numbers gives every printed answer; with a number that only says what follows from
+/// others, and is rounded, it gives right ones.
 pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let differs = |(seed, first): (u64, Exercise)| {
+        let values = sheet_values(&first);
+        let is_source = |(name, _): &&(String, String)| !first.variant().follows_from_printed(problem, name);
+        let sources: Vec<(String, String)> = values.iter().filter(is_source).cloned().collect();
         // With its text, by which a quantity that has a symbol only stays a letter.
-        let again = Exercise::typed(problem, form, seed, &sheet_values(&first), &[]);
+        let again = Exercise::typed(problem, form, seed, &sources, &[]);
         let [ours, theirs] = [meant(&first), again.map(|again| meant(&again)).unwrap_or_default()];
-        ours.iter().find(|answer| !theirs.contains(answer)).map(|(id, answer)| {
-            let other = theirs.iter().find(|(own, _)| own == id).map_or("no answer", |(_, other)| other);
+        let other = |id: &String, answers: &[(String, String)]| {
+            answers.iter().find(|(own, _)| own == id).map_or_else(|| "no answer".to_owned(), |(_, other)| other.clone())
+        };
+        let said = |id: &String, answer: &str, other: String| {
             format!("with seed {seed}, `{id}` is {answer}, but the printed numbers give {other}")
-        })
+        };
+        if let Some((id, answer)) = ours.iter().find(|answer| !theirs.contains(answer)) {
+            return Some(said(id, answer, other(id, &theirs)));
+        }
+        if sources.len() == values.len() {
+            return None;
+        }
+        let rounded = Exercise::typed(problem, form, seed, &values, &[]).map(|again| key(&again)).unwrap_or_default();
+        let report = first.grade(&rounded.iter().cloned().collect(), DecimalMark::Point);
+        let wrong = report.parts.iter().find(|part| !part.verdict.is_right())?;
+        let answer = first.worked().form.parts.iter().find(|part| part.id == wrong.id).map(|part| first.printed(part));
+        Some(said(&wrong.id, &answer.unwrap_or_default(), other(&wrong.id, &rounded)))
     };
     first(exercises(problem, form, seeds.min(SOLVED_AGAIN)).filter_map(differs))
 }

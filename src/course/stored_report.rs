@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::grade::Diagnosis;
 use crate::grade::Entry;
@@ -108,12 +108,17 @@ pub struct Found {
     pub verdict: Verdict,
     /// Whether the answer is right.
     pub right: bool,
-    /// The points reached.
+    /// The points reached; a page says them as they are printed everywhere.
+    #[serde(serialize_with = "printed")]
     pub points: Points,
     /// What the student is told.
     pub message: String,
     /// What would have followed from the student's own answers, once no attempt is left.
     pub own_values: Option<String>,
+}
+
+fn printed<S: Serializer>(points: &Points, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(points)
 }
 
 /// A hint that can be shown next.
@@ -223,5 +228,20 @@ impl StoredPart {
             entry: self.entry,
             counts,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::quantity::Rational;
+
+    use super::*;
+
+    #[test]
+    fn a_page_says_points_as_they_are_printed_everywhere() {
+        let points = Points(Rational::from(2) / Rational::from(3));
+        let found = Found { verdict: Verdict::Right, right: true, points, message: String::new(), own_values: None };
+        let said = serde_json::to_value(found).map(|found| found["points"].clone());
+        assert_eq!(said.ok(), Some("0.67".into()));
     }
 }

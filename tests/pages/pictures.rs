@@ -24,8 +24,11 @@ use momentous::problem::PartKind;
 use momentous::problem::Problem;
 use momentous::problem::Sampler;
 use momentous::problem::Worked;
+use momentous::render::Fragment;
 use momentous::scene::Stage;
 use rayon::prelude::*;
+
+use crate::problems;
 
 const SEEDS: u64 = 200;
 
@@ -287,4 +290,20 @@ fn a_fall_that_a_string_ends_has_no_floor() {
     let written: Vec<String> = drawings.iter().flat_map(labels).map(Math::plain).collect();
     let expected = name_math("dt[drop]").plain();
     assert!(written.iter().any(|label| label.ends_with(&expected)), "{expected}: {written:?}");
+}
+
+/// Which picture is right is not known by the length of its text.
+#[test]
+fn pictures_to_choose_from_have_one_length() {
+    let mut choices = 0;
+    for exercise in problems::exercises(1) {
+        for part in exercise.sheet().parts.iter().filter(|part| !part.pictures.is_empty()) {
+            choices += 1;
+            let figures = Fragment::figures(&part.pictures);
+            let texts: BTreeSet<&str> = figures.iter().map(Fragment::as_str).collect();
+            let lengths: BTreeSet<usize> = texts.iter().map(|text| text.len()).collect();
+            assert_eq!((texts.len(), lengths.len()), (figures.len(), 1), "{}", exercise.problem().id());
+        }
+    }
+    assert!(choices > 0);
 }

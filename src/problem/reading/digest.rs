@@ -12,7 +12,7 @@ use super::document::{Entry, Kind, Node};
 ///
 /// ```
 /// use momentous::{bank::Bank, fault::Source, problem::load};
-/// let file = Bank::built_in().find("impact/two-carts")?;
+/// let file = Bank::built_in().find("impact/two-carts")?.clone();
 /// let now = load(file.clone())?.digests;
 /// let reworded = load(Source::new("carts.yaml", &file.text.replace("They collide.", "They meet.")))?.digests;
 /// assert!(reworded.draw == now.draw && reworded.marking == now.marking && reworded.words != now.words);

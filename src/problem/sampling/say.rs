@@ -116,28 +116,36 @@ impl Variant {
         hints.map(|(_, hint)| fill(hint, problem, self)).collect()
     }
 
-    /// The numbers that the story and the question of its form print, each once by the name of its quantity, as they would be
-    /// typed: what is written as a calculation, or follows from others that are printed, is left out.
-    #[must_use]
-    pub fn printed_numbers(&self, problem: &Problem) -> Vec<(String, String)> {
+    /// The quantities whose sizes the story and the question of its form print.
+    fn told_in_words<'p>(&self, problem: &'p Problem) -> Vec<(&'p str, Symbol)> {
         let question = problem.forms().get(self.form()).map(|form| &form.question.text);
         let texts = [&problem.loaded().draft.text].into_iter().chain(question);
         let tells = |own: &&Placeholder| own.filter.tells_size() || own.filter == Filter::Motion;
-        let told: Vec<(&str, Symbol)> = (texts.flat_map(Text::placeholders).filter(tells))
+        (texts.flat_map(Text::placeholders).filter(tells))
             .filter_map(|own| Some((own.name.as_str(), problem.model().symbol_of(&own.name)?)))
-            .collect();
-        let is_told = |symbol: &Symbol| told.iter().any(|(_, own)| own == symbol);
-        let follows = |name: &str, symbol: Symbol| {
-            let is_derived = problem.loaded().given.get(name).is_some_and(Given::is_derived);
-            let stated = problem.model().stated(symbol).filter(|_| is_derived);
-            stated.is_some_and(|stated| stated.symbols().iter().all(is_told))
-        };
+            .collect()
+    }
+
+    /// Whether a printed number only says what follows from others that are printed.
+    #[must_use]
+    pub fn follows_from_printed(&self, problem: &Problem, name: &str) -> bool {
+        let told = self.told_in_words(problem);
+        let is_literal = |symbol: &Symbol| problem.model().literals.iter().any(|(own, _)| own == symbol);
+        let is_told = |symbol: &Symbol| is_literal(symbol) || told.iter().any(|(_, own)| own == symbol);
+        let is_derived = problem.loaded().given.get(name).is_some_and(Given::is_derived);
+        let symbol = problem.model().symbol_of(name).filter(|_| is_derived);
+        let stated = symbol.and_then(|symbol| problem.model().stated(symbol));
+        stated.is_some_and(|stated| stated.symbols().iter().all(is_told))
+    }
+
+    /// The numbers that the story and the question of its form print, each once by the name of its quantity, as they would be
+    /// typed: what is written as a calculation is left out.
+    #[must_use]
+    pub fn printed_numbers(&self, problem: &Problem) -> Vec<(String, String)> {
         let mut numbers: Vec<(String, String)> = Vec::new();
-        for (name, symbol) in &told {
-            let (name, symbol) = (*name, *symbol);
+        for (name, symbol) in self.told_in_words(problem) {
             let speaker = Speaker { problem, variant: self, symbol, name };
-            let is_new = speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name);
-            if is_new && !follows(name, symbol) {
+            if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
                 let (Some(value), unit) = (self.printed_value(problem, symbol), self.unit(problem, symbol)) else {
                     continue;
                 };

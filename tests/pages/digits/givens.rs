@@ -67,7 +67,16 @@ fn from_the_sheet(given: &str, asked: &str) -> Outcome {
 fn a_number_that_is_printed_rounded_and_shows_in_the_answer_is_found_out() {
     let given = |e: &str| format!("  m_A: 12.0 kg\n  v_A1: {{ min: 2, max: 9, step: 0.5, unit: m/s }}\n  e: {e}");
     let asked = "v_A2, unit: m/s, figures: 5";
-    assert_eq!(from_the_sheet(&given("1/3"), asked), Outcome::Kept);
-    let rounded = from_the_sheet(&given("sin(pi/5)^2"), asked);
-    assert!(matches!(&rounded, Outcome::Broken(said) if said.contains("the printed numbers give")), "{rounded:?}");
+    for calculation in ["1/3", "sin(pi/5)^2"] {
+        assert_eq!(
+            from_the_sheet(&given(calculation), asked),
+            Outcome::Kept,
+            "{calculation} is printed as it is written"
+        );
+    }
+    // It is printed beside the mass that it follows from, to three figures.
+    let derived = given("0.912345*m_A/(m_A + 8 kg)");
+    assert_eq!(from_the_sheet(&derived, asked), Outcome::Kept, "within one per cent it is right");
+    let strict = from_the_sheet(&derived, "v_A2, unit: m/s, figures: 5, tolerance: to figures");
+    assert!(matches!(&strict, Outcome::Broken(said) if said.contains("the printed numbers give")), "{strict:?}");
 }
