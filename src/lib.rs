@@ -46,29 +46,30 @@
 //! [`render::Renderer`] prints as Markdown, LaTeX or HTML. How the rooms depend on each other stands in
 //! `docs/architecture.md`.
 
-pub mod bank;
 #[cfg(feature = "cli")]
 pub mod cli;
+
+pub use momentous_bank as bank;
 #[cfg(feature = "serve")]
-pub mod course;
-pub mod exercise;
-pub mod explain;
+pub use momentous_course as course;
+pub use momentous_exercise as exercise;
+pub use momentous_explain as explain;
 #[cfg(feature = "cli")]
-pub mod export;
-pub mod expr;
-pub mod fault;
-pub mod figure;
-pub mod grade;
-pub mod laws;
-pub mod model;
-pub mod problem;
-pub mod quantity;
-pub mod render;
-pub mod scene;
-pub mod simulate;
-pub mod solve;
+pub use momentous_export as export;
+pub use momentous_expr as expr;
+pub use momentous_fault as fault;
+pub use momentous_figure as figure;
+pub use momentous_grade as grade;
+pub use momentous_laws as laws;
+pub use momentous_model as model;
+pub use momentous_problem as problem;
+pub use momentous_quantity as quantity;
+pub use momentous_render as render;
+pub use momentous_scene as scene;
+pub use momentous_simulate as simulate;
+pub use momentous_solve as solve;
 #[cfg(feature = "serve")]
-pub mod store;
+pub use momentous_store as store;
 #[cfg(feature = "serve")]
-pub mod web;
-pub mod witness;
+pub use momentous_web as web;
+pub use momentous_witness as witness;

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::problem::Problem;
-use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Procedure;
-use crate::witness::Portion;
-use crate::witness::Simulated;
+use momentous_problem::Problem;
+use momentous_simulate::scene::NothingToSimulate;
+use momentous_simulate::scene::Procedure;
+use momentous_witness::Portion;
+use momentous_witness::Simulated;
 
 use super::each::each;
 use super::promise::Outcome;

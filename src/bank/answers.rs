@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::SymbolTable;
-use crate::problem::AskedUnit;
-use crate::problem::Meant;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
+use momentous_expr::SymbolTable;
+use momentous_problem::AskedUnit;
+use momentous_problem::Meant;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
 
 use super::promise::Outcome;
 use super::report::AnswerSpread;

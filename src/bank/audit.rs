@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::fault::{Faults, Source};
-use crate::problem::Meant;
-use crate::problem::NoVariant;
-use crate::problem::PlannedForm;
-use crate::problem::Problem;
-use crate::problem::compile;
-use crate::problem::digest;
-use crate::render::Renderer;
+use momentous_fault::{Faults, Source};
+use momentous_problem::Meant;
+use momentous_problem::NoVariant;
+use momentous_problem::PlannedForm;
+use momentous_problem::Problem;
+use momentous_problem::compile;
+use momentous_problem::digest;
+use momentous_render::Renderer;
 
 use super::agreement::agrees;
 use super::answers;

@@ -1,10 +1,10 @@
 //! A collection of problem files: those of the current folder, or those that are built in.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Source;
-use crate::fault::did_you_mean;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Source;
+use momentous_fault::did_you_mean;
 
 /// Path and text of every problem of this program's own bank.
 const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/built_in_bank.rs"));
@@ -12,7 +12,7 @@ const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/built_in_b
 /// Problem files with their identities, in the order of these.
 ///
 /// ```
-/// use momentous::bank::Bank;
+/// use momentous_bank::Bank;
 /// let bank = Bank::built_in();
 /// assert!(bank.find("impact/two-carts").is_ok());
 /// let faults = bank.find("impact/two-cart").unwrap_err();

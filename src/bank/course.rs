@@ -3,14 +3,14 @@
 #[cfg(feature = "files")]
 use std::path::Path;
 
-use crate::fault::Faults;
-use crate::fault::Source;
+use momentous_fault::Faults;
+use momentous_fault::Source;
 #[cfg(feature = "files")]
-use crate::problem::Course;
+use momentous_problem::Course;
 #[cfg(feature = "files")]
-use crate::problem::CourseSymbols;
-use crate::problem::Loaded;
-use crate::problem::load;
+use momentous_problem::CourseSymbols;
+use momentous_problem::Loaded;
+use momentous_problem::load;
 
 #[cfg(feature = "files")]
 use super::read_file::read_file;

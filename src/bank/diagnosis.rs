@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::exercise::Exercise;
-use crate::fault::Faults;
-use crate::fault::Source;
-use crate::grade::DecimalMark;
-use crate::problem::Problem;
-use crate::problem::compile;
+use momentous_exercise::Exercise;
+use momentous_fault::Faults;
+use momentous_fault::Source;
+use momentous_grade::DecimalMark;
+use momentous_problem::Problem;
+use momentous_problem::compile;
 
 use super::course::load_in_course;
 use super::each::each;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::problem::Level;
-use crate::problem::Loaded;
+use momentous_problem::Level;
+use momentous_problem::Loaded;
 
 use super::collection::topic_of;
 

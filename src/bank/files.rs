@@ -5,10 +5,10 @@ use std::io;
 use std::path::Path;
 use std::path::PathBuf;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Source;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Source;
 
 use super::collection::Bank;
 use super::collection::topic_of;

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::exercise::Drawer;
-use crate::exercise::Exercise;
-use crate::explain::Audience;
-use crate::fault::Faults;
-use crate::problem::Problem;
-use crate::render::Format;
-use crate::render::Key;
-use crate::render::Page;
-use crate::render::Renderer;
-use crate::render::Solution;
+use momentous_exercise::Drawer;
+use momentous_exercise::Exercise;
+use momentous_explain::Audience;
+use momentous_fault::Faults;
+use momentous_problem::Problem;
+use momentous_render::Format;
+use momentous_render::Key;
+use momentous_render::Page;
+use momentous_render::Renderer;
+use momentous_render::Solution;
 
 use super::promise::Outcome;
 

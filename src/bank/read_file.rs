@@ -3,12 +3,12 @@
 use std::io;
 use std::path::Path;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Input;
-use crate::fault::Source;
-use crate::problem::LONGEST_FILE;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Input;
+use momentous_fault::Source;
+use momentous_problem::LONGEST_FILE;
 
 pub(super) fn read_file(path: &Path) -> Result<Source, Faults> {
     let text =

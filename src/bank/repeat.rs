@@ -3,17 +3,17 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::exercise::Exercise;
-use crate::explain::lines_out;
-use crate::explain::offered_pictures;
-use crate::grade::DecimalMark;
-use crate::problem::ChoicePart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Problem;
-use crate::problem::Sampler;
-use crate::problem::Worked;
-use crate::quantity::MOST_TOLERANCES;
+use momentous_exercise::Exercise;
+use momentous_explain::lines_out;
+use momentous_explain::offered_pictures;
+use momentous_grade::DecimalMark;
+use momentous_problem::ChoicePart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Problem;
+use momentous_problem::Sampler;
+use momentous_problem::Worked;
+use momentous_quantity::MOST_TOLERANCES;
 
 use super::answers::noted;
 use super::promise::Outcome;

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::fault::{Fault, Faults, Span};
-use crate::witness::Simulated;
+use momentous_fault::{Fault, Faults, Span};
+use momentous_witness::Simulated;
 
 use super::promise::Finding;
 use super::promise::Outcome;

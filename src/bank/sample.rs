@@ -5,17 +5,17 @@ use std::hash::DefaultHasher;
 use std::hash::Hash;
 use std::hash::Hasher;
 
-use crate::model::ContactWeight;
-use crate::problem::NoVariant;
-use crate::problem::NumberPart;
-use crate::problem::PartKind;
-use crate::problem::PlannedForm;
-use crate::problem::Problem;
-use crate::problem::Sampler;
-use crate::problem::Variant;
-use crate::problem::Worked;
-use crate::quantity::Printed;
-use crate::solve::Bounded;
+use momentous_model::ContactWeight;
+use momentous_problem::NoVariant;
+use momentous_problem::NumberPart;
+use momentous_problem::PartKind;
+use momentous_problem::PlannedForm;
+use momentous_problem::Problem;
+use momentous_problem::Sampler;
+use momentous_problem::Variant;
+use momentous_problem::Worked;
+use momentous_quantity::Printed;
+use momentous_solve::Bounded;
 
 use super::each::each;
 

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::exercise::Exercise;
-use crate::problem::Problem;
+use momentous_exercise::Exercise;
+use momentous_problem::Problem;
 
 use super::promise::Outcome;
 

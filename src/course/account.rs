@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::assignment::{Correction, CorrectionChoice, Item};
 use super::handed_in::{Override, OverrideRule, Sheet};
@@ -265,7 +265,7 @@ fn has_full_marks(corrections: &[&Correction]) -> bool {
 /// The points that somebody types for an item, as a record keeps them: `4.5`, `4,5` or `9/2`; nothing lets those of marking count again.
 ///
 /// ```
-/// use momentous::course::points_by_hand;
+/// use momentous_course::points_by_hand;
 /// assert_eq!(points_by_hand("4,5", 10), Ok(Some("9/2".to_owned())));
 /// assert_eq!(points_by_hand(" ", 10), Ok(None));
 /// assert_eq!(points_by_hand("12", 10).unwrap_err(), "write points from 0 to 10, or nothing to let those of marking count");

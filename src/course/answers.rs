@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::grade::PartHistory;
-use crate::grade::Seen;
-use crate::quantity::Rational;
+use momentous_grade::PartHistory;
+use momentous_grade::Seen;
+use momentous_quantity::Rational;
 
 use super::handed_in::{Draft, HintShown};
 use super::moment::Moment;
@@ -15,7 +15,7 @@ use super::window::{Phase, Window};
 ///
 /// ```
 /// use std::collections::BTreeMap;
-/// use momentous::course::alike;
+/// use momentous_course::alike;
 /// let form = |texts: &[(&str, &str)]| -> BTreeMap<String, String> {
 ///     texts.iter().map(|(part, text)| (part.to_string(), text.to_string())).collect()
 /// };

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::problem::CourseSymbols;
+use momentous_problem::CourseSymbols;
 
 use super::key::Key;
 use super::moment::Moment;

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::exercise::Exercise;
-use crate::exercise::Remark;
-use crate::problem::Problem;
-use crate::quantity::Rational;
+use momentous_exercise::Exercise;
+use momentous_exercise::Remark;
+use momentous_problem::Problem;
+use momentous_quantity::Rational;
 
 use super::account::{Accounts, Deciding, GradeMark};
 use super::assignment::{CorrectionChoice, Item};

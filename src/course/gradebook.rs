@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::account::{Account, Accounts, GradeMark};
 use super::assignment::Item;

@@ -1,8 +1,8 @@
 //! A gradebook as a table that spreadsheets open, written and read back.
 
-use crate::exercise::Table;
-use crate::exercise::defused;
-use crate::quantity::Rational;
+use momentous_exercise::Table;
+use momentous_exercise::defused;
+use momentous_quantity::Rational;
 
 use super::account::GradeMark;
 use super::gradebook::Gradebook;
@@ -101,6 +101,6 @@ fn quoted(cell: &str) -> String {
 fn decimal(points: &Rational) -> String {
     let scale = 10_u32.pow(DECIMALS);
     let scaled = (points * Rational::from(scale)).round();
-    let text = crate::quantity::Decimal::from_scaled(scaled, DECIMALS).to_string();
+    let text = momentous_quantity::Decimal::from_scaled(scaled, DECIMALS).to_string();
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

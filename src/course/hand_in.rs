@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::exercise::Exercise;
-use crate::exercise::MOST_ATTEMPTS;
-use crate::exercise::Try;
-use crate::grade::DecimalMark;
-use crate::grade::Entry;
-use crate::grade::History;
-use crate::grade::PartHistory;
-use crate::grade::PartReport;
-use crate::quantity::Rational;
+use momentous_exercise::Exercise;
+use momentous_exercise::MOST_ATTEMPTS;
+use momentous_exercise::Try;
+use momentous_grade::DecimalMark;
+use momentous_grade::Entry;
+use momentous_grade::History;
+use momentous_grade::PartHistory;
+use momentous_grade::PartReport;
+use momentous_quantity::Rational;
 
 use super::handed_in::HintShown;
 use super::moment::Moment;
@@ -23,11 +23,11 @@ use super::window::{Late, Phase, Window};
 /// ```
 /// use std::collections::BTreeMap;
 /// use std::sync::Arc;
-/// use momentous::bank::Bank;
-/// use momentous::course::{HandIn, Moment, Policy, PolicyForm, Refusal, Window};
-/// use momentous::exercise::Exercise;
-/// use momentous::grade::DecimalMark;
-/// use momentous::problem::{compile, load};
+/// use momentous_bank::Bank;
+/// use momentous_course::{HandIn, Moment, Policy, PolicyForm, Refusal, Window};
+/// use momentous_exercise::Exercise;
+/// use momentous_grade::DecimalMark;
+/// use momentous_problem::{compile, load};
 ///
 /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
 /// let exercise = Exercise::draw(&problem, 0, 7)?;

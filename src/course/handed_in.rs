@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
-use crate::exercise::Issued;
+use momentous_exercise::Issued;
 
 use super::assignment::Item;
 use super::key::Key;

@@ -16,7 +16,7 @@ const BYTES: usize = 16;
 /// answer whose author is forgotten.
 ///
 /// ```
-/// use momentous::course::{Course, Key};
+/// use momentous_course::{Course, Key};
 /// let key: Key<Course> = Key::new([7; 16]);
 /// assert_eq!(key.to_string(), "07070707070707070707070707070707");
 /// assert_eq!(key.to_string().parse(), Ok(key));

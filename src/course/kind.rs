@@ -2,8 +2,8 @@
 
 use std::mem::{Discriminant, discriminant};
 
-use crate::problem::Loaded;
-use crate::scene::Stage;
+use momentous_problem::Loaded;
+use momentous_scene::Stage;
 
 /// A kind of problems: by the simulator that shows the scene, or by what happens in it, stage by stage.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -44,12 +44,12 @@ impl Moment {
     /// The moment of a local time in a zone, as fields send it.
     ///
     /// ```
-    /// use momentous::course::Moment;
+    /// use momentous_course::Moment;
     /// let due = Moment::local("2026-11-30T18:00", "Europe/Berlin")?;
     /// assert_eq!(due.to_string(), "2026-11-30T17:00:00Z");
     /// let skipped = Moment::local("2026-03-29T02:30", "Europe/Berlin").unwrap_err();
     /// assert!(skipped.to_string().starts_with("this time does not exist: the clocks go forward from 02:00 to 03:00"));
-    /// # Ok::<(), momentous::course::NoMoment>(())
+    /// # Ok::<(), momentous_course::NoMoment>(())
     /// ```
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// A point in time: milliseconds since the beginning of 1970, UTC. It is always the server's; no rule trusts the clock of a browser.
 ///
 /// ```
-/// use momentous::course::Moment;
+/// use momentous_course::Moment;
 /// let moment = Moment::from_millis(1_764_576_000_000);
 /// assert_eq!(moment.to_string(), "2025-12-01T08:00:00Z");
 /// assert_eq!(moment.shown("Europe/Berlin"), "Mon, 1 Dec 2025, 09:00");

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::grade::DecimalMark;
+use momentous_grade::DecimalMark;
 
 use super::key::Key;
 use super::moment::Moment;

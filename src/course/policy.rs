@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::grade::Attempts;
-use crate::grade::FeedbackTime;
-use crate::grade::Keep;
+use momentous_grade::Attempts;
+use momentous_grade::FeedbackTime;
+use momentous_grade::Keep;
 
 use super::moment::Moment;
 use super::share::Share;

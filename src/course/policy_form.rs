@@ -13,7 +13,7 @@ const MOST_ATTEMPTS: u32 = 100;
 /// The fields of a policy: times are local, shares are written `10 %`, and what is empty has its usual meaning.
 ///
 /// ```
-/// use momentous::course::{Policy, PolicyForm, Moment};
+/// use momentous_course::{Policy, PolicyForm, Moment};
 /// let form = PolicyForm {
 ///     opens: "2026-11-23T08:00".into(),
 ///     due: "2026-11-30T18:00".into(),
@@ -28,7 +28,7 @@ const MOST_ATTEMPTS: u32 = 100;
 ///
 /// let faults = Policy::read(&PolicyForm { due: "2026-11-20T18:00".into(), ..form }, "Europe/Berlin").unwrap_err();
 /// assert_eq!((faults[0].field, faults[0].message.as_str()), ("due", "this is before the assignment opens"));
-/// # Ok::<(), momentous::course::NoMoment>(())
+/// # Ok::<(), momentous_course::NoMoment>(())
 /// ```
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(default)]

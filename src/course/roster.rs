@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::exercise::Table;
-use crate::exercise::excerpt;
+use momentous_exercise::Table;
+use momentous_exercise::excerpt;
 
 use super::key::Key;
 use super::moment::Moment;
@@ -84,7 +84,7 @@ impl RosterRow {
     /// The students of a table with a column `id` or `login`, and perhaps `name` and `section`.
     ///
     /// ```
-    /// use momentous::course::RosterRow;
+    /// use momentous_course::RosterRow;
     /// let rows = RosterRow::all("login;name;section\ns1;Ada;A\n").unwrap();
     /// assert_eq!((rows[0].name.as_str(), rows[0].section.as_str()), ("Ada", "A"));
     /// assert_eq!(RosterRow::all("id\na\na\n").unwrap_err(), ["line 3: `a` is already in line 2"]);

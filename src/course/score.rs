@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::stored_report::StoredReport;
 

@@ -5,17 +5,17 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 /// A share between nothing and all, exactly.
 ///
 /// ```
-/// use momentous::course::Share;
+/// use momentous_course::Share;
 /// let tenth: Share = "10 %".parse()?;
 /// assert_eq!(Ok(&tenth), "1/10".parse().as_ref());
 /// assert_eq!((tenth.to_string().as_str(), tenth.percent().as_str()), ("1/10", "10 %"));
 /// assert!("110 %".parse::<Share>().is_err() && "1/0".parse::<Share>().is_err());
-/// # Ok::<(), momentous::course::NoShare>(())
+/// # Ok::<(), momentous_course::NoShare>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Share(Rational);
@@ -48,7 +48,7 @@ impl Share {
     /// In per cent, with at most two decimals.
     #[must_use]
     pub fn percent(&self) -> String {
-        format!("{} %", crate::grade::Points(&self.0 * Rational::from(100)))
+        format!("{} %", momentous_grade::Points(&self.0 * Rational::from(100)))
     }
 }
 

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use crate::grade::Gathering;
-use crate::grade::RowCounts;
-use crate::grade::Statistics;
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_grade::Gathering;
+use momentous_grade::RowCounts;
+use momentous_grade::Statistics;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::account::Accounts;
 use super::gradebook::{Column, GradeRow, Gradebook};

@@ -4,16 +4,16 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::grade::Diagnosis;
-use crate::grade::Entry;
-use crate::grade::Follows;
-use crate::grade::History;
-use crate::grade::PartReport;
-use crate::grade::Points;
-use crate::grade::Verdict;
-use crate::laws::wrong;
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_grade::Diagnosis;
+use momentous_grade::Entry;
+use momentous_grade::Follows;
+use momentous_grade::History;
+use momentous_grade::PartReport;
+use momentous_grade::Points;
+use momentous_grade::Verdict;
+use momentous_laws::wrong;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::handed_in::{Attempt, HintShown};
 use super::moment::Moment;
@@ -233,7 +233,7 @@ impl StoredPart {
 
 #[cfg(test)]
 mod tests {
-    use crate::quantity::Rational;
+    use momentous_quantity::Rational;
 
     use super::*;
 

@@ -3,8 +3,8 @@
 use jiff::{Span, Zoned};
 use serde::{Deserialize, Serialize};
 
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::assignment::{Assignment, Extension};
 use super::fields::{Faults, FieldFault};
@@ -24,7 +24,7 @@ const DAY: i64 = 86_400_000;
 /// The times of an assignment as they are for one student.
 ///
 /// ```
-/// use momentous::course::{Moment, Phase, Policy, PolicyForm, Window};
+/// use momentous_course::{Moment, Phase, Policy, PolicyForm, Window};
 /// let zone = "Europe/Berlin";
 /// let policy = Policy::read(&PolicyForm {
 ///     opens: "2026-11-23T08:00".into(), due: "2026-11-30T18:00".into(), late_until: "2026-12-02T18:00".into(),
@@ -36,7 +36,7 @@ const DAY: i64 = 86_400_000;
 /// let Phase::Late(late) = phase("2026-12-01T18:01")? else { panic!() };
 /// assert_eq!((late.days, late.factor.to_string().as_str()), (2, "4/5"));
 /// assert_eq!(phase("2026-12-02T18:01")?, Phase::Closed);
-/// # Ok::<(), momentous::course::NoMoment>(())
+/// # Ok::<(), momentous_course::NoMoment>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Window {
@@ -199,7 +199,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::course::PolicyForm;
+    use crate::PolicyForm;
 
     const ZONE: &str = "Europe/Berlin";
 

@@ -1,14 +1,14 @@
 //! Marking several attempts of one student at one variant.
 
-use crate::grade::DecimalMark;
-use crate::grade::FeedbackTime;
-use crate::grade::History;
-use crate::grade::Report;
-use crate::grade::Seen;
-use crate::grade::Typed;
-use crate::problem::Part;
-use crate::problem::Worked;
-use crate::quantity::Rational;
+use momentous_grade::DecimalMark;
+use momentous_grade::FeedbackTime;
+use momentous_grade::History;
+use momentous_grade::Report;
+use momentous_grade::Seen;
+use momentous_grade::Typed;
+use momentous_problem::Part;
+use momentous_problem::Worked;
+use momentous_quantity::Rational;
 
 use super::Exercise;
 use super::echo::echo;
@@ -40,10 +40,10 @@ impl Marker {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::bank::Bank;
-    /// use momentous::exercise::{Exercise, Marker, Try};
-    /// use momentous::grade::{DecimalMark, Entry, History};
-    /// use momentous::problem::{compile, load};
+    /// use momentous_bank::Bank;
+    /// use momentous_exercise::{Exercise, Marker, Try};
+    /// use momentous_grade::{DecimalMark, Entry, History};
+    /// use momentous_problem::{compile, load};
     ///
     /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
     /// let exercise = Exercise::draw(&problem, 0, 7)?;

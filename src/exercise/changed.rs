@@ -2,20 +2,20 @@
 
 use std::sync::Arc;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::problem::Loaded;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::PlannedForm;
-use crate::problem::Problem;
-use crate::problem::Sampler;
-use crate::problem::ad_hoc;
-use crate::problem::compile_ad_hoc;
-use crate::problem::typed;
-use crate::quantity::half_unit;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_problem::Loaded;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::PlannedForm;
+use momentous_problem::Problem;
+use momentous_problem::Sampler;
+use momentous_problem::ad_hoc;
+use momentous_problem::compile_ad_hoc;
+use momentous_problem::typed;
+use momentous_quantity::half_unit;
 
 use super::Exercise;
 

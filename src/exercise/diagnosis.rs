@@ -1,18 +1,18 @@
 //! Where a wrong answer comes from, in the words of the problem.
 
-use crate::expr::Expr;
-use crate::grade;
-use crate::grade::Diagnosis;
-use crate::grade::Verdict;
-use crate::grade::diagnose;
-use crate::laws::wrong::Misconception;
-use crate::problem::Decision;
-use crate::problem::FormulaPart;
-use crate::problem::Mistake;
-use crate::problem::OptionFeedback;
-use crate::problem::PartKind;
-use crate::problem::Simulated;
-use crate::problem::Worked;
+use momentous_expr::Expr;
+use momentous_grade as grade;
+use momentous_grade::Diagnosis;
+use momentous_grade::Verdict;
+use momentous_grade::diagnose;
+use momentous_laws::wrong::Misconception;
+use momentous_problem::Decision;
+use momentous_problem::FormulaPart;
+use momentous_problem::Mistake;
+use momentous_problem::OptionFeedback;
+use momentous_problem::PartKind;
+use momentous_problem::Simulated;
+use momentous_problem::Worked;
 
 use super::marking::Marking;
 

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::problem::NoVariant;
-use crate::problem::Problem;
-use crate::problem::Sampler;
-use crate::problem::Scheme;
+use momentous_problem::NoVariant;
+use momentous_problem::Problem;
+use momentous_problem::Sampler;
+use momentous_problem::Scheme;
 
 use super::Exercise;
 use super::sheet_numbers::SheetNumbers;
@@ -14,9 +14,9 @@ use super::sheet_numbers::SheetNumbers;
 ///
 /// ```
 /// use std::sync::Arc;
-/// use momentous::bank::Bank;
-/// use momentous::exercise::{Drawer, Exercise};
-/// use momentous::problem::{compile, load};
+/// use momentous_bank::Bank;
+/// use momentous_exercise::{Drawer, Exercise};
+/// use momentous_problem::{compile, load};
 ///
 /// let source = Bank::built_in().find("impact/two-carts")?.clone();
 /// let problem = Arc::new(compile(load(source)?, None)?);

@@ -1,11 +1,11 @@
 //! What is understood of an answer, in words, before anybody judges it.
 
-use crate::grade;
-use crate::grade::DecimalMark;
-use crate::grade::Reading;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Worked;
+use momentous_grade as grade;
+use momentous_grade::DecimalMark;
+use momentous_grade::Reading;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Worked;
 
 use super::Exercise;
 use super::ROOTS_JOINED;

@@ -2,19 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::grade;
-use crate::grade::Follows;
-use crate::grade::Verdict;
-use crate::grade::diagnose;
-use crate::laws::Law;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::quantity::Dimension;
-use crate::quantity::Printed;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_grade as grade;
+use momentous_grade::Follows;
+use momentous_grade::Verdict;
+use momentous_grade::diagnose;
+use momentous_laws::Law;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_quantity::Dimension;
+use momentous_quantity::Printed;
+use momentous_quantity::Rational;
 
 use super::marking::Marking;
 

@@ -1,16 +1,16 @@
 //! Whether a wrong answer is what follows from earlier ones, for every kind of answer.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::grade;
-use crate::grade::Verdict;
-use crate::problem::Candidate;
-use crate::problem::Consequence;
-use crate::problem::FormulaPart;
-use crate::problem::NumberPart;
-use crate::problem::PartKind;
-use crate::problem::VectorPart;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_grade as grade;
+use momentous_grade::Verdict;
+use momentous_problem::Candidate;
+use momentous_problem::Consequence;
+use momentous_problem::FormulaPart;
+use momentous_problem::NumberPart;
+use momentous_problem::PartKind;
+use momentous_problem::VectorPart;
+use momentous_quantity::Dimension;
 
 use super::follow_through::Earlier;
 use super::follow_through::Found;

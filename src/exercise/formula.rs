@@ -5,18 +5,18 @@ use std::sync::Arc;
 use serde_json::Value;
 use serde_json::json;
 
-use crate::explain;
-use crate::explain::Inline;
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::grade;
-use crate::problem::FormulaPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Sign;
-use crate::problem::Text;
-use crate::problem::Worked;
-use crate::quantity::Dimension;
+use momentous_explain as explain;
+use momentous_explain::Inline;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_grade as grade;
+use momentous_problem::FormulaPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Sign;
+use momentous_problem::Text;
+use momentous_problem::Worked;
+use momentous_quantity::Dimension;
 
 use super::Exercise;
 

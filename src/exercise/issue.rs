@@ -5,11 +5,11 @@ use std::sync::Arc;
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::grade::DecimalMark;
-use crate::problem::CourseSymbols;
-use crate::problem::NoVariant;
-use crate::problem::Problem;
-use crate::problem::Scheme;
+use momentous_grade::DecimalMark;
+use momentous_problem::CourseSymbols;
+use momentous_problem::NoVariant;
+use momentous_problem::Problem;
+use momentous_problem::Scheme;
 
 use super::Drawer;
 use super::Exercise;
@@ -21,11 +21,11 @@ use super::student_sheet::StudentSheet;
 ///
 /// ```
 /// use std::sync::Arc;
-/// use momentous::bank::Bank;
-/// use momentous::exercise::{Exercise, Remark};
-/// use momentous::fault::Source;
-/// use momentous::grade::DecimalMark;
-/// use momentous::problem::{compile, load};
+/// use momentous_bank::Bank;
+/// use momentous_exercise::{Exercise, Remark};
+/// use momentous_fault::Source;
+/// use momentous_grade::DecimalMark;
+/// use momentous_problem::{compile, load};
 ///
 /// let source = Bank::built_in().find("impact/two-carts")?.clone();
 /// let problem = Arc::new(compile(load(source.clone())?, None)?);
@@ -135,8 +135,8 @@ impl Issued {
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::fault::Source;
-    use crate::problem::{compile, load};
+    use momentous_fault::Source;
+    use momentous_problem::{compile, load};
 
     const FILE: &str = include_str!("../../problem_bank/impact/two-carts.yaml");
 

@@ -59,7 +59,7 @@ impl FromStr for Derivation {
 /// What the seeds of a class are made with: the version, and the secret of the course where it has one.
 ///
 /// ```
-/// use momentous::exercise::SeedSource;
+/// use momentous_exercise::SeedSource;
 /// let seeds = SeedSource { secret: Some(b"course 2026"), ..SeedSource::default() };
 /// assert_eq!(seeds.seed("s17", "impact/two-carts", "forward"), 197_135_158_964_129);
 /// ```

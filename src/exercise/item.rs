@@ -1,25 +1,25 @@
 //! A variant with all that marks it elsewhere: what every export reads, and none computes.
 
-use crate::explain::Audience;
-use crate::explain::Outline;
-use crate::grade;
-use crate::grade::ExpectedKind;
-use crate::grade::Message;
-use crate::grade::Points;
-use crate::grade::Rubric;
-use crate::grade::Verdict;
-use crate::grade::VerdictWindow;
-use crate::grade::catalogue::{Catalogue, English};
-use crate::grade::diagnose;
-use crate::problem::FormulaPart;
-use crate::problem::Mistake;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Simulated;
-use crate::quantity::Rational;
-use crate::quantity::Unit;
-use crate::render::Identity;
+use momentous_explain::Audience;
+use momentous_explain::Outline;
+use momentous_grade as grade;
+use momentous_grade::ExpectedKind;
+use momentous_grade::Message;
+use momentous_grade::Points;
+use momentous_grade::Rubric;
+use momentous_grade::Verdict;
+use momentous_grade::VerdictWindow;
+use momentous_grade::catalogue::{Catalogue, English};
+use momentous_grade::diagnose;
+use momentous_problem::FormulaPart;
+use momentous_problem::Mistake;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Simulated;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
+use momentous_render::Identity;
 
 use super::Exercise;
 use super::diagnosis::{hints_on, likeliest_first, misjudged};

@@ -3,27 +3,27 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use crate::grade;
-use crate::grade::Attempts;
-use crate::grade::Reading;
-use crate::grade::Readings;
-use crate::grade::Rubric;
-use crate::problem;
-use crate::problem::AskedUnit;
-use crate::problem::ChoicePart;
-use crate::problem::End;
-use crate::problem::FormulaPart;
-use crate::problem::NoVariant;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::PlannedForm;
-use crate::problem::Problem;
-use crate::problem::RangePart;
-use crate::problem::Sign;
-use crate::problem::Worked;
-use crate::quantity::coherent_unit;
-use crate::solve::Bounded;
+use momentous_grade as grade;
+use momentous_grade::Attempts;
+use momentous_grade::Reading;
+use momentous_grade::Readings;
+use momentous_grade::Rubric;
+use momentous_problem as problem;
+use momentous_problem::AskedUnit;
+use momentous_problem::ChoicePart;
+use momentous_problem::End;
+use momentous_problem::FormulaPart;
+use momentous_problem::NoVariant;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::PlannedForm;
+use momentous_problem::Problem;
+use momentous_problem::RangePart;
+use momentous_problem::Sign;
+use momentous_problem::Worked;
+use momentous_quantity::coherent_unit;
+use momentous_solve::Bounded;
 
 use super::formula::expected_formula;
 use super::names::Names;
@@ -34,10 +34,10 @@ use super::rules::Rules;
 ///
 /// ```
 /// use std::sync::Arc;
-/// use momentous::bank::Bank;
-/// use momentous::exercise::{Drawer, Marker};
-/// use momentous::grade::{DecimalMark, Sitting};
-/// use momentous::problem::{compile, load};
+/// use momentous_bank::Bank;
+/// use momentous_exercise::{Drawer, Marker};
+/// use momentous_grade::{DecimalMark, Sitting};
+/// use momentous_problem::{compile, load};
 ///
 /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
 /// let mut marker = Marker::new(&problem, 0, DecimalMark::Point)?;

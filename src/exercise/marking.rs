@@ -3,13 +3,13 @@
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
-use crate::grade;
-use crate::grade::Expected;
-use crate::grade::Reading;
-use crate::grade::Sitting;
-use crate::problem::Part;
-use crate::problem::Simulated;
-use crate::problem::Worked;
+use momentous_grade as grade;
+use momentous_grade::Expected;
+use momentous_grade::Reading;
+use momentous_grade::Sitting;
+use momentous_problem::Part;
+use momentous_problem::Simulated;
+use momentous_problem::Worked;
 
 use super::Exercise;
 use super::marker::Blank;

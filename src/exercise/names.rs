@@ -1,10 +1,10 @@
 //! Under which names answers may be given: that in the file, the course's, and the one that the sheet prints.
 
-use crate::expr::Notation;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::PlannedForm;
-use crate::problem::Problem;
+use momentous_expr::Notation;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::PlannedForm;
+use momentous_problem::Problem;
 
 /// The names of a form's parts.
 #[derive(Clone, Debug)]

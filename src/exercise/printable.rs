@@ -1,12 +1,12 @@
 //! Whether an author's texts can be printed, told at their places in the problem file.
 
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Path;
-use crate::fault::Span;
-use crate::problem::PartKind;
-use crate::render::line_faults;
-use crate::render::text_faults;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Path;
+use momentous_fault::Span;
+use momentous_problem::PartKind;
+use momentous_render::line_faults;
+use momentous_render::text_faults;
 
 use super::Exercise;
 
@@ -15,10 +15,10 @@ impl Exercise {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::bank::Bank;
-    /// use momentous::exercise::Exercise;
-    /// use momentous::fault::Source;
-    /// use momentous::problem::{compile, load};
+    /// use momentous_bank::Bank;
+    /// use momentous_exercise::Exercise;
+    /// use momentous_fault::Source;
+    /// use momentous_problem::{compile, load};
     ///
     /// let file = Bank::built_in().find("impact/two-carts")?.text.replace("They collide.", "They $\\collide$.");
     /// let problem = Arc::new(compile(load(Source::new("carts.yaml", &file))?, None)?);

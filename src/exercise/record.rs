@@ -3,11 +3,11 @@
 use serde_json::Value;
 use serde_json::json;
 
-use crate::explain;
-use crate::problem::End;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::solve::Bounded;
+use momentous_explain as explain;
+use momentous_problem::End;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_solve::Bounded;
 
 use super::Exercise;
 

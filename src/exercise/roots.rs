@@ -1,15 +1,15 @@
 //! Several values of one quantity: dealt out to the roots that they are right for, and joined into the report on one part.
 
-use crate::grade;
-use crate::grade::Expected;
-use crate::grade::PartReport;
-use crate::grade::Points;
-use crate::grade::Verdict;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Worked;
-use crate::quantity::Rational;
-use crate::solve::Bounded;
+use momentous_grade as grade;
+use momentous_grade::Expected;
+use momentous_grade::PartReport;
+use momentous_grade::Points;
+use momentous_grade::Verdict;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Worked;
+use momentous_quantity::Rational;
+use momentous_solve::Bounded;
 
 use super::ROOTS_JOINED;
 use super::marker::widen;

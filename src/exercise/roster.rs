@@ -19,7 +19,7 @@ impl Student {
     /// The students of a roster, in its order: a table with a column `id`, or `name`, or both.
     ///
     /// ```
-    /// use momentous::exercise::{Student, Table};
+    /// use momentous_exercise::{Student, Table};
     /// let students = Student::all(Table::read("Name;ID\nAda;a\nBob;b\n".as_bytes())?).unwrap();
     /// assert_eq!(students[1].shown(), "Bob (b)");
     /// let faults = Student::all(Table::read("id\na\na\n".as_bytes())?).unwrap_err();

@@ -1,14 +1,14 @@
 //! What the problem file says of marking, in the terms of marking.
 
-use crate::grade;
-use crate::grade::Attempts;
-use crate::grade::Rubric;
-use crate::grade::Verdict;
-use crate::problem;
-use crate::problem::Part;
-use crate::problem::PlannedForm;
-use crate::problem::Problem;
-use crate::quantity::Rational;
+use momentous_grade as grade;
+use momentous_grade::Attempts;
+use momentous_grade::Rubric;
+use momentous_grade::Verdict;
+use momentous_problem as problem;
+use momentous_problem::Part;
+use momentous_problem::PlannedForm;
+use momentous_problem::Problem;
+use momentous_quantity::Rational;
 
 /// Verdicts that the key `figures` of a rubric speaks of.
 const FIGURES: [Verdict; 3] = [Verdict::FiguresFew, Verdict::FiguresMany, Verdict::FiguresWrong];
@@ -85,7 +85,7 @@ impl Rules<'_> {
     }
 }
 
-fn frame_axis((axis, senses): (crate::scene::Axis, crate::scene::Senses)) -> grade::FrameAxis {
+fn frame_axis((axis, senses): (momentous_scene::Axis, momentous_scene::Senses)) -> grade::FrameAxis {
     let letter = axis.letter().chars().next().unwrap_or('x');
     grade::FrameAxis { letter, senses: [senses.positive, senses.negative] }
 }

@@ -5,10 +5,10 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::problem::Literal;
-use crate::problem::NoVariant;
-use crate::problem::PrintedNumber;
-use crate::problem::Problem;
+use momentous_problem::Literal;
+use momentous_problem::NoVariant;
+use momentous_problem::PrintedNumber;
+use momentous_problem::Problem;
 
 use super::Exercise;
 

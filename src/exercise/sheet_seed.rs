@@ -3,12 +3,12 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::problem::Problem;
+use momentous_problem::Problem;
 
 /// A seed as it stands on a sheet: `7`, or `7-kmbtrs` where a secret was used.
 ///
 /// ```
-/// use momentous::exercise::SheetSeed;
+/// use momentous_exercise::SheetSeed;
 /// let seed: SheetSeed = "7-kmbtrs".parse()?;
 /// assert_eq!((seed.number, seed.mark.as_deref(), seed.to_string()), (7, Some("kmbtrs"), "7-kmbtrs".to_owned()));
 /// assert!("7-".parse::<SheetSeed>().is_err() && "-7".parse::<SheetSeed>().is_err());

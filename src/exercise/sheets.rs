@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::problem::Scheme;
+use momentous_problem::Scheme;
 
 use super::issued::{Derivation, SeedSource, VariantRef};
 use super::sheet_numbers::SheetNumbers;

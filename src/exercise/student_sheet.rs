@@ -1,15 +1,15 @@
 //! What a student may have of a variant: no seed, no answer, no decision.
 
-use crate::explain::Inline;
-use crate::expr::Math;
-use crate::figure::Drawing;
-use crate::problem;
-use crate::problem::ChoicePart;
-use crate::problem::FormulaPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::render::Sheet;
-use crate::render::SheetPart;
+use momentous_explain::Inline;
+use momentous_expr::Math;
+use momentous_figure::Drawing;
+use momentous_problem as problem;
+use momentous_problem::ChoicePart;
+use momentous_problem::FormulaPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_render::Sheet;
+use momentous_render::SheetPart;
 
 use super::Exercise;
 
@@ -18,9 +18,9 @@ use super::Exercise;
 ///
 /// ```
 /// use std::sync::Arc;
-/// use momentous::bank::Bank;
-/// use momentous::exercise::{Exercise, FieldKind};
-/// use momentous::problem::{compile, load};
+/// use momentous_bank::Bank;
+/// use momentous_exercise::{Exercise, FieldKind};
+/// use momentous_problem::{compile, load};
 ///
 /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
 /// let sheet = Exercise::draw(&problem, 0, 7)?.student_sheet();

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Symbol;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::VectorPart;
-use crate::quantity::Printed;
-use crate::quantity::round_to_figures;
-use crate::solve::Closed;
+use momentous_expr::Symbol;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::VectorPart;
+use momentous_quantity::Printed;
+use momentous_quantity::round_to_figures;
+use momentous_solve::Closed;
 
 use super::Exercise;
 

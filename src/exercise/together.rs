@@ -26,7 +26,7 @@ pub enum Standing {
 /// The attempts so far. Of each student and sheet a hash and a number are kept, sixteen bytes.
 ///
 /// ```
-/// use momentous::exercise::{Standing, Together, VariantRef};
+/// use momentous_exercise::{Standing, Together, VariantRef};
 /// let [one, other] = [1, 2].map(|seed| VariantRef { problem: "impact/two-carts", form: "forward", seed });
 /// let mut attempts = Together::default();
 /// assert_eq!(attempts.add("s17", one, 2), Standing::First);

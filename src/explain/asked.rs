@@ -1,15 +1,15 @@
 //! What other rooms ask about a variant besides its solution: its figures, its answers as they are printed, and whether its lines
 //! come out.
 
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::figure::Drawing;
-use crate::problem::FormulaPart;
-use crate::problem::NumberPart;
-use crate::problem::Pictured;
-use crate::problem::Sampler;
-use crate::problem::Variant;
-use crate::problem::Worked;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_figure::Drawing;
+use momentous_problem::FormulaPart;
+use momentous_problem::NumberPart;
+use momentous_problem::Pictured;
+use momentous_problem::Sampler;
+use momentous_problem::Variant;
+use momentous_problem::Worked;
 
 use super::cache::SolutionCache;
 use super::computed;

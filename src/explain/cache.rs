@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-use crate::expr::Symbol;
-use crate::problem::PlannedForm;
-use crate::problem::Worked;
+use momentous_expr::Symbol;
+use momentous_problem::PlannedForm;
+use momentous_problem::Worked;
 
 use super::Block;
 use super::checking::checks::Checks;

@@ -1,13 +1,13 @@
 //! Which lines a solution computes, and so how many figures its numbers have.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::problem::AskedUnit;
-use crate::problem::NumberPart;
-use crate::problem::PartKind;
-use crate::solve::Closed;
-use crate::solve::Move;
-use crate::solve::Step;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_problem::AskedUnit;
+use momentous_problem::NumberPart;
+use momentous_problem::PartKind;
+use momentous_solve::Closed;
+use momentous_solve::Move;
+use momentous_solve::Step;
 
 use super::cache::WayCache;
 use super::terms::display::Display;

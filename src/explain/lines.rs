@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::expr::Expr;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::model::Instance;
-use crate::problem::Worked;
-use crate::solve::Closed;
-use crate::solve::Move;
-use crate::solve::Step;
+use momentous_expr::Expr;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_model::Instance;
+use momentous_problem::Worked;
+use momentous_solve::Closed;
+use momentous_solve::Move;
+use momentous_solve::Step;
 
 use super::cache::SolutionCache;
 use super::computed;

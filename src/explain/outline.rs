@@ -1,7 +1,7 @@
 //! The outline of a document: prose, equations and figures, in no format yet.
 
-use crate::expr::Math;
-use crate::figure::Drawing;
+use momentous_expr::Math;
+use momentous_figure::Drawing;
 
 /// A worked solution, section by section.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,7 +90,7 @@ impl Inline {
     /// A line that an author wrote: plain text but for mathematics between dollars, which begins and ends without a space.
     ///
     /// ```
-    /// use momentous::explain::Inline;
+    /// use momentous_explain::Inline;
     /// let [text, tex] = [|text: &str| Inline::Text(text.into()), |tex: &str| Inline::Tex(tex.into())];
     /// assert_eq!(Inline::line("it is $m v$."), [text("it is "), tex("m v"), text(".")]);
     /// assert_eq!(Inline::line("from $5 to $ 6"), [text("from $5 to $ 6")]);

@@ -1,11 +1,11 @@
 //! How far into its scene a solution goes: what only other forms ask is not looked at.
 
-use crate::expr::Symbol;
-use crate::model::Instant;
-use crate::model::QuantityKind;
-use crate::problem::PartKind;
-use crate::problem::Worked;
-use crate::solve::Equation;
+use momentous_expr::Symbol;
+use momentous_model::Instant;
+use momentous_model::QuantityKind;
+use momentous_problem::PartKind;
+use momentous_problem::Worked;
+use momentous_solve::Equation;
 
 /// The last instant that a step towards an answer looks at, counted from 1; that of the scene where something is to be decided.
 #[must_use]

@@ -1,9 +1,9 @@
 //! A number's windows as every target takes them: those that are marked alike joined, that of the right value first.
 
-use crate::exercise::NumberItem;
-use crate::exercise::Window;
-use crate::grade::Verdict;
-use crate::quantity::Rational;
+use momentous_exercise::NumberItem;
+use momentous_exercise::Window;
+use momentous_grade::Verdict;
+use momentous_quantity::Rational;
 
 /// The places behind the point that a number is written with, at the most.
 const MOST_PLACES: usize = 6;

@@ -3,8 +3,8 @@
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::exercise::ItemAnswers;
-use crate::exercise::ItemPart;
+use momentous_exercise::ItemAnswers;
+use momentous_exercise::ItemPart;
 
 use super::question::{Asking, Question};
 use super::target::Target;
@@ -51,10 +51,10 @@ impl Coded {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::bank::Bank;
-    /// use momentous::exercise::Exercise;
-    /// use momentous::export::{Coded, Question, TARGETS};
-    /// use momentous::problem::{compile, load};
+    /// use momentous_bank::Bank;
+    /// use momentous_exercise::Exercise;
+    /// use momentous_export::{Coded, Question, TARGETS};
+    /// use momentous_problem::{compile, load};
     ///
     /// let source = Bank::built_in().find("impact/two-carts")?.clone();
     /// let problem = Arc::new(compile(load(source)?, None)?);

@@ -1,8 +1,8 @@
 //! Parts as fields that any target has: a number, or one of several phrases.
 
-use crate::exercise::ItemAnswers;
-use crate::exercise::ItemPart;
-use crate::exercise::NumberItem;
+use momentous_exercise::ItemAnswers;
+use momentous_exercise::ItemPart;
+use momentous_exercise::NumberItem;
 
 /// Room for one answer of the simplest kinds.
 #[derive(Clone, Debug)]

@@ -5,9 +5,9 @@ use std::io::Write;
 use serde_json::Value;
 use serde_json::json;
 
-use crate::fault::Faults;
-use crate::render::Markup;
-use crate::render::base64;
+use momentous_fault::Faults;
+use momentous_render::Markup;
+use momentous_render::base64;
 
 use super::Begun;
 use super::Export;

@@ -1,13 +1,13 @@
 //! An item as a question of fields, and the texts around them.
 
-use crate::exercise::Item;
-use crate::exercise::ItemAnswers;
-use crate::exercise::ItemPart;
-use crate::explain::Inline;
-use crate::fault::Faults;
-use crate::figure;
-use crate::figure::Drawing;
-use crate::render::Markup;
+use momentous_exercise::Item;
+use momentous_exercise::ItemAnswers;
+use momentous_exercise::ItemPart;
+use momentous_explain::Inline;
+use momentous_fault::Faults;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
+use momentous_render::Markup;
 
 use super::band::bands;
 use super::feature::Feature;
@@ -39,10 +39,10 @@ impl<'i> Question<'i> {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::bank::Bank;
-    /// use momentous::exercise::Exercise;
-    /// use momentous::export::{Feature, Question};
-    /// use momentous::problem::{compile, load};
+    /// use momentous_bank::Bank;
+    /// use momentous_exercise::Exercise;
+    /// use momentous_export::{Feature, Question};
+    /// use momentous_problem::{compile, load};
     ///
     /// let source = Bank::built_in().find("impact/two-carts")?.clone();
     /// let problem = Arc::new(compile(load(source)?, None)?);

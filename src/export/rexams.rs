@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::render::Markup;
+use momentous_render::Markup;
 
 use super::Export;
 use super::NotWritten;

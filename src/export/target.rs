@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::render::Markup;
+use momentous_render::Markup;
 
 use super::Begun;
 use super::Export;
@@ -83,7 +83,7 @@ impl Target {
     /// The target of that name.
     ///
     /// ```
-    /// use momentous::export::Target;
+    /// use momentous_export::Target;
     /// assert_eq!(Target::named("qti3").map(|own| own.about), Some("a package of QTI 3.0"));
     /// ```
     #[must_use]

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::quantity::Dimension;
-use crate::quantity::Rational;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
 
 use super::{Expr, Function, Symbol, SymbolTable};
 
@@ -47,8 +47,8 @@ impl Expr {
     /// The first parts that cannot stand together, from the left.
     ///
     /// ```
-    /// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-    /// use momentous::quantity::Dimension;
+    /// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+    /// use momentous_quantity::Dimension;
     /// let mut table = SymbolTable::default();
     /// let mut add = |name: &str, dimension| {
     ///     Expr::from(table.intern(SymbolEntry { name: name.into(), dimension, meaning: String::new() }))

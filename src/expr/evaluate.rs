@@ -1,6 +1,6 @@
 //! The value of a term in floating point, the same on every platform.
 
-use crate::quantity::nearest_double;
+use momentous_quantity::nearest_double;
 
 use super::{Expr, Function, Piecewise, Symbol};
 
@@ -8,7 +8,7 @@ impl Expr {
     /// The value, with `value` giving that of each symbol in base units. Not a number where the term has no real value.
     ///
     /// ```
-    /// use momentous::expr::Expr;
+    /// use momentous_expr::Expr;
     /// let half = Expr::ratio(1, 2);
     /// assert_eq!((half.clone() * (half + Expr::integer(1)).powi(2)).evaluate(&|_| 0.0), 1.125);
     /// ```

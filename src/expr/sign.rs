@@ -2,7 +2,7 @@
 
 use dashu::base::Sign;
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::Expr;
 

@@ -1,6 +1,6 @@
 //! The named quantities of one problem.
 
-use crate::quantity::Dimension;
+use momentous_quantity::Dimension;
 
 /// A quantity of one problem; an index into its [`SymbolTable`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

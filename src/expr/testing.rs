@@ -1,6 +1,6 @@
 //! Terms for tests, written as text; names become symbols of a table in order of appearance.
 
-use crate::quantity::Dimension;
+use momentous_quantity::Dimension;
 
 use super::{Expr, Names, ParseFault, Symbol, SymbolEntry, SymbolTable, parse};
 

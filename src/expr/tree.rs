@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use dashu::base::BitTest;
 
-use crate::quantity::Decimal;
-use crate::quantity::Rational;
-use crate::quantity::Unit;
+use momentous_quantity::Decimal;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
 
 use super::Symbol;
 

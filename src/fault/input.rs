@@ -57,7 +57,7 @@ impl Input {
     /// The whole of it as text.
     ///
     /// ```
-    /// use momentous::fault::Input;
+    /// use momentous_fault::Input;
     /// let text = Input::open("Cargo.toml".as_ref())?.text(64 * 1024)?;
     /// assert!(text.contains("momentous"));
     /// assert_eq!(Input::open("Cargo.toml".as_ref())?.text(8).unwrap_err().to_string(), "it is longer than 8 bytes");

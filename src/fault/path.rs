@@ -20,7 +20,7 @@ pub enum Segment {
 /// A path shares its beginning with the path that it was made from, so making one and cloning one are cheap.
 ///
 /// ```
-/// use momentous::fault::Path;
+/// use momentous_fault::Path;
 /// let impact = Path::root().key("scene").key("stages").index(0).key("impact");
 /// assert_eq!(impact.to_string(), "scene.stages[0].impact");
 /// ```

@@ -34,7 +34,7 @@ impl Source {
     /// Line and column of a byte, both from 1; the column counts characters.
     ///
     /// ```
-    /// use momentous::fault::Source;
+    /// use momentous_fault::Source;
     /// assert_eq!(Source::new("a.yaml", "id: a\nm: 2").line_and_column(9), (2, 4));
     /// ```
     #[must_use]

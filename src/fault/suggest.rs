@@ -3,7 +3,7 @@
 /// The candidate nearest to `name`, where one is near enough to be meant.
 ///
 /// ```
-/// use momentous::fault::did_you_mean;
+/// use momentous_fault::did_you_mean;
 /// assert_eq!(did_you_mean("resitution", ["between", "restitution"]), Some("restitution"));
 /// assert_eq!(did_you_mean("m_b", ["m_A", "m_B"]), Some("m_B"));
 /// assert_eq!(did_you_mean("w", ["x", "y"]), None);

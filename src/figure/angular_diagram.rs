@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::expr::Math;
-use crate::expr::Operator;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 
 use super::body::{Attach, Body};
 use super::drawing::unknown;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::angular_diagram::{AngularImpulse, headings, turn_panel};
 use super::body::{Attach, Body};

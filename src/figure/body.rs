@@ -1,6 +1,6 @@
 //! A body with its name and the arrows attached to it.
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::extent::Measure;
 use super::geometry::arrow_head;

@@ -1,6 +1,6 @@
 //! The drawing model: what a figure consists of, before any format.
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 /// A drawing in its own units (about one point each), y upwards.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -167,7 +167,7 @@ impl Drawing {
     /// Whether it shows nothing but outlines of bodies and axes: less than any text says.
     ///
     /// ```
-    /// use momentous::figure::{Drawing, Point, Role, Shape};
+    /// use momentous_figure::{Drawing, Point, Role, Shape};
     /// let circle = Shape::Circle { centre: Point::ORIGIN, radius: 1.0, role: Role::Body };
     /// let mut drawing = Drawing { shapes: vec![circle], ..Drawing::default() };
     /// assert!(drawing.is_bare());

@@ -1,6 +1,6 @@
 //! How much room shapes take: boxes of labels by a table of character widths, boxes of shapes, and what touches what.
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::geometry::{arc_points, arrow_head, corners};
 use super::style::TYPE_SIZE;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::expr::Math;
-use crate::expr::Operator;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 
 use super::extent::Measure;
 use super::input::Wording;
@@ -80,8 +80,8 @@ impl ForcePlot {
     /// The plot, with round numbers at its ticks.
     ///
     /// ```
-    /// use momentous::expr::Math;
-    /// use momentous::figure::{ForcePlot, PlotAxis, Wording, overlaps};
+    /// use momentous_expr::Math;
+    /// use momentous_figure::{ForcePlot, PlotAxis, Wording, overlaps};
     ///
     /// let axis = |symbol: &str, unit: &str| PlotAxis {
     ///     symbol: Math::Identifier(symbol.into()),

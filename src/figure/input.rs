@@ -1,7 +1,7 @@
 //! What the diagrams are told: plain numbers and finished labels, without a notion of where they come from.
 
-use crate::expr::Math;
-use crate::expr::Operator;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 
 use super::place::Canvas;
 use super::{Drawing, Point};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::extent::Extent;
 use super::input::{AxisMark, LabelledVector, Wording};

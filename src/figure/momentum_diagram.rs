@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::body::{Attach, Body};
 use super::drawing::unknown;
@@ -84,8 +84,8 @@ impl MomentumDiagram {
     /// The diagram: one scale for all arrows, the longest as long as fits; the caption tells of any that had to be longer to be seen.
     ///
     /// ```
-    /// use momentous::expr::Math;
-    /// use momentous::figure::{BodyMomentum, Form, LabelledVector, MomentumDiagram, overlaps};
+    /// use momentous_expr::Math;
+    /// use momentous_figure::{BodyMomentum, Form, LabelledVector, MomentumDiagram, overlaps};
     ///
     /// let vector = |label: &str, x| LabelledVector::known(Math::Identifier(label.into()), [x, 0.0]);
     /// let cart = BodyMomentum {

@@ -2,8 +2,8 @@
 
 use std::sync::LazyLock;
 
-use crate::expr::Math;
-use crate::expr::Operator;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 
 use super::extent::{Extent, Measure};
 use super::input::AxisMark;

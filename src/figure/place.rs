@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::extent::{Contact, Extent, Measure, extent, label_extent};
 use super::scale::Scale;
@@ -263,8 +263,8 @@ pub struct Overlap {
 /// A label wholly inside an outline (the name of a body) is as it should be, and so is one on a shaded area.
 ///
 /// ```
-/// use momentous::expr::Math;
-/// use momentous::figure::{Drawing, Point, Role, Shape, overlaps};
+/// use momentous_expr::Math;
+/// use momentous_figure::{Drawing, Point, Role, Shape, overlaps};
 ///
 /// let text = Math::Identifier("v".into());
 /// let label = |x| Shape::Label { at: Point { x, y: 0.0 }, text: text.clone(), role: Role::Velocity };

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::extent::{Extent, Measure};
 use super::geometry::{arc_points, arrow_head, coordinate, corners, hundredths, put_coordinate};
@@ -31,7 +31,7 @@ const CARD_STYLE: &str = "\
 /// The drawing as an SVG element, with title and description for screen readers. No line of it is blank.
 ///
 /// ```
-/// use momentous::figure::{Drawing, Point, svg};
+/// use momentous_figure::{Drawing, Point, svg};
 ///
 /// let (low, high) = (Point { x: 0.0, y: 0.0 }, Point { x: 40.0, y: 20.0 });
 /// let words = |text: &str| text.to_owned();
@@ -59,7 +59,7 @@ pub fn svg_paper(drawing: &Drawing) -> String {
 /// The rules of all figures, for the style sheet of a page.
 ///
 /// ```
-/// assert!(momentous::figure::style_sheet().contains(".momentous-figure text"));
+/// assert!(momentous_figure::style_sheet().contains(".momentous-figure text"));
 /// ```
 #[must_use]
 pub fn style_sheet() -> String {
@@ -70,7 +70,7 @@ pub fn style_sheet() -> String {
 /// whose screen is light), so it stands on a card of its own, which is light or dark as the reader's screen is.
 ///
 /// ```
-/// use momentous::figure::{Drawing, Point, svg_file};
+/// use momentous_figure::{Drawing, Point, svg_file};
 ///
 /// let (low, high) = (Point { x: 0.0, y: 0.0 }, Point { x: 40.0, y: 20.0 });
 /// let words = String::new;

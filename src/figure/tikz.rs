@@ -10,7 +10,7 @@ use super::{Drawing, Point, Role, Shape};
 /// The drawing as a `tikzpicture` environment, one point to a unit.
 ///
 /// ```
-/// use momentous::figure::{Drawing, Point, tikz};
+/// use momentous_figure::{Drawing, Point, tikz};
 ///
 /// let (low, high) = (Point { x: 0.0, y: 0.0 }, Point { x: 40.0, y: 20.0 });
 /// let words = String::new;

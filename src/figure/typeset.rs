@@ -1,8 +1,8 @@
 //! Mathematics in one line of type: runs of one face, size and rise, for SVG text and for estimating widths.
 
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::subscript_parts;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::subscript_parts;
 
 /// A face of type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

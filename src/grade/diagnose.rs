@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::quantity::half_unit;
-use crate::quantity::round_to_figures;
-use crate::quantity::unit_of_place;
+use momentous_quantity::half_unit;
+use momentous_quantity::round_to_figures;
+use momentous_quantity::unit_of_place;
 
 use super::expected::{ExpectedNumber, ExpectedVector};
 use super::judge::BESIDE_A_WHOLE_NUMBER;
@@ -66,7 +66,7 @@ pub fn number(expected: &ExpectedNumber, answer: &Answer) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-fn unit(answer: &NumberAnswer) -> Option<&crate::quantity::Unit> {
+fn unit(answer: &NumberAnswer) -> Option<&momentous_quantity::Unit> {
     answer.unit.as_ref().filter(|unit| !unit.is_none())
 }
 

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::SymbolTable;
-use crate::quantity::Decimal;
-use crate::quantity::Dimension;
-use crate::quantity::Rational;
-use crate::quantity::Tolerance;
-use crate::quantity::Unit;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolTable;
+use momentous_quantity::Decimal;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
+use momentous_quantity::Tolerance;
+use momentous_quantity::Unit;
 
 /// What is expected as the answer to one part of a question.
 #[derive(Clone, Debug, PartialEq)]

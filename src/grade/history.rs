@@ -3,8 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantity::Rational;
-use crate::quantity::exact;
+use momentous_quantity::Rational;
+use momentous_quantity::exact;
 
 use super::messages::Message;
 use super::report::{Entry, PartReport, Report};

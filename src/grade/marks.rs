@@ -4,8 +4,8 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::quantity::Decimal;
-use crate::quantity::Rational;
+use momentous_quantity::Decimal;
+use momentous_quantity::Rational;
 
 /// The decimals with which points are printed.
 const DECIMALS: u32 = 2;

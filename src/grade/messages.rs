@@ -119,7 +119,8 @@ pub enum Message {
 
 impl Message {
     /// The right magnitude with the other sign: the words for its directions, where it has any.
-    pub(crate) fn reversed(senses: Option<&[String; 2]>) -> Self {
+    #[must_use]
+    pub fn reversed(senses: Option<&[String; 2]>) -> Self {
         if senses.is_some() { Self::SenseReversed } else { Self::SignReversed }
     }
 

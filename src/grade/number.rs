@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use dashu::base::{Abs, BitTest, Sign};
 
-use crate::quantity::Decimal;
-use crate::quantity::Factor;
-use crate::quantity::Integer;
-use crate::quantity::Rational;
-use crate::quantity::nearest_double;
+use momentous_quantity::Decimal;
+use momentous_quantity::Factor;
+use momentous_quantity::Integer;
+use momentous_quantity::Rational;
+use momentous_quantity::nearest_double;
 
 /// The most binary digits above or below the fraction bar: enough for every number of 40 digits times 10^400, and a few products of them.
 const MAX_BITS: usize = 8192;

@@ -1,13 +1,13 @@
 //! Points at which formulas are evaluated: near the problem's own variants, off any grid, and known to nobody beforehand.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
-use crate::solve::Bounded;
-use crate::solve::Exact;
-use crate::solve::Precise;
-use crate::solve::Real;
-use crate::solve::evaluate;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
+use momentous_solve::Bounded;
+use momentous_solve::Exact;
+use momentous_solve::Precise;
+use momentous_solve::Real;
+use momentous_solve::evaluate;
 
 use super::expected::ExpectedFormula;
 

@@ -79,8 +79,8 @@ impl Readings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::ExpectedNumber;
-    use crate::quantity::Unit;
+    use crate::ExpectedNumber;
+    use momentous_quantity::Unit;
 
     fn same(readings: &mut Readings, text: &str, asked: &ExpectedKind, mark: DecimalMark) {
         let known = readings.read(text, asked, mark);

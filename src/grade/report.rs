@@ -6,7 +6,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::catalogue::{Catalogue, English};
 use super::diagnose::Diagnosis;
@@ -107,7 +107,7 @@ pub struct InputFault {
 ///
 /// ```
 /// use std::collections::BTreeMap;
-/// use momentous::grade::{DecimalMark, Expected, ExpectedKind, Rubric, grade};
+/// use momentous_grade::{DecimalMark, Expected, ExpectedKind, Rubric, grade};
 ///
 /// let options = vec!["conserved".to_owned(), "not conserved".to_owned()];
 /// let because = "no external force acts along x".to_owned();

@@ -8,7 +8,7 @@ use serde::Serialize;
 /// How many rows there were, each marked or refused.
 ///
 /// ```
-/// use momentous::grade::RowCounts;
+/// use momentous_grade::RowCounts;
 /// let counts = RowCounts { read: 3, marked: 2, answers: 6, refused: 1, not_issued: 1 };
 /// assert_eq!(counts.to_string(), "3 rows read: 2 marked (6 answers), 1 refused; 1 of the marked rows belongs to a sheet that was not issued");
 /// ```

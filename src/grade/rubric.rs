@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::marks::Points;
 use super::verdict::Verdict;
@@ -93,7 +93,7 @@ impl Rubric {
     /// The fraction of the points for a verdict, between 0 and 1.
     ///
     /// ```
-    /// use momentous::grade::{Rubric, Verdict};
+    /// use momentous_grade::{Rubric, Verdict};
     /// assert_eq!(Rubric::default().fraction(Verdict::UnitMissing).to_string(), "1/2");
     /// ```
     #[must_use]

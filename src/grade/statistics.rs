@@ -6,7 +6,7 @@ use std::collections::BinaryHeap;
 
 use serde::Serialize;
 
-use crate::laws::wrong::find;
+use momentous_laws::wrong::find;
 
 use super::frequent::{Frequent, WrongAnswer};
 use super::report::{Entry, PartReport};
@@ -317,8 +317,8 @@ fn correlation(pairs: &[(f64, f64)]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::{Points, Verdict};
-    use crate::quantity::Rational;
+    use crate::{Points, Verdict};
+    use momentous_quantity::Rational;
 
     fn part(id: &str, right: bool) -> PartReport {
         PartReport {

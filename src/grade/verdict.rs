@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// What was found about the answer to one part. The codes are stable: tools match on them.
 ///
 /// ```
-/// use momentous::grade::Verdict;
+/// use momentous_grade::Verdict;
 /// assert_eq!(Verdict::UnitMissing.code(), "unit_missing");
 /// assert!(Verdict::RightRounded.is_right());
 /// ```

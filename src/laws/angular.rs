@@ -1,6 +1,6 @@
 //! Angular momentum about a fixed point.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::wrong;

@@ -1,6 +1,6 @@
 //! Bouncing: the series that restitution makes of heights, times and ranges.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::wrong;

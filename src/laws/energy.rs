@@ -1,6 +1,6 @@
 //! Kinetic energy and what an impact loses of it.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

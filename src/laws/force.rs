@@ -1,6 +1,6 @@
 //! Forces over time: impulse, average force, weight, friction.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

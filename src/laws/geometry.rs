@@ -1,6 +1,6 @@
 //! Components, magnitudes and directions.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

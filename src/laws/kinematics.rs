@@ -1,6 +1,6 @@
 //! Motion between impacts: free fall, flight and uniform motion.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

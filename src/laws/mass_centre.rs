@@ -1,6 +1,6 @@
 //! The centre of mass of a system and its motion.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

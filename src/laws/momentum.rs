@@ -1,6 +1,6 @@
 //! Linear impulse and momentum, the third law, and conservation.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

@@ -1,6 +1,6 @@
 //! Motions given as functions: velocity, acceleration and force from them.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

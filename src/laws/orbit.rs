@@ -1,6 +1,6 @@
 //! Motion under the gravity of a fixed centre: energy, the shape of the orbit, and time along it.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

@@ -1,7 +1,7 @@
 //! Motion through air or a liquid that resists it.
 
-use crate::expr::Expr;
-use crate::expr::Function;
+use momentous_expr::Expr;
+use momentous_expr::Function;
 
 use super::Law;
 use super::Sides;

@@ -1,6 +1,6 @@
 //! Restitution: how much of the approach comes back.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

@@ -1,6 +1,6 @@
 //! Bodies that come apart, and bodies that a guide holds.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Law;
 use super::Sides;

@@ -1,6 +1,6 @@
 //! The two sides of an equation.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 /// The two sides of an equation, as they are taught.
 pub type Sides = (Expr, Expr);

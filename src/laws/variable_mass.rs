@@ -1,7 +1,7 @@
 //! Streams that are turned or caught, and bodies that throw mass away.
 
-use crate::expr::Expr;
-use crate::expr::Function;
+use momentous_expr::Expr;
+use momentous_expr::Function;
 
 use super::Law;
 use super::Sides;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::frame::Direction;
 use super::wording;

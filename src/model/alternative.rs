@@ -1,7 +1,7 @@
 //! One of several ways in which a stage can go.
 
-use crate::solve::Condition;
-use crate::solve::Equation;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
 
 /// One of several ways in which a stage can go, with what holds only there.
 #[derive(Clone, Debug, Default)]

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_solve::Statement;
 
 use super::Builder;
 use super::Model;

@@ -1,13 +1,13 @@
 //! Bonds that a stage leaves between bodies, or between a body and what holds it: the next stage finds them.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Impact;
-use crate::scene::stage::Partners;
-use crate::scene::stage::Place;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Ends;
+use momentous_scene::stage::Impact;
+use momentous_scene::stage::Partners;
+use momentous_scene::stage::Place;
 
 use super::stage::Description;
 

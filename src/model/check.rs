@@ -1,16 +1,16 @@
 //! What must fit together in a scene before any law is written down.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::quantity::Dimension;
-use crate::scene::Axes;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Impact;
-use crate::scene::stage::Partners;
-use crate::scene::stage::Separate;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_quantity::Dimension;
+use momentous_scene::Axes;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Impact;
+use momentous_scene::stage::Partners;
+use momentous_scene::stage::Separate;
 
 use super::Name;
 use super::QuantityKind;

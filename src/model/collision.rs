@@ -1,10 +1,10 @@
 //! Names that an author chose for something, and that the scene itself makes for something else.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
 
 use super::Builder;
 use super::Name;

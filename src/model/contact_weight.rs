@@ -1,6 +1,6 @@
 //! The impulse of weight on a body in a short contact, beside the change of its momentum.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 /// From which share of the change of momentum on what is left out must not be: one part in so many.
 const TOO_MUCH: i64 = 10;

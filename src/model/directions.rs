@@ -1,13 +1,13 @@
 //! Directions read from words, and vectors resolved along them and along the axes of an impact.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::geometry;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::geometry;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Term;
 
 use super::Builder;
 use super::Name;

@@ -1,12 +1,12 @@
 //! Expressions that questions ask for: each is a quantity of its own, with the equation that says what it is.
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::geometry;
-use crate::quantity::UnitSystem;
-use crate::quantity::coherent_unit;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::geometry;
+use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
 
 use super::Because;
 use super::Builder;

@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::SymbolTable;
-use crate::laws::geometry;
-use crate::quantity::Quantity;
-use crate::scene::Scene;
-use crate::solve::Equation;
-use crate::solve::Statement;
-use crate::solve::System;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolTable;
+use momentous_laws::geometry;
+use momentous_quantity::Quantity;
+use momentous_scene::Scene;
+use momentous_solve::Equation;
+use momentous_solve::Statement;
+use momentous_solve::System;
 
 use super::ActingForce;
 use super::Alternative;

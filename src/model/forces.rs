@@ -1,6 +1,6 @@
 //! The forces of a stage, noted one by one for diagrams and for what stays the same; the equations need only their sums.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Agent;
 use super::Builder;

@@ -1,6 +1,6 @@
 //! Directions of a scene, and the axes along and across a line of impact.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 /// A direction in the plane of the first two axes, or along the third.
 #[derive(Clone, Debug, PartialEq, Eq)]

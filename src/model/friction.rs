@@ -1,17 +1,17 @@
 //! A push against dry friction on a level floor: the normal force, the threshold, and whether the body moves at all.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::force;
-use crate::laws::momentum;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Friction;
-use crate::solve::Equation;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::force;
+use momentous_laws::momentum;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Friction;
+use momentous_solve::Equation;
+use momentous_solve::Relation;
 
 use super::Builder;
 use super::Integral;

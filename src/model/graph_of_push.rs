@@ -1,11 +1,11 @@
 //! Which force of a push a sheet prints as a graph, and whether it can.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_quantity::Rational;
 
 use super::Builder;
 use super::printed_graph::PrintedGraph;

@@ -1,13 +1,13 @@
 //! Bodies that a guide lets move along one direction only, and the momentum of what they belong to.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::momentum;
-use crate::laws::separation;
-use crate::scene::Axis;
-use crate::scene::Stage;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::momentum;
+use momentous_laws::separation;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
 
 use super::Agent;
 use super::Builder;

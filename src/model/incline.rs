@@ -1,11 +1,11 @@
 //! The slope of the floor on which a body moves along the one axis of a scene, or above which it flies.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::scene::Plane;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_scene::Plane;
+use momentous_scene::Term;
 
 use super::Builder;
 use super::acting::Slope;

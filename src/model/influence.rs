@@ -1,6 +1,6 @@
 //! What acts on bodies during a stage that lasts: it decides what stays the same all the way, and not only at both ends.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 /// Something that acts on a body from the first moment of a stage to the last.
 #[derive(Clone, Debug)]

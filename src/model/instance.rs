@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::Law;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::Law;
 
 /// One use of a law: which, in which stage, and why it may be used there.
 #[derive(Clone, Debug)]

@@ -1,11 +1,11 @@
 //! The masses of bodies, as they are from one instant to another.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::quantity::Dimension;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage::StageMass;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_quantity::Dimension;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage::StageMass;
 
 use super::Builder;
 use super::Name;

@@ -3,16 +3,16 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::Sides;
-use crate::laws::wrong::Misconception;
-use crate::laws::wrong::Taught;
-use crate::laws::wrong::Wrong;
-use crate::quantity::UnitSystem;
-use crate::solve::Equation;
-use crate::solve::Statement;
-use crate::solve::System;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::Sides;
+use momentous_laws::wrong::Misconception;
+use momentous_laws::wrong::Taught;
+use momentous_laws::wrong::Wrong;
+use momentous_quantity::UnitSystem;
+use momentous_solve::Equation;
+use momentous_solve::Statement;
+use momentous_solve::System;
 
 use super::Instance;
 use super::Model;

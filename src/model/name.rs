@@ -107,7 +107,7 @@ impl Name {
     /// Takes a name apart; `None` where it does not follow the grammar.
     ///
     /// ```
-    /// use momentous::model::{Instant, Name, QuantityKind};
+    /// use momentous_model::{Instant, Name, QuantityKind};
     /// let name = Name::parse("v_A1.x").unwrap();
     /// assert_eq!((name.kind, name.subject.as_str(), name.instant), (QuantityKind::Velocity, "A", Some(Instant::Number(1))));
     /// assert_eq!(Name::parse("T_lost[hit]").unwrap().stage.as_deref(), Some("hit"));
@@ -188,7 +188,7 @@ impl fmt::Display for Name {
 /// The name of a component of a vector, which stands before the stage.
 ///
 /// ```
-/// use momentous::model::component_name;
+/// use momentous_model::component_name;
 /// assert_eq!(component_name("v_A2", "x"), "v_A2.x");
 /// assert_eq!(component_name("J_A[hit]", "x"), "J_A.x[hit]");
 /// ```

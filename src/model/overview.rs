@@ -1,14 +1,14 @@
 //! What a model in the making tells of itself to whoever reads the question.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::SymbolTable;
-use crate::fault::Segment;
-use crate::quantity::Decimal;
-use crate::quantity::Quantity;
-use crate::scene::Axis;
-use crate::scene::Scene;
-use crate::solve::System;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolTable;
+use momentous_fault::Segment;
+use momentous_quantity::Decimal;
+use momentous_quantity::Quantity;
+use momentous_scene::Axis;
+use momentous_scene::Scene;
+use momentous_solve::System;
 
 use super::Builder;
 use super::Impulse;

@@ -1,9 +1,9 @@
 //! Two bodies that pull or push each other along one line: their impulses, and the momentum of both.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::momentum;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::momentum;
+use momentous_scene::Term;
 
 use super::Agent;
 use super::Because;

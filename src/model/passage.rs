@@ -1,7 +1,7 @@
 //! Ways that a body has to go through to the end, where a force on it depends on the place.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
 
 use super::Reason;
 

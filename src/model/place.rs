@@ -1,10 +1,10 @@
 //! Where bodies are: what moves them, and what happens too quickly to.
 
-use crate::expr::Expr;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::scene::stage::Impact;
-use crate::scene::stage::Separate;
+use momentous_expr::Expr;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_scene::stage::Impact;
+use momentous_scene::stage::Separate;
 
 use super::Builder;
 use super::Name;

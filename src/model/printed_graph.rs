@@ -1,8 +1,8 @@
 //! The graph of a force that the sheet prints with its numbers.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
 
 /// A force that a sheet tells by its graph.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::quantity::Dimension;
-use crate::scene::Axis;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
 
 /// What kind of quantity a symbol stands for. It is known where the symbol is made.
 #[derive(Clone, Debug, PartialEq, Eq)]

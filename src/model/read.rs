@@ -1,23 +1,23 @@
 //! Reading an author's terms against the names of the scene.
 
-use crate::expr::Expr;
-use crate::expr::Names;
-use crate::expr::Symbol;
-use crate::expr::SymbolEntry;
-use crate::expr::parse;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::fault::Span;
-use crate::fault::did_you_mean;
-use crate::quantity::Dimension;
-use crate::quantity::Quantity;
-use crate::quantity::Rational;
-use crate::quantity::UnitSystem;
-use crate::quantity::coherent_unit;
-use crate::quantity::dimension_name;
-use crate::scene::Stage;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_expr::Names;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolEntry;
+use momentous_expr::parse;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_fault::Span;
+use momentous_fault::did_you_mean;
+use momentous_quantity::Dimension;
+use momentous_quantity::Quantity;
+use momentous_quantity::Rational;
+use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
+use momentous_quantity::dimension_name;
+use momentous_scene::Stage;
+use momentous_scene::Term;
 
 use super::Builder;
 use super::Name;

@@ -1,10 +1,10 @@
 //! Bodies with a moment of inertia that turn about a fixed axis.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::quantity::Dimension;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_quantity::Dimension;
+use momentous_scene::Term;
 
 use super::Builder;
 use super::Name;

@@ -1,12 +1,12 @@
 //! What a scene in three dimensions can hold, and where its points are.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::scene::Axes;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Moment;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_scene::Axes;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Moment;
 
 use super::read::moving_point;
 use super::stage::Description;

@@ -1,14 +1,14 @@
 //! A body that moves one way all through a stage: its speed along its motion at both ends.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::kinematics;
-use crate::laws::separation;
-use crate::scene::Term;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::kinematics;
+use momentous_laws::separation;
+use momentous_scene::Term;
+use momentous_solve::Relation;
 
 use super::Builder;
 use super::Name;

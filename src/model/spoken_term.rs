@@ -1,8 +1,8 @@
 //! What an expression is called in words, where its author gives it no label: `v_B2 - v_A2` is the velocity of B minus that of A.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_quantity::Rational;
 
 use super::builder::Builder;
 

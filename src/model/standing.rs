@@ -3,14 +3,14 @@
 
 #![deny(clippy::wildcard_enum_match_arm)]
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Flight;
-use crate::scene::stage::Push;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Flight;
+use momentous_scene::stage::Push;
 
 use super::name::MASS_CENTRE;
 use super::stage::Description;

@@ -1,8 +1,8 @@
 //! Springs, whose energy gets a name once somebody asks for it.
 
-use crate::expr::Expr;
-use crate::scene::Scene;
-use crate::scene::Stage;
+use momentous_expr::Expr;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
 
 use super::Name;
 

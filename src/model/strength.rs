@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Piecewise;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Components;
-use crate::scene::Graph;
-use crate::scene::Strength;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_expr::Piecewise;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Components;
+use momentous_scene::Graph;
+use momentous_scene::Strength;
+use momentous_scene::Term;
 
 use super::Builder;
 use super::Reason;

@@ -1,11 +1,11 @@
 //! What a string over a pulley needs of the stages before it: both of its bodies have one speed when it begins to pull.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Connected;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Connected;
 
 use super::stage::Description;
 

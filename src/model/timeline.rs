@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
-use crate::scene::stage::Separate;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
+use momentous_scene::stage::Separate;
 
 use super::stage::Description;
 

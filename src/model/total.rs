@@ -1,12 +1,12 @@
 //! What bodies have together at an instant, as terms: momentum, kinetic energy, angular momentum.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::angular;
-use crate::laws::energy;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::angular;
+use momentous_laws::energy;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
 
 use super::Builder;
 use super::Name;
@@ -76,7 +76,7 @@ impl Builder<'_> {
                 if strike.about != about {
                     return None;
                 }
-                let path = crate::fault::Path::root();
+                let path = momentous_fault::Path::root();
                 let mut terms = Vec::new();
                 for (body, _) in movers {
                     if strike.rotor.as_deref() == Some(body.as_str()) {
@@ -86,7 +86,7 @@ impl Builder<'_> {
                         continue;
                     }
                     let distance = if body == strike.body { &strike.at } else { strike.carries.get(&body)? };
-                    let distance = self.read(distance, crate::quantity::Dimension::LENGTH, "", &path);
+                    let distance = self.read(distance, momentous_quantity::Dimension::LENGTH, "", &path);
                     terms.push(Expr::product([
                         self.mass_at(&body, instant),
                         distance,
@@ -164,8 +164,8 @@ impl Builder<'_> {
 
     fn velocity_of_surface(&mut self, surface: &str) -> Expr {
         let velocity = self.scene.surfaces.get(surface).and_then(|entry| entry.velocity.clone());
-        let path = crate::fault::Path::root().key("scene").key("surfaces").key(surface).key("velocity");
-        velocity.map_or_else(Expr::zero, |term| self.read(&term, crate::quantity::Dimension::VELOCITY, "", &path))
+        let path = momentous_fault::Path::root().key("scene").key("surfaces").key(surface).key("velocity");
+        velocity.map_or_else(Expr::zero, |term| self.read(&term, momentous_quantity::Dimension::VELOCITY, "", &path))
     }
 
     /// Of bodies at an instant the ones to be weighed, each with the body whose velocity it has: itself, what it is part of, or

@@ -1,7 +1,7 @@
 //! Angular impulses that get a name once somebody asks for them.
 
-use crate::expr::Expr;
-use crate::laws::Law;
+use momentous_expr::Expr;
+use momentous_laws::Law;
 
 /// An angular impulse that no equation needs, with the equation that gives it where somebody asks for it.
 #[derive(Clone, Debug)]

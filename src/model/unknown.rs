@@ -1,8 +1,8 @@
 //! The fault of a name that a scene does not have.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::did_you_mean;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::did_you_mean;
 
 /// There is no body, surface or point of that name.
 pub(super) fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {

@@ -1,11 +1,11 @@
 //! What weight needs of a scene: a vertical plane, and an axis that points up or down, or along the string over a pulley.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::stage::Taut;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::stage::Taut;
 
 /// The axis along which bodies on a string over a pulley move.
 const ALONG: &str = "`axes: { x: [along the string, back along the string] }`";

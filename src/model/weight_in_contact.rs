@@ -1,13 +1,13 @@
 //! The impulse of weight in a contact of known duration: left out, or put into the balance.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::quantity::Dimension;
-use crate::scene::Term;
-use crate::scene::stage::Included;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_quantity::Dimension;
+use momentous_scene::Term;
+use momentous_scene::stage::Included;
+use momentous_solve::Relation;
 
 use super::Builder;
 use super::Reason;

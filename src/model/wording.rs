@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::scene::Scene;
-use crate::scene::Stage;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
 
 use super::stage::Description;
 use super::stage::Span;
@@ -29,7 +29,7 @@ const FORCES: &[&str] = &[
 ];
 
 /// A force by the author's name for it: `the pull of the cable` as it is, `the table` as `the force of the table`.
-pub(in crate::model) fn force_of(name: &str) -> Cow<'_, str> {
+pub(crate) fn force_of(name: &str) -> Cow<'_, str> {
     let is_force = name.split_whitespace().any(|word| FORCES.contains(&word));
     if is_force { name.into() } else { format!("the force of {name}").into() }
 }

@@ -18,11 +18,11 @@ const MAX_EXPONENT: i32 = 400;
 /// Two decimals are equal (`==`) when they are written alike; [`Decimal::compare`] compares values.
 ///
 /// ```
-/// use momentous::quantity::{Decimal, Rational};
+/// use momentous_quantity::{Decimal, Rational};
 /// let e = Decimal::parse("0.70")?;
 /// assert_eq!((e.to_string().as_str(), e.figures()), ("0.70", 2));
 /// assert_eq!(e.to_rational(), Rational::from(7) / Rational::from(10));
-/// # Ok::<(), momentous::quantity::DecimalFault>(())
+/// # Ok::<(), momentous_quantity::DecimalFault>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Decimal {
@@ -86,7 +86,7 @@ impl Decimal {
     /// `unscaled / 10^scale`: a point of a grid whose step has `scale` decimals.
     ///
     /// ```
-    /// use momentous::quantity::Decimal;
+    /// use momentous_quantity::Decimal;
     /// assert_eq!(Decimal::from_scaled(-250, 2).to_string(), "-2.50");
     /// ```
     #[must_use]

@@ -5,7 +5,7 @@ use std::ops::{Div, Mul};
 /// Exponents of mass, length and time. A plane angle is a pure number, as in the SI.
 ///
 /// ```
-/// use momentous::quantity::Dimension;
+/// use momentous_quantity::Dimension;
 /// assert_eq!(Dimension::MASS * Dimension::VELOCITY, Dimension::MOMENTUM);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]

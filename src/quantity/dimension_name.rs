@@ -62,7 +62,7 @@ fn find(dimension: Dimension) -> Option<(&'static Row, &'static [OnceLock<Unit>;
 /// What has this dimension, with its article: "an impulse or momentum".
 ///
 /// ```
-/// use momentous::quantity::{Dimension, dimension_name};
+/// use momentous_quantity::{Dimension, dimension_name};
 /// assert_eq!(dimension_name(Dimension::ENERGY), "an energy");
 /// ```
 #[must_use]
@@ -73,7 +73,7 @@ pub fn dimension_name(dimension: Dimension) -> &'static str {
 /// The unit of a system in which quantities of this dimension are usually given.
 ///
 /// ```
-/// use momentous::quantity::{Dimension, UnitSystem, coherent_unit};
+/// use momentous_quantity::{Dimension, UnitSystem, coherent_unit};
 /// assert_eq!(coherent_unit(Dimension::MOMENTUM, UnitSystem::Si).to_string(), "kg m/s");
 /// assert_eq!(coherent_unit(Dimension::MOMENTUM, UnitSystem::Us).to_string(), "lb s");
 /// ```
@@ -111,7 +111,7 @@ impl fmt::Display for Dimension {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::Factor;
+    use crate::Factor;
 
     #[test]
     fn every_usual_unit_is_coherent_and_of_its_dimension() {

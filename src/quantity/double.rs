@@ -8,7 +8,7 @@ const WHOLE: u64 = 1 << 53;
 /// The double nearest to a rational number; quickly where its terms have few digits, as most have.
 ///
 /// ```
-/// use momentous::quantity::{Rational, nearest_double};
+/// use momentous_quantity::{Rational, nearest_double};
 /// assert_eq!(nearest_double(&(Rational::from(1) / Rational::from(3))), 1.0 / 3.0);
 /// ```
 #[must_use]
@@ -27,7 +27,7 @@ pub fn nearest_double(value: &Rational) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::Integer;
+    use crate::Integer;
 
     #[test]
     fn the_quick_way_and_the_long_way_agree() {

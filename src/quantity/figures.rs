@@ -21,7 +21,7 @@ const LONG: usize = 9;
 /// It is rounded from the exact value, half away from zero. Between 0.001 and 1 000 000 it is printed without a power of ten.
 ///
 /// ```
-/// use momentous::quantity::Printed;
+/// use momentous_quantity::Printed;
 /// assert_eq!(Printed::new(-2.2987, 3).unwrap().plain(), "-2.30");
 /// assert_eq!(Printed::new(1.2e7, 3).unwrap().latex(), r"1.20 \times 10^{7}");
 /// ```
@@ -53,7 +53,7 @@ impl Printed {
     /// A number that somebody wrote, exactly and with its figures: `12.0` stays `12.0`; zero is a bare `0`.
     ///
     /// ```
-    /// use momentous::quantity::{Decimal, Printed};
+    /// use momentous_quantity::{Decimal, Printed};
     /// let printed = |text: &str| Printed::written(&Decimal::parse(text).unwrap()).plain();
     /// assert_eq!(["12.0", "0.00", "1.5e10"].map(printed), ["12.0", "0", "1.5 × 10^10"]);
     /// ```
@@ -120,7 +120,7 @@ impl Printed {
 /// The double rounded to `figures` figures (1 to 40), half away from zero, from its exact decimal expansion; `None` where it is not finite.
 ///
 /// ```
-/// use momentous::quantity::round_to_figures;
+/// use momentous_quantity::round_to_figures;
 /// assert_eq!(round_to_figures(2.5, 1).unwrap().to_string(), "3");
 /// assert_eq!(round_to_figures(1.005, 3).unwrap().to_string(), "1.00"); // the double is a little below 1.005
 /// ```

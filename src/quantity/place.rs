@@ -5,7 +5,7 @@ use super::decimal::POWERS_OF_TEN;
 /// The power of ten of the first figure of a size: 2 for 310, -1 for 0.31. Of zero, and of what is not finite, 0.
 ///
 /// ```
-/// use momentous::quantity::first_place;
+/// use momentous_quantity::first_place;
 /// assert_eq!([310.0, 0.31, 1000.0, 999.9].map(first_place), [2, -1, 3, 2]);
 /// ```
 #[must_use]
@@ -40,7 +40,7 @@ pub fn unit_of_place(place: i32) -> f64 {
 /// Half a unit of a value's last figure, when it is written with so many figures; nothing for zero, which has no first figure.
 ///
 /// ```
-/// use momentous::quantity::half_unit;
+/// use momentous_quantity::half_unit;
 /// assert_eq!([half_unit(3.456, 3), half_unit(-1234.0, 3), half_unit(0.0, 3)], [0.005, 5.0, 0.0]);
 /// ```
 #[must_use]

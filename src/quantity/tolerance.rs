@@ -18,7 +18,7 @@ impl Tolerance {
     /// question.
     ///
     /// ```
-    /// use momentous::quantity::{Decimal, Tolerance};
+    /// use momentous_quantity::{Decimal, Tolerance};
     /// assert_eq!(Tolerance::Relative(Decimal::from_scaled(1, 2)).reach(-4.0), Some(0.04));
     /// assert_eq!(Tolerance::ToFigures.reach(-4.0), None);
     /// ```

@@ -55,12 +55,12 @@ const USUAL: usize = 3;
 /// Symbols stay in the order in which they were written, those with positive powers first; equal ones are joined.
 ///
 /// ```
-/// use momentous::quantity::{Dimension, Unit};
+/// use momentous_quantity::{Dimension, Unit};
 /// let momentum = Unit::parse("N-s")?;
 /// assert_eq!(momentum.to_string(), "N s");
 /// assert_eq!(momentum.dimension(), Dimension::MOMENTUM);
 /// assert_eq!(Unit::parse("km/h")?.factor().to_f64(), 1.0 / 3.6);
-/// # Ok::<(), momentous::quantity::UnitFault>(())
+/// # Ok::<(), momentous_quantity::UnitFault>(())
 /// ```
 #[derive(PartialEq, Eq, Hash, Default)]
 pub struct Unit {
@@ -85,7 +85,7 @@ impl Unit {
     /// The radian.
     ///
     /// ```
-    /// use momentous::quantity::Unit;
+    /// use momentous_quantity::Unit;
     /// assert_eq!(Unit::parse("rad"), Ok(Unit::radian()));
     /// assert_eq!(Unit::parse("deg"), Ok(Unit::degree()));
     /// assert_eq!(Unit::parse("rev"), Ok(Unit::revolution()));
@@ -199,9 +199,9 @@ impl Unit {
     /// How many of the other unit it is; both measure the same.
     ///
     /// ```
-    /// use momentous::quantity::Unit;
+    /// use momentous_quantity::Unit;
     /// assert_eq!(Unit::parse("km/h")?.in_terms_of(&Unit::parse("m/s")?).to_f64(), 1.0 / 3.6);
-    /// # Ok::<(), momentous::quantity::UnitFault>(())
+    /// # Ok::<(), momentous_quantity::UnitFault>(())
     /// ```
     #[must_use]
     pub fn in_terms_of(&self, other: &Self) -> Factor {

@@ -15,10 +15,10 @@ impl Unit {
     /// Reads a unit as [`Unit::parse`] does; of two readings, the one that measures what is asked.
     ///
     /// ```
-    /// use momentous::quantity::{Dimension, Unit};
+    /// use momentous_quantity::{Dimension, Unit};
     /// assert!(Unit::parse("ms^-1").is_err());
     /// assert_eq!(Unit::parse_asked("ms^-1", Dimension::VELOCITY)?.to_string(), "m/s");
-    /// # Ok::<(), momentous::quantity::UnitFault>(())
+    /// # Ok::<(), momentous_quantity::UnitFault>(())
     /// ```
     ///
     /// # Errors
@@ -41,10 +41,10 @@ impl Unit {
     /// hertz is one turn a second.
     ///
     /// ```
-    /// use momentous::quantity::Unit;
+    /// use momentous_quantity::Unit;
     /// let [hertz, rotation] = ["Hz", "rpm"].map(Unit::parse);
     /// assert_eq!(rotation?.turning_as(&hertz?).to_f64(), 1.0 / 60.0);
-    /// # Ok::<(), momentous::quantity::UnitFault>(())
+    /// # Ok::<(), momentous_quantity::UnitFault>(())
     /// ```
     #[must_use]
     pub fn turning_as(&self, other: &Self) -> Factor {

@@ -1,8 +1,8 @@
 //! What is wrong with a text that is not a unit.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Span;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Span;
 
 /// A fault in the text of a unit, with its place in that text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

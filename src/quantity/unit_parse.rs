@@ -1,6 +1,6 @@
 //! Reading units as people write them.
 
-use crate::fault::Span;
+use momentous_fault::Span;
 
 use super::unit::Symbol;
 use super::unit_lookup::{find_spelling, find_symbol, in_other_case, near};
@@ -18,11 +18,11 @@ impl Unit {
     /// Reads a unit: `m/s`, `m s^-1`, `m·s⁻¹`, `N-s`, `Ns`, `kg*m/s^2`, `m/(s kg)`, `ft lb`, `km/h`, `%`; `1` or nothing for none.
     ///
     /// ```
-    /// use momentous::quantity::Unit;
+    /// use momentous_quantity::Unit;
     /// assert_eq!(Unit::parse("kg*m*s⁻²")?.to_string(), "kg m/s^2");
     /// let fault = Unit::parse("kg m/sek").unwrap_err();
     /// assert_eq!((fault.span.start, fault.help().as_str()), (5, "did you mean `sec`?"));
-    /// # Ok::<(), momentous::quantity::UnitFault>(())
+    /// # Ok::<(), momentous_quantity::UnitFault>(())
     /// ```
     ///
     /// # Errors
@@ -215,8 +215,8 @@ impl<'text> Reader<'text> {
 #[allow(clippy::unwrap_used)] // a test may panic
 mod tests {
     use super::*;
-    use crate::quantity::prefix::PREFIXES;
-    use crate::quantity::units_table::UNITS;
+    use crate::prefix::PREFIXES;
+    use crate::units_table::UNITS;
     use proptest::prelude::*;
 
     #[test]

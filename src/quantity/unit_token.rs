@@ -1,6 +1,6 @@
 //! The words and signs of a written unit.
 
-use crate::fault::Span;
+use momentous_fault::Span;
 
 use super::unit_lookup::long_name;
 use super::{UnitFault, UnitFaultKind};

@@ -217,7 +217,7 @@ pub(super) static SPELLINGS: &[(&str, &str)] = &[
 #[allow(clippy::unwrap_used)] // a test may panic
 mod tests {
     use super::*;
-    use crate::quantity::Quantity;
+    use crate::Quantity;
 
     #[rustfmt::skip]
     const EQUAL: &[(&str, &str)] = &[

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Span;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Span;
 
 use super::decimal::number_length;
 use super::{Decimal, DecimalFault, Rational, Unit, UnitFault};
@@ -12,11 +12,11 @@ use super::{Decimal, DecimalFault, Rational, Unit, UnitFault};
 /// A decimal with its unit: `9.81 m/s^2`, `30°`, `0.5`.
 ///
 /// ```
-/// use momentous::quantity::{Quantity, Rational};
+/// use momentous_quantity::{Quantity, Rational};
 /// let angle = Quantity::parse("30 deg")?;
 /// assert_eq!(angle.to_string(), "30°");
 /// assert_eq!(angle.si(), (Rational::ONE / Rational::from(6), 1)); // pi/6
-/// # Ok::<(), momentous::quantity::QuantityFault>(())
+/// # Ok::<(), momentous_quantity::QuantityFault>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Quantity {

@@ -6,12 +6,12 @@ use math_core::LatexToMathML;
 use math_core::MathDisplay;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-use crate::explain::Inline;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Source;
-use crate::fault::Span;
+use momentous_explain::Inline;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Source;
+use momentous_fault::Span;
 
 use super::depth::DEEPEST as DEEPEST_MATH;
 use super::depth::too_deep;

@@ -66,7 +66,7 @@ pub enum Figures {
     /// In the document, as SVG.
     #[default]
     Inline,
-    /// In the document, without the rules that give them their look: the page around it has them ([`crate::figure::style_sheet`]).
+    /// In the document, without the rules that give them their look: the page around it has them ([`momentous_figure::style_sheet`]).
     Unstyled,
     /// In files named `PREFIX-1.svg`, `PREFIX-2.svg`, ... that the document refers to.
     Beside(String),

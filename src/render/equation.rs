@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use crate::expr::Math;
-use crate::expr::Operator;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 
 /// The parts of a row one by one, for a writer that would put a row within it into an element of its own.
 pub(super) fn spread(items: &[Math]) -> Vec<&Math> {

@@ -1,9 +1,9 @@
 //! Faded solutions: the first steps are shown, the rest is the student's.
 
-use crate::explain::Audience;
-use crate::explain::Block;
-use crate::explain::Outline;
-use crate::explain::Section;
+use momentous_explain::Audience;
+use momentous_explain::Block;
+use momentous_explain::Outline;
+use momentous_explain::Section;
 
 /// The heading of the section whose displayed equations are the steps that fade.
 const SOLVING: &str = "Laws";

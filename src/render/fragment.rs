@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use crate::explain::Inline;
-use crate::expr::Math;
-use crate::fault::Faults;
-use crate::figure;
-use crate::figure::Drawing;
+use momentous_explain::Inline;
+use momentous_expr::Math;
+use momentous_fault::Faults;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::html::Html;
@@ -17,8 +17,8 @@ use super::writer::Writer;
 /// A piece of HTML that is ready for a page. Only this room makes one, so whatever is in it has been escaped.
 ///
 /// ```
-/// use momentous::explain::Inline;
-/// use momentous::render::Fragment;
+/// use momentous_explain::Inline;
+/// use momentous_render::Fragment;
 /// assert_eq!(Fragment::inline(&[Inline::Text("a < b".into())]).as_str(), "a &lt; b");
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]

@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 use pulldown_cmark::{Event, HeadingLevel, Tag, TagEnd};
 
-use crate::expr::Math;
-use crate::figure;
-use crate::figure::Drawing;
+use momentous_expr::Math;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::Piece;

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, Tag, TagEnd};
 
-use crate::expr::Math;
-use crate::figure;
-use crate::figure::Drawing;
+use momentous_expr::Math;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::Piece;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use crate::expr::Math;
+use momentous_expr::Math;
 
 use super::equation::Row;
 

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use crate::expr::Math;
-use crate::figure;
-use crate::figure::Drawing;
+use momentous_expr::Math;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::equation::Row;

@@ -5,13 +5,13 @@ use std::fmt::Write as _;
 
 use pulldown_cmark::{Alignment, Event, Tag};
 
-use crate::explain::Audience;
-use crate::explain::Block;
-use crate::explain::Inline;
-use crate::explain::Outline;
-use crate::expr::Math;
-use crate::fault::Faults;
-use crate::figure::Drawing;
+use momentous_explain::Audience;
+use momentous_explain::Block;
+use momentous_explain::Inline;
+use momentous_explain::Outline;
+use momentous_expr::Math;
+use momentous_fault::Faults;
+use momentous_figure::Drawing;
 
 use super::authored::{Authored, Piece};
 use super::equation;
@@ -54,9 +54,9 @@ impl Markup {
     /// A run of text and mathematics.
     ///
     /// ```
-    /// use momentous::explain::Inline;
-    /// use momentous::expr::Math;
-    /// use momentous::render::Markup;
+    /// use momentous_explain::Inline;
+    /// use momentous_expr::Math;
+    /// use momentous_render::Markup;
     /// let run = [Inline::Text("a < ".into()), Inline::Math(Math::Identifier("v".into()))];
     /// assert_eq!(Markup::Tex.inline(&run), r"a &lt; \(v\)");
     /// ```

@@ -1,6 +1,6 @@
 //! An author's mathematics as Typst: read from the `MathML` that was made of it, so that every format prints what was checked.
 
-use crate::expr::TypstMath;
+use momentous_expr::TypstMath;
 
 use super::mathml::Element;
 use super::mathml::NOTHING;

@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::fault::{Code, Fault, Faults, Input, Source, did_you_mean};
+use momentous_fault::{Code, Fault, Faults, Input, Source, did_you_mean};
 
 use super::built_in::{BUILT_IN, STYLE};
 

@@ -1,10 +1,10 @@
 //! What goes in: sheets, solutions and keys, before any format.
 
-use crate::explain::Audience;
-use crate::explain::Inline;
-use crate::explain::Outline;
-use crate::expr::Math;
-use crate::figure::Drawing;
+use momentous_explain::Audience;
+use momentous_explain::Inline;
+use momentous_explain::Outline;
+use momentous_expr::Math;
+use momentous_figure::Drawing;
 
 /// One page, or run of pages, of a document.
 #[derive(Clone, Debug, PartialEq)]

@@ -12,12 +12,12 @@ use typst::{Library, LibraryExt, World, WorldExt};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Input;
-use crate::fault::Source;
-use crate::fault::Span;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Input;
+use momentous_fault::Source;
+use momentous_fault::Span;
 
 use super::font::MATH_FONT;
 
@@ -41,12 +41,12 @@ const WIDEST: usize = 400;
 /// Makes PDF of documents in [`super::Format::Typst`]: tagged, with fonts, as PDF/UA-1 wants it, and the same bytes each time.
 ///
 /// ```
-/// use momentous::render::{Format, Press, Renderer, Sheet};
+/// use momentous_render::{Format, Press, Renderer, Sheet};
 ///
 /// let sheet = Sheet { title: "Two carts".into(), statement: "Cart A moves at $v$.".into(), ..Sheet::default() };
 /// let document = Renderer::new(None)?.render_sheets(&[sheet], Format::Typst)?;
 /// assert!(Press::new(None)?.pdf(&document.text)?.starts_with(b"%PDF-"));
-/// # Ok::<(), momentous::fault::Faults>(())
+/// # Ok::<(), momentous_fault::Faults>(())
 /// ```
 pub struct Press {
     library: LazyHash<Library>,

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use crate::fault::Faults;
-use crate::grade::Statistics;
+use momentous_fault::Faults;
+use momentous_grade::Statistics;
 
 use super::document::{Document, Figures, Format};
 use super::font;
@@ -16,7 +16,7 @@ use super::view::View;
 /// Renders pages through templates.
 ///
 /// ```
-/// use momentous::render::{Format, Identity, Renderer, Sheet};
+/// use momentous_render::{Format, Identity, Renderer, Sheet};
 ///
 /// let sheet = Sheet {
 ///     title: "Two carts".into(),
@@ -27,7 +27,7 @@ use super::view::View;
 /// let renderer = Renderer::new(None)?;
 /// assert!(renderer.render_sheets(&[sheet.clone()], Format::Html)?.text.contains("m/s &amp; cart B"));
 /// assert!(renderer.render_sheets(&[sheet], Format::Latex)?.text.contains(r"m/s \& cart B"));
-/// # Ok::<(), momentous::fault::Faults>(())
+/// # Ok::<(), momentous_fault::Faults>(())
 /// ```
 pub struct Renderer {
     /// In the order of the formats. The built-in ones are read when they are first wanted: that takes longer than a solution,

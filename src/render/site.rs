@@ -4,10 +4,10 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Source;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Source;
 
 use super::document::Format;
 use super::templates::Templates;

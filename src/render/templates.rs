@@ -5,11 +5,11 @@ use std::path::Path;
 
 use tera::{Delimiters, Error, ErrorKind, Tera};
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Source;
-use crate::fault::Span;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Source;
+use momentous_fault::Span;
 
 use super::built_in::{BUILT_IN, STYLE};
 use super::document::Format;

@@ -5,11 +5,11 @@ use std::fmt::Write;
 
 use pulldown_cmark::{Alignment, Event, Tag, TagEnd};
 
-use crate::expr::Math;
-use crate::expr::TypstMath;
-use crate::expr::quoted;
-use crate::figure;
-use crate::figure::Drawing;
+use momentous_expr::Math;
+use momentous_expr::TypstMath;
+use momentous_expr::quoted;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::Piece;

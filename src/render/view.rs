@@ -4,13 +4,13 @@ use std::borrow::Cow;
 
 use tera::{Context, Map, Value};
 
-use crate::explain::Audience;
-use crate::explain::Block;
-use crate::explain::Inline;
-use crate::explain::Section;
-use crate::fault::Faults;
-use crate::figure;
-use crate::figure::Drawing;
+use momentous_explain::Audience;
+use momentous_explain::Block;
+use momentous_explain::Inline;
+use momentous_explain::Section;
+use momentous_fault::Faults;
+use momentous_figure as figure;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::document::{BesideFile, Figures, Format};

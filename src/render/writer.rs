@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use crate::explain::Inline;
-use crate::expr::Math;
-use crate::figure::Drawing;
+use momentous_explain::Inline;
+use momentous_expr::Math;
+use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::inline_mathml;

@@ -137,7 +137,7 @@ impl Sense {
     /// How both directions of the axis are said; unknown phrases are kept, and their opposite is "in the negative x direction".
     ///
     /// ```
-    /// use momentous::scene::{Axis, Sense};
+    /// use momentous_scene::{Axis, Sense};
     /// let senses = Sense::Positive("to the left".into()).senses(Axis::X);
     /// assert_eq!((senses.positive.as_str(), senses.negative.as_str()), ("to the left", "to the right"));
     /// assert_eq!(Sense::Positive("towards the net".into()).senses(Axis::X).negative, "away from the net");
@@ -184,7 +184,7 @@ impl Axes {
     /// from the front or from above, or three in space.
     ///
     /// ```
-    /// use momentous::scene::Axes;
+    /// use momentous_scene::Axes;
     /// let axes = |text: &str| serde_json::from_str::<Axes>(text).unwrap();
     /// assert!(axes(r#"{ "x": "to the right", "y": "downwards" }"#).are_left_handed());
     /// assert!(!axes(r#"{ "x": "to the right", "y": "away from you" }"#).are_left_handed());

@@ -112,7 +112,7 @@ impl PointImpact {
     /// Jamming; a law that would create energy here; numbers that make no contact.
     ///
     /// ```
-    /// use momentous::simulate::{PointImpact, RestitutionLaw};
+    /// use momentous_simulate::{PointImpact, RestitutionLaw};
     /// // A rod of mass and length 1 that strikes with its end.
     /// let rod = PointImpact {
     ///     tangential: 2.92, coupling: 1.44, normal: 2.08, slip: -0.2, approach: -1.0, friction: 0.3, restitution: 0.9,

@@ -118,7 +118,7 @@ impl Record {
     /// The record of a run that kept everything; times count from `origin` (s).
     ///
     /// ```
-    /// use momentous::simulate::{Body, Budget, EventDriven, Method, Record, World};
+    /// use momentous_simulate::{Body, Budget, EventDriven, Method, Record, World};
     ///
     /// let mut world = World::<1>::new(0.7);
     /// world.bodies.push(Body::particle("A", 3.0, [0.0], [3.0]));
@@ -278,11 +278,11 @@ fn potential<const D: usize>(world: &World<D>, state: &State<D>) -> f64 {
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::simulate::budget::Budget;
-    use crate::simulate::force::Strength;
-    use crate::simulate::method::Method;
-    use crate::simulate::methods::{EventDriven, ExplicitEuler, RungeKutta};
-    use crate::simulate::world::Wall;
+    use crate::budget::Budget;
+    use crate::force::Strength;
+    use crate::method::Method;
+    use crate::methods::{EventDriven, ExplicitEuler, RungeKutta};
+    use crate::world::Wall;
 
     fn dropped() -> World<1> {
         let mut world = World::new(0.5);

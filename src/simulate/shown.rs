@@ -76,8 +76,8 @@ fn before<const D: usize>(world: &World<D>, time: f64) -> World<D> {
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::simulate::state::Vector;
-    use crate::simulate::world::{Body, Wall};
+    use crate::state::Vector;
+    use crate::world::{Body, Wall};
 
     #[test]
     fn bodies_that_touch_are_watched_from_before_they_met() {

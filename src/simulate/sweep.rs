@@ -55,7 +55,7 @@ fn settings(finest_step: f64) -> Vec<(MethodKind, Option<f64>)> {
 /// `finest_step` (s).
 ///
 /// ```
-/// use momentous::simulate::{ON_A_LINE, sweep};
+/// use momentous_simulate::{ON_A_LINE, sweep};
 /// let points = sweep(&ON_A_LINE[0], 1, 0.02);
 /// let exact = points.iter().find(|point| point.method == "event driven").unwrap();
 /// assert_eq!(exact.failures, 0);

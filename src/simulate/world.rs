@@ -119,7 +119,7 @@ pub enum Together {
 /// A scene as numbers. Times begin at 0.
 ///
 /// ```
-/// use momentous::simulate::{Body, Budget, EventDriven, Method, World};
+/// use momentous_simulate::{Body, Budget, EventDriven, Method, World};
 ///
 /// let mut world = World::<1>::new(0.7);
 /// world.bodies.push(Body::particle("A", 3.0, [0.0], [3.0]));

@@ -1,8 +1,8 @@
 //! The value of a term in numbers that know their error.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
 
 use super::number::exact::Exact;
 use super::number::real::{Real, Sign};
@@ -10,8 +10,8 @@ use super::number::real::{Real, Sign};
 /// The value of a term, with `value` giving that of each symbol in base units.
 ///
 /// ```
-/// use momentous::expr::Expr;
-/// use momentous::solve::{Precise, Real, Sign, evaluate};
+/// use momentous_expr::Expr;
+/// use momentous_solve::{Precise, Real, Sign, evaluate};
 /// let root = Expr::integer(2).sqrt();
 /// let difference = root.clone() * root - Expr::integer(2);
 /// let value: Precise = evaluate(&difference, &|_| Precise::integer(0));
@@ -20,7 +20,7 @@ use super::number::real::{Real, Sign};
 pub fn evaluate<R: Real>(term: &Expr, value: &dyn Fn(Symbol) -> R) -> R {
     match term {
         Expr::Number(number) => R::from_exact(&Exact::from(number.clone())),
-        Expr::Pi => R::from_exact(&Exact { rational: crate::quantity::Rational::ONE, pi_power: 1 }),
+        Expr::Pi => R::from_exact(&Exact { rational: momentous_quantity::Rational::ONE, pi_power: 1 }),
         Expr::Symbol(symbol) => value(*symbol),
         Expr::Sum(terms) => folded(terms, value, 0, R::add),
         Expr::Product(factors) => folded(factors, value, 1, R::mul),

@@ -4,10 +4,10 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::system::Statement;
 use super::system::System;
@@ -187,12 +187,12 @@ impl Powers<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::SymbolEntry;
-    use crate::expr::SymbolTable;
-    use crate::quantity::Dimension;
-    use crate::solve::Condition;
-    use crate::solve::Equation;
-    use crate::solve::Relation;
+    use crate::Condition;
+    use crate::Equation;
+    use crate::Relation;
+    use momentous_expr::SymbolEntry;
+    use momentous_expr::SymbolTable;
+    use momentous_quantity::Dimension;
 
     const NAMES: [&str; 4] = ["mass", "speed", "energy", "height"];
 

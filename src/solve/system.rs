@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::{Expr, Operator, Symbol};
+use momentous_expr::{Expr, Operator, Symbol};
 
 /// Equations and conditions over one problem's symbols. What is known and what is wanted is said when it is planned.
 #[derive(Clone, Debug, Default)]

@@ -14,12 +14,12 @@ const FILE: &str = "momentous.sqlite";
 /// Where the data are.
 ///
 /// ```
-/// use momentous::store::Address;
+/// use momentous_store::Address;
 /// let folder: Address = "momentous-data".parse()?;
 /// assert_eq!(folder, Address::Folder("momentous-data".into()));
 /// let server: Address = "postgres://momentous:hidden@db/courses".parse()?;
 /// assert_eq!(server.to_string(), "PostgreSQL at db/courses"); // a log holds no password
-/// # Ok::<(), momentous::store::StoreFault>(())
+/// # Ok::<(), momentous_store::StoreFault>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Address {

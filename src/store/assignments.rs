@@ -4,7 +4,7 @@ use sqlx::Row;
 use sqlx::any::AnyRow;
 use sqlx::query;
 
-use crate::course::{Assignment, Correction, Course, Extension, Item, Key, Member, Moment, Reserved};
+use momentous_course::{Assignment, Correction, Course, Extension, Item, Key, Member, Moment, Reserved};
 
 use super::fault::StoreFault;
 use super::open::Store;

@@ -6,7 +6,7 @@ use sqlx::Row;
 use sqlx::any::AnyRow;
 use sqlx::query;
 
-use crate::course::{Course, Key, Member, Person};
+use momentous_course::{Course, Key, Member, Person};
 
 use super::fault::StoreFault;
 use super::open::Store;

@@ -6,7 +6,7 @@ use sqlx::AnyConnection;
 use sqlx::Row;
 use sqlx::query;
 
-use crate::course::Moment;
+use momentous_course::Moment;
 
 use super::address::{Address, sqlite};
 use super::connection::connect_plainly;

@@ -3,7 +3,7 @@
 use sqlx::Row;
 use sqlx::query;
 
-use crate::course::{Course, Key, Member, Person};
+use momentous_course::{Course, Key, Member, Person};
 
 use super::fault::StoreFault;
 use super::open::Store;

@@ -2,7 +2,7 @@
 
 use sqlx::query;
 
-use crate::course::{Course, Key, ProblemFile};
+use momentous_course::{Course, Key, ProblemFile};
 
 use super::fault::StoreFault;
 use super::open::Store;

@@ -3,7 +3,7 @@
 use sqlx::Row;
 use sqlx::query;
 
-use crate::course::{Assignment, Attempt, Correction, HintShown, Item, Key, Override};
+use momentous_course::{Assignment, Attempt, Correction, HintShown, Item, Key, Override};
 
 use super::assignments::{changed, save_item};
 use super::fault::StoreFault;

@@ -4,7 +4,7 @@ use serde::Serialize;
 use sqlx::Row;
 use sqlx::query;
 
-use crate::course::{Course, Key, Moment};
+use momentous_course::{Course, Key, Moment};
 
 use super::fault::StoreFault;
 use super::open::Store;

@@ -8,7 +8,7 @@ use sqlx::Row;
 use sqlx::any::AnyRow;
 use sqlx::query;
 
-use crate::course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Override, Sheet};
+use momentous_course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Override, Sheet};
 
 use super::address::Address;
 use super::fault::StoreFault;

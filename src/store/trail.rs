@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use sqlx::query;
 
-use crate::course::{Course, Key, Moment, Person};
+use momentous_course::{Course, Key, Moment, Person};
 
 use super::fault::StoreFault;
 use super::open::Store;

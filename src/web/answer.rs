@@ -10,7 +10,7 @@ use axum::response::IntoResponse;
 use axum::response::Response;
 use serde::Serialize;
 
-use crate::exercise::calls::{Refused, RefusedKind};
+use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::again::Again;
 use super::app::{App, SharedApp};

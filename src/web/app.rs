@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::exercise::calls::{Engine, Refused};
-use crate::fault::Faults;
-use crate::render::Figures;
-use crate::render::Renderer;
-use crate::render::Site;
+use momentous_exercise::calls::{Engine, Refused};
+use momentous_fault::Faults;
+use momentous_render::Figures;
+use momentous_render::Renderer;
+use momentous_render::Site;
 
 use super::assets::Assets;
 use super::courses::{Around as AroundCourse, Courses};

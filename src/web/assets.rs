@@ -7,13 +7,13 @@ use std::path::Path;
 use sha2::Digest;
 use sha2::Sha256;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
-use crate::fault::Input;
-use crate::fault::Source;
-use crate::figure::style_sheet;
-use crate::render::MATH_FONT;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Faults;
+use momentous_fault::Input;
+use momentous_fault::Source;
+use momentous_figure::style_sheet;
+use momentous_render::MATH_FONT;
 
 macro_rules! built_in {
     ($($name:literal),* $(,)?) => {

@@ -6,7 +6,7 @@ use axum::http::{StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
-use crate::exercise::calls::{Refused, RefusedKind};
+use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
 use super::app::SharedApp;

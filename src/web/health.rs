@@ -6,7 +6,7 @@ use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
-use crate::store::Ill;
+use momentous_store::Ill;
 
 use super::app::SharedApp;
 use super::headers::ANEW;

@@ -1,7 +1,7 @@
 //! People who are let in from outside the pages: by whoever has the data.
 
-use crate::course::{Moment, Person};
-use crate::store::{Entry, Membership, Reach, Store, StoreFault, TicketKind};
+use momentous_course::{Moment, Person};
+use momentous_store::{Entry, Membership, Reach, Store, StoreFault, TicketKind};
 
 use super::courses::{Clock, session};
 

@@ -10,15 +10,15 @@ use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
-use crate::bank::Bank;
-use crate::bank::Card;
-use crate::bank::files_under;
-use crate::bank::load_in_course;
-use crate::exercise::calls::{Problems, Refused, RefusedKind};
-use crate::fault::Faults;
-use crate::fault::Source;
-use crate::problem::Problem;
-use crate::problem::compile;
+use momentous_bank::Bank;
+use momentous_bank::Card;
+use momentous_bank::files_under;
+use momentous_bank::load_in_course;
+use momentous_exercise::calls::{Problems, Refused, RefusedKind};
+use momentous_fault::Faults;
+use momentous_fault::Source;
+use momentous_problem::Problem;
+use momentous_problem::compile;
 
 /// The problems of a bank, and behind them those that are built in. It holds no more compiled problems than these have files.
 pub(super) struct Library {

@@ -1,6 +1,6 @@
 //! The pages, filled once before anybody asks for them.
 
-use crate::exercise::calls::{Refused, RefusedKind};
+use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
 use super::app::App;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::exercise::calls::{Limits, Refused, RefusedKind, VariantRequest, within};
-use crate::grade::DecimalMark;
+use momentous_exercise::calls::{Limits, Refused, RefusedKind, VariantRequest, within};
+use momentous_grade::DecimalMark;
 
 /// Names with their values, in the order in which they came.
 #[derive(Clone, Debug, Default)]

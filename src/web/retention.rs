@@ -1,7 +1,7 @@
 //! What courses keep of answers, and its end: for their instructors, and for whoever has the data.
 
-use crate::course::{Course, Moment};
-use crate::store::{Entry, Records, Store, StoreFault};
+use momentous_course::{Course, Moment};
+use momentous_store::{Entry, Records, Store, StoreFault};
 
 use super::courses::{Clock, session};
 

@@ -23,8 +23,8 @@ use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
-use crate::exercise::calls::{Refused, RefusedKind};
-use crate::store::StoreFault;
+use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_store::StoreFault;
 
 use super::again::Again;
 use super::answer;

@@ -8,9 +8,9 @@ use std::time::Duration;
 use tokio::net::{TcpListener, TcpSocket};
 use tokio::runtime::Builder;
 
-use crate::fault::Faults;
-use crate::store::Store;
-use crate::store::StoreFault;
+use momentous_fault::Faults;
+use momentous_store::Store;
+use momentous_store::StoreFault;
 
 use super::app::App;
 use super::connections;

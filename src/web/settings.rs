@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use ipnet::IpNet;
 
-use crate::exercise::calls::Limits;
-use crate::store::Address;
+use momentous_exercise::calls::Limits;
+use momentous_store::Address;
 
 /// How a server is set up.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::exercise::calls::{Engine, Refused};
+use momentous_exercise::calls::{Engine, Refused};
 
 use super::app::App;
 use super::courses::{Rest, Withheld};

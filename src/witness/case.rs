@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::problem::Problem;
-use crate::problem::Variant;
-use crate::scene::Scene;
+use momentous_expr::Symbol;
+use momentous_problem::Problem;
+use momentous_problem::Variant;
+use momentous_scene::Scene;
 
 /// The variant of a problem, and the values that are put in place of its own.
 pub(super) struct Case<'a> {

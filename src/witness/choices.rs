@@ -1,20 +1,20 @@
 //! Questions that are not a number, answered from what the simulation finds.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::problem::Ask;
-use crate::problem::ChoicePart;
-use crate::problem::Claim;
-use crate::problem::Count;
-use crate::problem::Worked;
-use crate::problem::orders;
-use crate::problem::split_relation;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
-use crate::simulate::scene::is_impulsive;
-use crate::simulate::scene::part_along;
-use crate::solve::Bounded;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_problem::Ask;
+use momentous_problem::ChoicePart;
+use momentous_problem::Claim;
+use momentous_problem::Count;
+use momentous_problem::Worked;
+use momentous_problem::orders;
+use momentous_problem::split_relation;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
+use momentous_simulate::scene::is_impulsive;
+use momentous_simulate::scene::part_along;
+use momentous_solve::Bounded;
 
 use super::case::Case;
 use super::conserved::is_conserved;

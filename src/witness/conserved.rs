@@ -1,11 +1,11 @@
 //! Whether a quantity is conserved in a stage, as a simulation of it finds.
 
-use crate::problem::Conservable;
-use crate::problem::Conserved;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::simulate::scene::Component;
-use crate::simulate::scene::RecordedMotion;
+use momentous_problem::Conservable;
+use momentous_problem::Conserved;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_simulate::scene::Component;
+use momentous_simulate::scene::RecordedMotion;
 
 use super::case::Case;
 use super::simulation::UNCHANGED;

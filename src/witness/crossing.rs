@@ -2,12 +2,12 @@
 
 use std::cell::Cell;
 
-use crate::problem::split_relation;
-use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Observed;
-use crate::simulate::scene::observe_at;
-use crate::simulate::scene::value_of;
-use crate::solve::Relation;
+use momentous_problem::split_relation;
+use momentous_simulate::scene::NothingToSimulate;
+use momentous_simulate::scene::Observed;
+use momentous_simulate::scene::observe_at;
+use momentous_simulate::scene::value_of;
+use momentous_solve::Relation;
 
 use super::simulation::Seen;
 use super::simulation::Witness;

@@ -1,24 +1,24 @@
 //! The stages of a variant, simulated one after another.
 
-use crate::problem::Problem;
-use crate::problem::Variant;
-use crate::scene::Axis;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::simulate::Ending;
-use crate::simulate::Method;
-use crate::simulate::Record;
-use crate::simulate::least::Choice;
-use crate::simulate::least::Classified;
-use crate::simulate::least::DEFAULT_ACCURACY;
-use crate::simulate::least::NoChoice;
-use crate::simulate::least::Request;
-use crate::simulate::least::choose;
-use crate::simulate::least::classify;
-use crate::simulate::scene::Component;
-use crate::simulate::scene::Experiment;
-use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::RecordedMotion;
+use momentous_problem::Problem;
+use momentous_problem::Variant;
+use momentous_scene::Axis;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_simulate::Ending;
+use momentous_simulate::Method;
+use momentous_simulate::Record;
+use momentous_simulate::least::Choice;
+use momentous_simulate::least::Classified;
+use momentous_simulate::least::DEFAULT_ACCURACY;
+use momentous_simulate::least::NoChoice;
+use momentous_simulate::least::Request;
+use momentous_simulate::least::choose;
+use momentous_simulate::least::classify;
+use momentous_simulate::scene::Component;
+use momentous_simulate::scene::Experiment;
+use momentous_simulate::scene::NothingToSimulate;
+use momentous_simulate::scene::RecordedMotion;
 
 use super::staging::followed;
 use super::staging::staged;
@@ -185,7 +185,7 @@ fn filmed<const D: usize>(
     request: &Request,
 ) -> Result<Film, NotShown> {
     let other = "omit --method to use the cheapest suitable method";
-    let found = |refusal: crate::simulate::Refusal| refused(stage, &refusal.to_string(), other);
+    let found = |refusal: momentous_simulate::Refusal| refused(stage, &refusal.to_string(), other);
     let mut experiment = experiment.clone();
     if let Some(steps) = request.steps {
         experiment.budget.steps = experiment.budget.steps.min(steps);

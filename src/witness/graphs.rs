@@ -1,12 +1,12 @@
 //! Graphs that are offered, held against the motion that is watched.
 
-use crate::problem::Curve;
-use crate::problem::Graph;
-use crate::problem::Plotted;
-use crate::problem::Worked;
-use crate::simulate::Moment;
-use crate::simulate::Recorded;
-use crate::simulate::scene::RecordedMotion;
+use momentous_problem::Curve;
+use momentous_problem::Graph;
+use momentous_problem::Plotted;
+use momentous_problem::Worked;
+use momentous_simulate::Moment;
+use momentous_simulate::Recorded;
+use momentous_simulate::scene::RecordedMotion;
 
 use super::simulation::Witness;
 

@@ -1,7 +1,7 @@
 //! The table of impacts, for people.
 
-use crate::quantity::with_minus_signs;
-use crate::simulate::RecordedImpact;
+use momentous_quantity::with_minus_signs;
+use momentous_simulate::RecordedImpact;
 
 use super::film::Film;
 

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Symbol;
-use crate::problem::Ask;
-use crate::problem::ChoicePart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Turn;
-use crate::problem::Worked;
+use momentous_expr::Symbol;
+use momentous_problem::Ask;
+use momentous_problem::ChoicePart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Turn;
+use momentous_problem::Worked;
 
 use super::case::Case;
 use super::choices::chosen;
@@ -81,7 +81,7 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
             }
             (_, PartKind::Range(range)) => {
                 let sides = [&range.claim.left, &range.claim.right].map(|side| (side, witness.evaluated(side)));
-                let at = |(side, seen): &(&crate::expr::Expr, Option<super::simulation::Seen>)| {
+                let at = |(side, seen): &(&momentous_expr::Expr, Option<super::simulation::Seen>)| {
                     let said =
                         || side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value));
                     seen.map_or_else(|| (said(), 0.0), |seen| (seen.value, seen.error))

@@ -1,10 +1,10 @@
 //! Pictures that are offered, held against what the simulation finds.
 
-use crate::problem::Balance;
-use crate::problem::Pictured;
-use crate::problem::Shows;
-use crate::problem::Subject;
-use crate::problem::Worked;
+use momentous_problem::Balance;
+use momentous_problem::Pictured;
+use momentous_problem::Shows;
+use momentous_problem::Subject;
+use momentous_problem::Worked;
 
 use super::graphs;
 use super::simulation::Witness;

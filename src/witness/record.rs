@@ -3,11 +3,11 @@
 use serde_json::Value;
 use serde_json::json;
 
-use crate::problem::Problem;
-use crate::problem::Variant;
-use crate::scene::Scene;
-use crate::simulate::Moment;
-use crate::simulate::RecordedImpact;
+use momentous_problem::Problem;
+use momentous_problem::Variant;
+use momentous_scene::Scene;
+use momentous_simulate::Moment;
+use momentous_simulate::RecordedImpact;
 
 use super::film::{Film, Shot};
 

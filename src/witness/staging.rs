@@ -1,12 +1,12 @@
 //! The stages of a variant as worlds, for whoever wants to watch them.
 
-use crate::problem::Problem;
-use crate::problem::Variant;
-use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::RecordedMotion;
-use crate::simulate::scene::Staged;
-use crate::simulate::scene::follow;
-use crate::simulate::scene::translate;
+use momentous_problem::Problem;
+use momentous_problem::Variant;
+use momentous_simulate::scene::NothingToSimulate;
+use momentous_simulate::scene::RecordedMotion;
+use momentous_simulate::scene::Staged;
+use momentous_simulate::scene::follow;
+use momentous_simulate::scene::translate;
 
 use super::TOLERANCES;
 use super::case::Case;

@@ -1,9 +1,9 @@
 //! What was simulated axis by axis, or body by body, as one motion: for whoever draws it.
 
-use crate::simulate::Moment;
-use crate::simulate::Record;
-use crate::simulate::RecordedImpact;
-use crate::simulate::RecordedWall;
+use momentous_simulate::Moment;
+use momentous_simulate::Record;
+use momentous_simulate::RecordedImpact;
+use momentous_simulate::RecordedWall;
 
 use super::film::{Film, Shot};
 

@@ -7,14 +7,14 @@ use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::problem::Problem;
-use crate::problem::Sampler;
-use crate::problem::Worked;
-use crate::quantity::Dimension;
-use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Procedure;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_problem::Problem;
+use momentous_problem::Sampler;
+use momentous_problem::Worked;
+use momentous_quantity::Dimension;
+use momentous_simulate::scene::NothingToSimulate;
+use momentous_simulate::scene::Procedure;
 
 use super::TOLERANCES;
 use super::case::Case;
@@ -294,12 +294,12 @@ fn compared(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMap<String, Comp
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::fault::Source;
-    use crate::problem::compile;
-    use crate::problem::load;
-    use crate::scene::Scene;
-    use crate::scene::Stage;
-    use crate::scene::Term;
+    use momentous_fault::Source;
+    use momentous_problem::compile;
+    use momentous_problem::load;
+    use momentous_scene::Scene;
+    use momentous_scene::Stage;
+    use momentous_scene::Term;
 
     const GLANCE: &str = "
 id: a/b

@@ -1,10 +1,10 @@
 //! Whether an angular momentum stays the same at every moment of a stage that is watched, so that no moment acts from outside.
 
-use crate::problem::Conserved;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::simulate::scene::RecordedMotion;
-use crate::simulate::scene::value_of;
+use momentous_problem::Conserved;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_simulate::scene::RecordedMotion;
+use momentous_simulate::scene::value_of;
 
 use super::simulation::UNCHANGED;
 use super::simulation::Witness;

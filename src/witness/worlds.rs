@@ -3,9 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::problem::Given;
-use crate::quantity::Dimension;
+use momentous_expr::Symbol;
+use momentous_problem::Given;
+use momentous_quantity::Dimension;
 
 use super::case::Case;
 use super::simulation::Witness;

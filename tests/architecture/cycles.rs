@@ -1,5 +1,5 @@
 //! Floors inside rooms: the files of a room stand one above the other, so that each can be read once those below it are known.
-//! A file stands above those whose items it names; an item that a `mod.rs` hands on is of the file that defines it.
+//! A file stands above those whose items it names; an item that a `mod.rs` or `lib.rs` hands on is of the file that defines it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use super::{Source, sources};
 const STANDING: &[(&str, usize, &str)] =
     &[("src/expr/calculus/integral.rs", 2, "a term of pieces is integrated piece by piece, and each piece is a term")];
 
-/// A module or an item, by its names from the crate's root.
+/// A module or an item, by its names from its room's.
 type Path = Vec<String>;
 
 #[test]
@@ -35,7 +35,7 @@ fn no_file_of_a_room_needs_one_that_needs_it() {
     }
 }
 
-/// The files of the crate as modules.
+/// The files of all rooms as modules.
 struct Tree {
     modules: BTreeMap<Path, Module>,
 }
@@ -53,7 +53,8 @@ struct Module {
 impl Tree {
     fn of(sources: &[Source]) -> Self {
         let path = |source: &Source| {
-            let inside = source.file.trim_start_matches("src/").trim_end_matches(".rs").trim_end_matches("/mod");
+            let inside = source.file.trim_start_matches("src/").trim_end_matches(".rs");
+            let inside = inside.trim_end_matches("/mod").trim_end_matches("/lib");
             inside.split('/').map(str::to_owned).collect::<Path>()
         };
         let places: BTreeSet<Path> = sources.iter().map(path).collect();
@@ -170,12 +171,14 @@ fn expanded(tree: &str, before: &[String]) -> Vec<(Path, String)> {
     parts.map(str::trim).filter(|part| !part.is_empty()).flat_map(|part| expanded(part, &before)).collect()
 }
 
-/// A path of the crate from its root; none for those of other packages and for what is defined in the file itself.
+/// A path from its room's name; none for those of other packages and for what is defined in the file itself.
 fn absolute(path: &[String], own: &Path, names: &BTreeMap<String, Path>, places: &BTreeSet<Path>) -> Option<Path> {
     let first = path.first()?.as_str();
     let child = [own.as_slice(), &path[..1]].concat();
     match first {
-        "crate" => Some(path[1..].to_vec()),
+        // The command line is a module of the root package; every other room is a crate.
+        "crate" if own.first().is_some_and(|room| room == "cli") => Some(path[1..].to_vec()),
+        "crate" => Some([own.get(..1)?, &path[1..]].concat()),
         "self" => Some([own, &path[1..]].concat()),
         "super" => {
             let up = path.iter().take_while(|word| *word == "super").count();
@@ -194,8 +197,8 @@ fn a_cycle_is_noticed_however_it_is_written() {
         tree.cycles().into_iter().map(|cycle| cycle.into_iter().collect::<Vec<_>>().join(" ")).collect::<Vec<_>>()
     };
     let both = ["src/r/a.rs src/r/b.rs"];
-    let room = ("src/r/mod.rs", "mod a;\nmod b;\npub use a::{A, one as first};\nuse b::B;");
-    assert_eq!(cycles(&[room, ("src/r/a.rs", "use super::b::B;"), ("src/r/b.rs", "use crate::r::{a::A};")]), both);
+    let room = ("src/r/lib.rs", "mod a;\nmod b;\npub use a::{A, one as first};\nuse b::B;");
+    assert_eq!(cycles(&[room, ("src/r/a.rs", "use super::b::B;"), ("src/r/b.rs", "use crate::{a::A};")]), both);
     assert_eq!(cycles(&[room, ("src/r/a.rs", "use super::B;"), ("src/r/b.rs", "use super::first;")]), both);
     assert_eq!(
         cycles(&[room, ("src/r/a.rs", "use super::b;\nfn f() { b::g() }"), ("src/r/b.rs", "use super::A;")]),
@@ -207,7 +210,7 @@ fn a_cycle_is_noticed_however_it_is_written() {
     );
     assert_eq!(cycles(&[room, ("src/r/a.rs", "use super::b;"), ("src/r/b.rs", "use super::A;")]), [""; 0]);
     assert_eq!(
-        cycles(&[("src/r/mod.rs", "mod a;\nfn f() { a::g() }\npub struct T;"), ("src/r/a.rs", "use super::T;")]),
-        ["src/r/a.rs src/r/mod.rs"]
+        cycles(&[("src/r/lib.rs", "mod a;\nfn f() { a::g() }\npub struct T;"), ("src/r/a.rs", "use super::T;")]),
+        ["src/r/a.rs src/r/lib.rs"]
     );
 }

@@ -82,7 +82,7 @@ const DEFAULTS: &[(&str, &str)] = &[
     ("src/grade/read/numeral.rs", "the first piece of a text"),
     ("src/grade/read/vector.rs", "an answer without a unit"),
     ("src/model/collision.rs", "a name that stands at no place of the file"),
-    ("src/model/mod.rs", "a term whose dimension is judged where it is stated"),
+    ("src/model/lib.rs", "a term whose dimension is judged where it is stated"),
     ("src/model/stage/flight.rs", "a slope that has a fault already"),
     ("src/problem/compiling/compile.rs", "what may be anything needs no unit"),
     ("src/problem/compiling/planned.rs", "the only form has no name"),

@@ -8,8 +8,6 @@ pub struct Mention {
     pub path: Vec<String>,
     /// Whether `::` follows: a group or a star.
     pub open: bool,
-    /// Whether the word before it is `use`.
-    pub used: bool,
     /// How many modules written out in this file enclose it.
     pub modules: usize,
 }
@@ -44,9 +42,8 @@ pub fn mentions(code: &str) -> Vec<Mention> {
                 last.open = open;
             }
             _ => {
-                let used = statement.last().is_some_and(|word| word == "use");
                 let modules = braces.iter().filter(|module| **module).count();
-                found.push(Mention { line, path: vec![name.clone()], open, used, modules });
+                found.push(Mention { line, path: vec![name.clone()], open, modules });
             }
         }
         statement.push(name);
@@ -124,8 +121,8 @@ mod tests {
         let expr = &found[1];
         assert_eq!((expr.line, expr.path.join("::").as_str()), (1, "crate::expr::Expr"));
         let star = found.iter().find(|mention| mention.path == ["super"]).unwrap();
-        assert_eq!((star.line, star.open, star.used, star.modules), (2, true, true, 1));
+        assert_eq!((star.line, star.open, star.modules), (2, true, 1));
         let group = found.iter().find(|mention| mention.path == ["tera"]).unwrap();
-        assert_eq!((group.line, group.open, group.used, group.modules), (3, true, true, 0));
+        assert_eq!((group.line, group.open, group.modules), (3, true, 0));
     }
 }

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::problem::say_quantity;
-use crate::render::Fragment;
+use momentous_problem::say_quantity;
+use momentous_render::Fragment;
 
 use super::super::Exercise;
 use super::Engine;

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::render::Fragment;
+use momentous_render::Fragment;
 
 use super::super::Exercise;
 use super::Engine;

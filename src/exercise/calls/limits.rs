@@ -9,7 +9,7 @@ use super::refused::{Refused, RefusedKind};
 /// length and depth of an answer, and the tries of a draw.
 ///
 /// ```
-/// use momentous::exercise::calls::Limits;
+/// use momentous_exercise::calls::Limits;
 /// let phone = Limits { scene_steps: 10_000, ..Limits::default() };
 /// assert!(phone.scene_steps < Limits::default().scene_steps);
 /// ```
@@ -49,7 +49,7 @@ impl Default for Limits {
 ///
 /// # Errors
 /// Where `count` is above `most`.
-pub(crate) fn within(count: usize, most: usize, what: &str) -> Result<(), Refused> {
+pub fn within(count: usize, most: usize, what: &str) -> Result<(), Refused> {
     if count <= most {
         return Ok(());
     }

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::grade::DecimalMark;
-use crate::grade::PartReport;
-use crate::grade::Points;
-use crate::grade::Sitting;
+use momentous_grade::DecimalMark;
+use momentous_grade::PartReport;
+use momentous_grade::Points;
+use momentous_grade::Sitting;
 
 use super::super::Exercise;
 use super::Engine;

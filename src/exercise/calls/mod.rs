@@ -21,13 +21,13 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::problem::Problem;
-use crate::render::Renderer;
+use momentous_problem::Problem;
+use momentous_render::Renderer;
 
 pub use givens::{GivenResponse, GivensRequest};
 pub use hint::{HintRequest, HintResponse};
 pub use limits::Limits;
-pub(crate) use limits::within;
+pub use limits::within;
 pub use mark::{MarkRequest, MarkResponse, MarkedPart};
 pub use play::{FilmResponse, PlayResponse};
 pub use read::{ReadRequest, ReadResponse};

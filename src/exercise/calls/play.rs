@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use crate::expr::Math;
-use crate::figure::{ForcePlot, PlotAxis, Role, Wording};
-use crate::simulate::least::Request;
-use crate::simulate::scene::Component;
-use crate::witness::{AT_ITS_TIME, Film, IMPACTS};
+use momentous_expr::Math;
+use momentous_figure::{ForcePlot, PlotAxis, Role, Wording};
+use momentous_simulate::least::Request;
+use momentous_simulate::scene::Component;
+use momentous_witness::{AT_ITS_TIME, Film, IMPACTS};
 
 use super::super::Exercise;
 use super::limits::Limits;

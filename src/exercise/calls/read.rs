@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::grade::DecimalMark;
+use momentous_grade::DecimalMark;
 
 use super::super::Exercise;
 use super::Engine;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::fault::Faults;
-use crate::problem::NoVariant;
+use momentous_fault::Faults;
+use momentous_problem::NoVariant;
 
 /// Why a call was refused, for whoever called and for a program to match on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, thiserror::Error)]

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::explain::Inline;
-use crate::figure::Drawing;
-use crate::render::Fragment;
+use momentous_explain::Inline;
+use momentous_figure::Drawing;
+use momentous_render::Fragment;
 
 use super::super::{Exercise, Field, FieldKind, StudentSheet};
 use super::Engine;

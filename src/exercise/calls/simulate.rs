@@ -4,9 +4,9 @@ use serde::Deserialize;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::simulate::MethodKind;
-use crate::simulate::least::Request;
-use crate::witness::{Shot, shoot};
+use momentous_simulate::MethodKind;
+use momentous_simulate::least::Request;
+use momentous_witness::{Shot, shoot};
 
 use super::super::Exercise;
 use super::Engine;

@@ -3,12 +3,12 @@
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::explain::Audience;
-use crate::problem::PartKind;
-use crate::render;
-use crate::render::Fragment;
-use crate::render::Page;
-use crate::render::Solution;
+use momentous_explain::Audience;
+use momentous_problem::PartKind;
+use momentous_render as render;
+use momentous_render::Fragment;
+use momentous_render::Page;
+use momentous_render::Solution;
 
 use super::super::Exercise;
 use super::Engine;

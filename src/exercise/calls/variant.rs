@@ -6,8 +6,8 @@ use std::sync::Arc;
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::fault::did_you_mean;
-use crate::problem::Problem;
+use momentous_fault::did_you_mean;
+use momentous_problem::Problem;
 
 use super::super::Exercise;
 use super::Engine;

@@ -118,7 +118,7 @@ impl Column {
 /// One attempt of one student. Its texts stand one after the other in one piece of memory, for many wait in a queue.
 ///
 /// ```
-/// use momentous::exercise::{Key, Place, Submission};
+/// use momentous_exercise::{Key, Place, Submission};
 /// let line = r#"{"student": "s17", "problem": "impact/two-carts", "seed": 7, "answers": {"v_A2": 0.500}}"#;
 /// let submission = Submission::of_json(Place::Line(1), line)?;
 /// assert_eq!(submission.key(Key::Seed), "7");

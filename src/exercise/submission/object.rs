@@ -10,13 +10,13 @@ use serde::de::MapAccess;
 use serde::de::Visitor;
 use serde_json::value::RawValue;
 
-use crate::fault::Fault;
-use crate::fault::Source;
-use crate::problem::Document;
-use crate::problem::Entry;
-use crate::problem::Kind;
-use crate::problem::Node;
-use crate::problem::Style;
+use momentous_fault::Fault;
+use momentous_fault::Source;
+use momentous_problem::Document;
+use momentous_problem::Entry;
+use momentous_problem::Kind;
+use momentous_problem::Node;
+use momentous_problem::Style;
 
 use super::{KEYS, Key, Place, Submission};
 

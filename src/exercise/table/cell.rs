@@ -16,7 +16,7 @@ const BETWEEN: [char; 2] = [';', '\t'];
 /// it away again, so that every text reads back as it was. A lone number keeps its sign.
 ///
 /// ```
-/// use momentous::exercise::defused;
+/// use momentous_exercise::defused;
 /// assert_eq!(["=1+1", "-0.5", "-0.5 m/s", "s17"].map(defused), ["'=1+1", "-0.5", "'-0.5 m/s", "s17"]);
 /// assert_eq!(["x;=1+1;y", "3;-5"].map(defused), ["x;'=1+1;y", "3;-5"]);
 /// ```

@@ -17,7 +17,7 @@ pub use rows::{Row, Rows};
 /// A table with a line of headings, read row by row. Semicolons separate its cells where the headings have some and no comma.
 ///
 /// ```
-/// use momentous::exercise::Table;
+/// use momentous_exercise::Table;
 /// let mut table = Table::read("id;name\ns1;\"Ada; Countess\"\ns2\n".as_bytes())?;
 /// assert_eq!(table.column("NAME"), Ok(Some(1)));
 /// assert_eq!(table.next_row().map(|(line, row)| (line, row.map(|row| row.cell(1)))), Some((2, Ok("Ada; Countess"))));

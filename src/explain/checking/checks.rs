@@ -1,22 +1,22 @@
 //! Checks that a student can copy: both sides of every balance, the energy, the extremes.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::laws::angular;
-use crate::laws::bouncing;
-use crate::laws::force;
-use crate::laws::mass_centre;
-use crate::laws::momentum;
-use crate::laws::orbit;
-use crate::laws::restitution;
-use crate::laws::variable_mass;
-use crate::quantity::Dimension;
-use crate::solve;
-use crate::solve::Equation;
-use crate::solve::Relation;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_laws::angular;
+use momentous_laws::bouncing;
+use momentous_laws::force;
+use momentous_laws::mass_centre;
+use momentous_laws::momentum;
+use momentous_laws::orbit;
+use momentous_laws::restitution;
+use momentous_laws::variable_mass;
+use momentous_quantity::Dimension;
+use momentous_solve as solve;
+use momentous_solve::Equation;
+use momentous_solve::Relation;
+use momentous_solve::Statement;
 
 use super::super::Block;
 use super::super::Inline;
@@ -52,7 +52,7 @@ const BALANCES: &[(&str, &str)] = &[
 ];
 
 /// What the solutions of a way check, before the numbers are known.
-pub(in crate::explain) struct Checks {
+pub(crate) struct Checks {
     balances: Vec<Balance>,
     losses: Vec<Loss>,
     conditions: Vec<Condition>,
@@ -74,12 +74,12 @@ struct Condition {
 }
 
 impl Checks {
-    pub(in crate::explain) fn new(display: Display<'_>) -> Self {
+    pub(crate) fn new(display: Display<'_>) -> Self {
         Self { balances: balances(display), losses: energy::losses(display), conditions: conditions(display) }
     }
 
     /// The checks of a variant; none for a form that only asks for concepts.
-    pub(in crate::explain) fn blocks(&self, display: Display<'_>) -> Vec<Block> {
+    pub(crate) fn blocks(&self, display: Display<'_>) -> Vec<Block> {
         if display.worked.form.wanted().next().is_none() {
             return Vec::new();
         }
@@ -98,7 +98,7 @@ impl Checks {
     }
 
     /// Enters what the checks compute into the ledger of a solution.
-    pub(in crate::explain) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
+    pub(crate) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
         if display.worked.form.wanted().next().is_none() {
             return;
         }

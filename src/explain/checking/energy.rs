@@ -2,17 +2,17 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::laws::energy;
-use crate::laws::restitution;
-use crate::model::Instance;
-use crate::problem::Closeness;
-use crate::scene::Stage;
-use crate::solve::Equation;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_laws::energy;
+use momentous_laws::restitution;
+use momentous_model::Instance;
+use momentous_problem::Closeness;
+use momentous_scene::Stage;
+use momentous_solve::Equation;
+use momentous_solve::Statement;
 
 use super::super::Block;
 use super::super::terms::display::Display;
@@ -70,14 +70,14 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
 
 impl Loss {
     /// Enters the loss into the ledger of a solution.
-    pub(in crate::explain) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
+    pub(crate) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
         for term in [Some(&self.difference), self.formula.as_ref()].into_iter().flatten() {
             display.enter_term(ledger, term, Item::Quantity(self.lost));
         }
     }
 
     /// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
-    pub(in crate::explain) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
+    pub(crate) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
         if !self.difference.is_multiple || !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
             return None;
         }

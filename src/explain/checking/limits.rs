@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::problem::AskedUnit;
-use crate::problem::NumberPart;
-use crate::problem::Variant;
-use crate::problem::Worked;
-use crate::quantity::Decimal;
-use crate::quantity::Dimension;
-use crate::quantity::Unit;
-use crate::scene::Stage;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_problem::AskedUnit;
+use momentous_problem::NumberPart;
+use momentous_problem::Variant;
+use momentous_problem::Worked;
+use momentous_quantity::Decimal;
+use momentous_quantity::Dimension;
+use momentous_quantity::Unit;
+use momentous_scene::Stage;
 
 use super::super::Block;
 use super::super::Inline;
@@ -30,7 +30,7 @@ const EXTREMES: [(i64, [&str; 2]); 2] = [
 ];
 
 /// A sentence on each extreme, where the coefficient of restitution is told and the answers exist there.
-pub(in crate::explain) fn limits(display: Display<'_>) -> Vec<Block> {
+pub(crate) fn limits(display: Display<'_>) -> Vec<Block> {
     let oblique = display.worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
     let numbers: Vec<&NumberPart> = numbers(display).collect();
     let sentences = extremes(display).map(|Extreme { e, place, there }| {
@@ -52,7 +52,7 @@ pub(in crate::explain) fn limits(display: Display<'_>) -> Vec<Block> {
 }
 
 /// Enters the answers in the extremes into the ledger of a solution, where they have formulas in what is told.
-pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger) {
+pub(crate) fn enter(display: Display<'_>, ledger: &mut Ledger) {
     for Extreme { e, place, there } in extremes(display) {
         let there = Worked { variant: &there, ..display.worked };
         let values = BTreeMap::from([(e, Expr::integer(EXTREMES[place].0))]);

@@ -1,26 +1,26 @@
 //! Angular impulse-momentum diagrams: moment of momentum before + angular impulse = moment of momentum after.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::AngularDiagram;
-use crate::figure::AngularImpulse;
-use crate::figure::AngularMomentum;
-use crate::figure::AngularState;
-use crate::figure::Drawing;
-use crate::figure::LabelledVector;
-use crate::figure::Wording;
-use crate::model::QuantityKind;
-use crate::scene::Strength;
-use crate::scene::Term;
-use crate::scene::stage::Arm;
-use crate::scene::stage::Bowl;
-use crate::scene::stage::Central;
-use crate::scene::stage::Conical;
-use crate::scene::stage::During;
-use crate::scene::stage::Rotate;
-use crate::scene::stage::UpOrDown;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::AngularDiagram;
+use momentous_figure::AngularImpulse;
+use momentous_figure::AngularMomentum;
+use momentous_figure::AngularState;
+use momentous_figure::Drawing;
+use momentous_figure::LabelledVector;
+use momentous_figure::Wording;
+use momentous_model::QuantityKind;
+use momentous_scene::Strength;
+use momentous_scene::Term;
+use momentous_scene::stage::Arm;
+use momentous_scene::stage::Bowl;
+use momentous_scene::stage::Central;
+use momentous_scene::stage::Conical;
+use momentous_scene::stage::During;
+use momentous_scene::stage::Rotate;
+use momentous_scene::stage::UpOrDown;
+use momentous_solve::Statement;
 
 use super::labels::body_math;
 use super::labels::product;

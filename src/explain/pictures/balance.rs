@@ -1,7 +1,7 @@
 //! The balance of a body: momentum before + impulses = momentum after, and what follows of it that was not solved.
 
-use crate::problem::Picture;
-use crate::problem::Shows;
+use momentous_problem::Picture;
+use momentous_problem::Shows;
 
 use super::quantities::Quantities;
 use super::vectors::Labelled;

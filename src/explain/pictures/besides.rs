@@ -3,11 +3,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::ActingForce;
-use crate::solve::Closed;
-use crate::solve::plan;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::ActingForce;
+use momentous_solve::Closed;
+use momentous_solve::plan;
 
 use super::diagram_plan::Besides;
 use super::quantities::Quantities;

@@ -2,21 +2,21 @@
 
 use std::sync::OnceLock;
 
-use crate::scene::Scene;
+use momentous_scene::Scene;
 
 use super::compass::Compass;
 use super::diagram_plan::Plan;
 
 /// The shared parts, each worked out when it is first needed.
 #[derive(Default)]
-pub(in crate::explain) struct PictureCache {
+pub(crate) struct PictureCache {
     compass: OnceLock<Compass>,
     /// One for each stage.
     diagrams: Vec<OnceLock<Plan>>,
 }
 
 impl PictureCache {
-    pub(in crate::explain) fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene) -> Self {
         Self { compass: OnceLock::new(), diagrams: scene.stages.iter().map(|_| OnceLock::new()).collect() }
     }
 

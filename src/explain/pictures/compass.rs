@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::figure::AxisMark;
-use crate::scene::Axis;
-use crate::scene::Scene;
-use crate::scene::Senses;
+use momentous_figure::AxisMark;
+use momentous_scene::Axis;
+use momentous_scene::Scene;
+use momentous_scene::Senses;
 
 use super::oblique::Oblique;
 
@@ -162,9 +162,9 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
-    use crate::scene::Axes;
-    use crate::scene::Plane;
-    use crate::scene::Sense;
+    use momentous_scene::Axes;
+    use momentous_scene::Plane;
+    use momentous_scene::Sense;
 
     /// Where x and y point, in degrees.
     fn angles(axes: &[(Axis, &str)]) -> [String; 2] {

@@ -1,9 +1,9 @@
 //! What is drawn of a stage in its diagram of momenta and impulses, as far as no number changes it.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::figure::Form;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_figure::Form;
 
 use super::participants::Participant;
 

@@ -1,18 +1,18 @@
 //! The mass that a stream brings to a body, or that a body throws away, in a short time: its momentum before + impulse =
 //! momentum after, as seen from the body.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::name_math;
-use crate::figure::BodyMomentum;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::MomentumDiagram;
-use crate::figure::Wording;
-use crate::scene::stage::Exhaust;
-use crate::scene::stage::Stream;
-use crate::scene::stage::Thrust;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::name_math;
+use momentous_figure::BodyMomentum;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::MomentumDiagram;
+use momentous_figure::Wording;
+use momentous_scene::stage::Exhaust;
+use momentous_scene::stage::Stream;
+use momentous_scene::stage::Thrust;
 
 use super::compass::Compass;
 use super::labels::factor;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 
 /// What the point is called from which places are told, where it has no name.
 pub(super) const ORIGIN: &str = "O";

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Math;
-use crate::figure::Drawing;
-use crate::figure::Role;
-use crate::figure::Shape;
+use momentous_expr::Math;
+use momentous_figure::Drawing;
+use momentous_figure::Role;
+use momentous_figure::Shape;
 
 use super::labels::ORIGIN;
 use super::labels::body_math;

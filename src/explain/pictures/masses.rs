@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::expr::name_math;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::scene::Term;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_expr::name_math;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_scene::Term;
 
 use super::labels::factor;
 use super::quantities::Quantities;
@@ -56,7 +56,7 @@ impl<'a> Quantities<'a> {
             let mut sum = Vec::new();
             for member in members {
                 if !sum.is_empty() {
-                    sum.push(Math::Operator(crate::expr::Operator::Plus));
+                    sum.push(Math::Operator(momentous_expr::Operator::Plus));
                 }
                 sum.push(self.mass_math(member, instant));
             }

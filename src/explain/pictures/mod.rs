@@ -27,9 +27,9 @@ mod string;
 mod vectors;
 mod words;
 
-use crate::figure::Drawing;
-use crate::problem::Pictured;
-use crate::problem::Subject;
+use momentous_figure::Drawing;
+use momentous_problem::Pictured;
+use momentous_problem::Subject;
 
 pub(super) use cache::PictureCache;
 pub(super) use quantities::Quantities;

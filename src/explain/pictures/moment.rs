@@ -2,27 +2,27 @@
 
 use std::sync::Arc;
 
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure;
-use crate::figure::AngularImpulse;
-use crate::figure::Arm;
-use crate::figure::BodyMomentum;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::Line;
-use crate::figure::MomentumDiagram;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Role;
-use crate::figure::Situation;
-use crate::figure::TurnDiagram;
-use crate::figure::Wording;
-use crate::scene::Components;
-use crate::scene::Strength;
-use crate::scene::stage::Moment;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure as figure;
+use momentous_figure::AngularImpulse;
+use momentous_figure::Arm;
+use momentous_figure::BodyMomentum;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::Line;
+use momentous_figure::MomentumDiagram;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Role;
+use momentous_figure::Situation;
+use momentous_figure::TurnDiagram;
+use momentous_figure::Wording;
+use momentous_scene::Components;
+use momentous_scene::Strength;
+use momentous_scene::stage::Moment;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
@@ -78,7 +78,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Mome
 /// The components of a moment that are given; one that changes has no one length.
 fn moments(quantities: &Quantities<'_>, components: &Components) -> Vec<Moving> {
     let clock = quantities.model().symbols.find("t");
-    let component = |(position, axis): (usize, &crate::scene::Axis)| {
+    let component = |(position, axis): (usize, &momentous_scene::Axis)| {
         let term = quantities.term(components.get(*axis)?)?;
         let changes = clock.is_some_and(|clock| term.contains(clock));
         let at = |time: f64| {

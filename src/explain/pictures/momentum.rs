@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::expr::Math;
-use crate::figure::BodyMomentum;
-use crate::figure::Drawing;
-use crate::figure::MomentumDiagram;
-use crate::model::ForceKind;
-use crate::model::Impulse;
-use crate::model::QuantityKind;
-use crate::problem::Picture;
-use crate::scene::Stage;
-use crate::scene::stage::Impact;
+use momentous_expr::Math;
+use momentous_figure::BodyMomentum;
+use momentous_figure::Drawing;
+use momentous_figure::MomentumDiagram;
+use momentous_model::ForceKind;
+use momentous_model::Impulse;
+use momentous_model::QuantityKind;
+use momentous_problem::Picture;
+use momentous_scene::Stage;
+use momentous_scene::stage::Impact;
 
 use super::balance::Balance;
 use super::balance::complete;

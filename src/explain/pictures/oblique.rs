@@ -1,7 +1,7 @@
 //! A scene in space on paper: an oblique projection, in which what lies across the paper is shortened.
 
-use crate::scene::Axis;
-use crate::scene::Senses;
+use momentous_scene::Axis;
+use momentous_scene::Senses;
 
 /// The direction on paper of an axis that points away from the reader, and by how much it is shortened.
 const AWAY: [f64; 2] = [0.46, 0.34];
@@ -47,7 +47,7 @@ impl Oblique {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Sense;
+    use momentous_scene::Sense;
 
     fn oblique(words: [&str; 3]) -> Option<Oblique> {
         let senses = |(axis, words): (Axis, &str)| (axis, Sense::Positive(words.to_owned()).senses(axis));

@@ -1,16 +1,16 @@
 //! Graphs that are offered in a choice, all on the same axes.
 
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::Drawing;
-use crate::figure::ForcePlot;
-use crate::figure::PlotAxis;
-use crate::figure::Wording;
-use crate::problem::Curve;
-use crate::problem::Graph;
-use crate::problem::Picture;
-use crate::problem::Shows;
-use crate::quantity::Unit;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::Drawing;
+use momentous_figure::ForcePlot;
+use momentous_figure::PlotAxis;
+use momentous_figure::Wording;
+use momentous_problem::Curve;
+use momentous_problem::Graph;
+use momentous_problem::Picture;
+use momentous_problem::Shows;
+use momentous_quantity::Unit;
 
 use super::super::terms::display::printed;
 use super::super::wording::capitalised;

@@ -1,21 +1,21 @@
 //! Force against time, for a push whose force changes.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::expr::name_math;
-use crate::figure::Drawing;
-use crate::figure::ForcePlot;
-use crate::figure::PlotAxis;
-use crate::figure::Wording;
-use crate::model::ActingForce;
-use crate::model::ForceKind;
-use crate::quantity::Dimension;
-use crate::quantity::Unit;
-use crate::quantity::coherent_unit;
-use crate::scene::Stage;
-use crate::scene::stage::During;
-use crate::scene::stage::Push;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_expr::name_math;
+use momentous_figure::Drawing;
+use momentous_figure::ForcePlot;
+use momentous_figure::PlotAxis;
+use momentous_figure::Wording;
+use momentous_model::ActingForce;
+use momentous_model::ForceKind;
+use momentous_quantity::Dimension;
+use momentous_quantity::Unit;
+use momentous_quantity::coherent_unit;
+use momentous_scene::Stage;
+use momentous_scene::stage::During;
+use momentous_scene::stage::Push;
 
 use super::quantities::Quantities;
 use super::quantities::Scope;

@@ -1,24 +1,24 @@
 //! The numbers that a figure may show: on a problem sheet what is given, in a solution also what was solved.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Names;
-use crate::expr::Symbol;
-use crate::expr::parse;
-use crate::model::Direction;
-use crate::model::Model;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Timeline;
-use crate::model::VectorKind;
-use crate::model::is_reversed;
-use crate::problem::Worked;
-use crate::scene::Axis;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::solve::Equation;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Names;
+use momentous_expr::Symbol;
+use momentous_expr::parse;
+use momentous_model::Direction;
+use momentous_model::Model;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_model::Timeline;
+use momentous_model::VectorKind;
+use momentous_model::is_reversed;
+use momentous_problem::Worked;
+use momentous_scene::Axis;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_solve::Equation;
+use momentous_solve::Statement;
 
 use super::super::terms::display::Display;
 use super::super::terms::display::Shown;
@@ -29,7 +29,7 @@ use super::oblique::Oblique;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::explain) enum Scope {
+pub(crate) enum Scope {
     /// What the sheet tells.
     Given,
     /// That, and everything that was solved.
@@ -38,7 +38,7 @@ pub(in crate::explain) enum Scope {
 
 /// What a figure can ask about a variant. Under [`Scope::Given`] nothing that was solved passes, so no sheet can tell it.
 #[derive(Clone)]
-pub(in crate::explain) struct Quantities<'a> {
+pub(crate) struct Quantities<'a> {
     pub(super) worked: Worked<'a>,
     manners: &'a Manners,
     pub(super) pictures: &'a PictureCache,
@@ -68,12 +68,7 @@ impl Names for Known<'_> {
 }
 
 impl<'a> Quantities<'a> {
-    pub(in crate::explain) fn new(
-        worked: Worked<'a>,
-        scope: Scope,
-        manners: &'a Manners,
-        pictures: &'a PictureCache,
-    ) -> Self {
+    pub(crate) fn new(worked: Worked<'a>, scope: Scope, manners: &'a Manners, pictures: &'a PictureCache) -> Self {
         let scene = &worked.problem.loaded().draft.scene;
         let axes = scene.axes.rectangular().into_iter().map(|(axis, _)| axis).collect();
         Self { worked, manners, pictures, timeline: Timeline::new(scene), axes, scope, assumed: Vec::new() }

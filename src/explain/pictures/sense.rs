@@ -1,11 +1,11 @@
 //! Which way something acts that may change in time, and the moments of which a figure may show that.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::figure::Moment;
-use crate::scene::Strength;
-use crate::scene::Term;
-use crate::scene::stage::During;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_figure::Moment;
+use momentous_scene::Strength;
+use momentous_scene::Term;
+use momentous_scene::stage::During;
 
 use super::quantities::Quantities;
 

@@ -1,22 +1,22 @@
 //! A scene at one instant: a particle seen from a fixed point, or several with their centre of mass.
 
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::name_math;
-use crate::figure::Central;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::MassCentre;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::PlacedParticle;
-use crate::figure::Situation;
-use crate::figure::Space;
-use crate::figure::Travel;
-use crate::figure::Wording;
-use crate::scene::Axis;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::name_math;
+use momentous_figure::Central;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::MassCentre;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::PlacedParticle;
+use momentous_figure::Situation;
+use momentous_figure::Space;
+use momentous_figure::Travel;
+use momentous_figure::Wording;
+use momentous_scene::Axis;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;

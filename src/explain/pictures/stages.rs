@@ -1,16 +1,16 @@
 //! What is drawn of each kind of stage: on the problem sheet, in the solution, and in its diagram of momenta.
 
-use crate::figure::Drawing;
-use crate::problem::Picture;
-use crate::scene::Force;
-use crate::scene::Plane;
-use crate::scene::Stage;
-use crate::scene::Strength;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Partners;
-use crate::scene::stage::Push;
-use crate::scene::stage::Slide;
-use crate::scene::stage::Swing;
+use momentous_figure::Drawing;
+use momentous_problem::Picture;
+use momentous_scene::Force;
+use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::Strength;
+use momentous_scene::stage::Ends;
+use momentous_scene::stage::Partners;
+use momentous_scene::stage::Push;
+use momentous_scene::stage::Slide;
+use momentous_scene::stage::Swing;
 
 use super::angular;
 use super::arm;

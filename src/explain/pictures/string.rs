@@ -3,15 +3,15 @@
 use std::f64::consts::FRAC_PI_2;
 use std::f64::consts::PI;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::BodyMomentum;
-use crate::figure::Drawing;
-use crate::figure::MomentumDiagram;
-use crate::figure::Rest;
-use crate::scene::stage::Connected;
-use crate::scene::stage::Strand;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::BodyMomentum;
+use momentous_figure::Drawing;
+use momentous_figure::MomentumDiagram;
+use momentous_figure::Rest;
+use momentous_scene::stage::Connected;
+use momentous_scene::stage::Strand;
 
 use super::balance::Balance;
 use super::balance::complete;

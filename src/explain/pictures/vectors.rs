@@ -2,18 +2,18 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::Form;
-use crate::figure::LabelledVector;
-use crate::model::ActingForce;
-use crate::model::Agent;
-use crate::model::ForceKind;
-use crate::model::Impulse;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::Form;
+use momentous_figure::LabelledVector;
+use momentous_model::ActingForce;
+use momentous_model::Agent;
+use momentous_model::ForceKind;
+use momentous_model::Impulse;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_solve::Statement;
 
 use super::compass::Compass;
 use super::labels::factor;

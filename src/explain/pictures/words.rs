@@ -1,16 +1,16 @@
 //! Titles, descriptions and captions of figures.
 
-use crate::expr::Math;
-use crate::figure::Depth;
-use crate::figure::Moment;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Role;
-use crate::figure::Target;
-use crate::figure::Wording;
-use crate::model::ActingForce;
-use crate::quantity::Dimension;
-use crate::quantity::coherent_unit;
+use momentous_expr::Math;
+use momentous_figure::Depth;
+use momentous_figure::Moment;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Role;
+use momentous_figure::Target;
+use momentous_figure::Wording;
+use momentous_model::ActingForce;
+use momentous_quantity::Dimension;
+use momentous_quantity::coherent_unit;
 
 use super::super::terms::display::printed;
 use super::super::wording::capitalised;

@@ -1,24 +1,24 @@
 //! The answers, each in a sentence with its unit and its direction in words.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::model::Instant;
-use crate::problem::AskedUnit;
-use crate::problem::ChoicePart;
-use crate::problem::Decision;
-use crate::problem::FormulaPart;
-use crate::problem::NumberPart;
-use crate::problem::OptionFeedback;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::orders;
-use crate::quantity::Printed;
-use crate::scene::Senses;
-use crate::scene::Stage;
-use crate::scene::stage::Place;
-use crate::solve::Bounded;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_model::Instant;
+use momentous_problem::AskedUnit;
+use momentous_problem::ChoicePart;
+use momentous_problem::Decision;
+use momentous_problem::FormulaPart;
+use momentous_problem::NumberPart;
+use momentous_problem::OptionFeedback;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::orders;
+use momentous_quantity::Printed;
+use momentous_scene::Senses;
+use momentous_scene::Stage;
+use momentous_scene::stage::Place;
+use momentous_solve::Bounded;
 
 use super::super::Block;
 use super::super::Inline;
@@ -29,7 +29,7 @@ use super::super::wording::capitalised;
 use super::interval;
 
 /// One paragraph for each part.
-pub(in crate::explain) fn answers(display: Display<'_>) -> Vec<Block> {
+pub(crate) fn answers(display: Display<'_>) -> Vec<Block> {
     display.worked.form.parts.iter().map(|part| Block::Paragraph(sentence(display, part))).collect()
 }
 

@@ -2,21 +2,21 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::model::Frame;
-use crate::problem::PartKind;
-use crate::problem::Worked;
-use crate::quantity::Decimal;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
-use crate::quantity::with_minus_signs;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
-use crate::solve::Closed;
-use crate::solve::Statement;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_model::Frame;
+use momentous_problem::PartKind;
+use momentous_problem::Worked;
+use momentous_quantity::Decimal;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
+use momentous_quantity::with_minus_signs;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
+use momentous_solve::Closed;
+use momentous_solve::Statement;
 
 use super::super::Block;
 use super::super::Inline;
@@ -30,7 +30,7 @@ use super::super::wording::join;
 use super::super::working::script;
 
 /// The section's blocks; none where there is nothing to say.
-pub(in crate::explain) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
+pub(crate) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
     let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
     let used = way.used.get_or_init(|| used(display.worked));
     let literals = &display.worked.problem.model().literals;

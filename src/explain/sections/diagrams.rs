@@ -1,10 +1,10 @@
 //! The section on momentum and impulse: the figures, what acts, what is left out and why.
 
-use crate::model::Omitted;
-use crate::problem::PartKind;
-use crate::problem::Worked;
-use crate::scene::Stage;
-use crate::scene::stage::Impact;
+use momentous_model::Omitted;
+use momentous_problem::PartKind;
+use momentous_problem::Worked;
+use momentous_scene::Stage;
+use momentous_scene::stage::Impact;
 
 use super::super::Block;
 use super::super::Inline;
@@ -16,7 +16,7 @@ use super::super::wording::capitalised;
 use super::stage_words::acting;
 
 /// The section's blocks; none where nothing happens in the scene.
-pub(in crate::explain) fn diagrams(display: Display<'_>, way: &WayCache) -> Vec<Block> {
+pub(crate) fn diagrams(display: Display<'_>, way: &WayCache) -> Vec<Block> {
     let worked = display.worked;
     let mut blocks: Vec<Block> =
         solution_figures(worked).into_iter().map(|drawing| Block::Figure(Box::new(drawing))).collect();

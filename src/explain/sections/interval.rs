@@ -1,10 +1,10 @@
 //! The answer to a question for a range: the interval, its boundary, and the trial that tells the side.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::problem::Part;
-use crate::problem::RangePart;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_problem::Part;
+use momentous_problem::RangePart;
 
 use super::super::Inline;
 use super::super::terms::display::Display;
@@ -15,7 +15,7 @@ use super::super::terms::printed::chain;
 use super::super::terms::term::Measured;
 
 /// The answer in a sentence, with the reason for the side.
-pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> Vec<Inline> {
+pub(crate) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> Vec<Inline> {
     let Some(interval) = display.worked.interval(range) else { return Vec::new() };
     let name = || display.name(range.number.symbol);
     let claim = &range.claim;

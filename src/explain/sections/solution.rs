@@ -1,7 +1,7 @@
 //! The worked solution: five sections for everyone, and one for the instructor.
 
-use crate::problem::Worked;
-use crate::scene::Stage;
+use momentous_problem::Worked;
+use momentous_scene::Stage;
 
 use super::super::Audience;
 use super::super::Block;

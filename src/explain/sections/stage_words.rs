@@ -1,24 +1,24 @@
 //! Each kind of stage in words: what happens in it, and what acts.
 
-use crate::model::Agent;
-use crate::model::ForceKind;
-use crate::model::Impulse;
-use crate::model::Model;
-use crate::scene::Axis;
-use crate::scene::Force;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Connected;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Flight;
-use crate::scene::stage::Interact;
-use crate::scene::stage::Push;
-use crate::scene::stage::Slide;
-use crate::scene::stage::Spring;
-use crate::scene::stage::Strand;
-use crate::scene::stage::Stream;
-use crate::scene::stage::UpOrDown;
+use momentous_model::Agent;
+use momentous_model::ForceKind;
+use momentous_model::Impulse;
+use momentous_model::Model;
+use momentous_scene::Axis;
+use momentous_scene::Force;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Connected;
+use momentous_scene::stage::Ends;
+use momentous_scene::stage::Flight;
+use momentous_scene::stage::Interact;
+use momentous_scene::stage::Push;
+use momentous_scene::stage::Slide;
+use momentous_scene::stage::Spring;
+use momentous_scene::stage::Strand;
+use momentous_scene::stage::Stream;
+use momentous_scene::stage::UpOrDown;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;

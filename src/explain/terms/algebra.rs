@@ -1,18 +1,18 @@
 //! Terms as a student writes them.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_quantity::Rational;
 
 /// The sides of an equation, with all signs changed where both begin with a minus.
-pub(in crate::explain) fn without_common_minus(left: &Expr, right: &Expr) -> [Expr; 2] {
+pub(crate) fn without_common_minus(left: &Expr, right: &Expr) -> [Expr; 2] {
     let both = left.begins_with_minus() && right.begins_with_minus();
     let turns = both && !matches!(right, Expr::Sum(_)) && !matches!(left, Expr::Sum(_));
     [left, right].map(|side| if turns { (-side.clone()).simplify() } else { side.clone() })
 }
 
 /// The term with every sum led by a positive part, where it has one: `b - a` for `-a + b`.
-pub(in crate::explain) fn positive_first(expr: &Expr) -> Expr {
+pub(crate) fn positive_first(expr: &Expr) -> Expr {
     match expr {
         Expr::Sum(_) => led_by_positive(expr),
         _ => without_outer_minus(led_by_positive(expr)),

@@ -5,27 +5,27 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::expr::Arrangement;
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Leaf;
-use crate::expr::LeafKind;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::model::QuantityKind;
-use crate::problem::AskedUnit;
-use crate::problem::NumberPart;
-use crate::problem::Worked;
-use crate::quantity::Dimension;
-use crate::quantity::Printed;
-use crate::quantity::Rational;
-use crate::quantity::Unit;
-use crate::quantity::coherent_unit;
-use crate::solve::Bounded;
-use crate::solve::Closed;
-use crate::solve::Root;
-use crate::solve::Step;
+use momentous_expr::Arrangement;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Leaf;
+use momentous_expr::LeafKind;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_model::QuantityKind;
+use momentous_problem::AskedUnit;
+use momentous_problem::NumberPart;
+use momentous_problem::Worked;
+use momentous_quantity::Dimension;
+use momentous_quantity::Printed;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
+use momentous_quantity::coherent_unit;
+use momentous_solve::Bounded;
+use momentous_solve::Closed;
+use momentous_solve::Root;
+use momentous_solve::Step;
 
 use super::algebra::has_angle_of_point;
 use super::algebra::positive_first;
@@ -57,7 +57,7 @@ fn usual_unit(kind: &QuantityKind) -> Option<&'static str> {
 
 /// Shows the quantities of one variant.
 #[derive(Clone, Copy)]
-pub(in crate::explain) struct Display<'a> {
+pub(crate) struct Display<'a> {
     pub worked: Worked<'a>,
     /// How quantities are shown, shared with the other variants that go its way.
     pub manners: &'a Manners,
@@ -67,7 +67,7 @@ pub(in crate::explain) struct Display<'a> {
 
 /// The quantities of a variant as they are printed, since a solution shows most of them many times.
 #[derive(Clone, Debug, Default)]
-pub(in crate::explain) struct Shown {
+pub(crate) struct Shown {
     pub leaves: RefCell<Vec<(Symbol, Leaf)>>,
     /// To how many figures, once all lines are known.
     pub figures: OnceCell<Figures>,
@@ -79,17 +79,17 @@ impl<'a> Display<'a> {
     }
 
     /// Whether a quantity is shown by its symbol only, since no multiple of the letters that are left open is its value.
-    pub(in crate::explain) fn is_free(self, symbol: Symbol) -> bool {
+    pub(crate) fn is_free(self, symbol: Symbol) -> bool {
         self.letters().is_free(symbol)
     }
 
     /// Whether a quantity hangs on letters that are left open.
-    pub(in crate::explain) fn is_open(self, symbol: Symbol) -> bool {
+    pub(crate) fn is_open(self, symbol: Symbol) -> bool {
         self.letters().is_open(symbol)
     }
 
     /// The letters that are left open in the value of a term; none where it is no multiple of them.
-    pub(in crate::explain) fn letters_of(self, term: &Expr) -> Option<Powers> {
+    pub(crate) fn letters_of(self, term: &Expr) -> Option<Powers> {
         self.letters().powers(self.worked, term)
     }
 
@@ -101,7 +101,7 @@ impl<'a> Display<'a> {
     }
 
     /// How a term's value is printed to which other steps than those of the answer lead; none where it is no multiple of letters.
-    pub(in crate::explain) fn measured_along(self, steps: &[Step], term: &Expr) -> Option<Measured> {
+    pub(crate) fn measured_along(self, steps: &[Step], term: &Expr) -> Option<Measured> {
         let powers = Letters::along(self.worked, steps, &|_| None).powers(self.worked, term)?;
         Some(self.measured_by(powers, term, |dimension| coherent_unit(dimension, self.worked.problem.units())))
     }
@@ -124,18 +124,18 @@ impl<'a> Display<'a> {
     }
 
     /// The size of a unit in SI units, letters included.
-    pub(in crate::explain) fn size(self, measured: &Measured) -> f64 {
+    pub(crate) fn size(self, measured: &Measured) -> f64 {
         let letters = measured.letters.as_ref().map_or(1.0, |letters| self.value_of(letters));
         measured.unit.factor().to_f64() * letters
     }
 
     /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
-    pub(in crate::explain) fn unit(self, symbol: Symbol) -> &'a Unit {
+    pub(crate) fn unit(self, symbol: Symbol) -> &'a Unit {
         &self.manner(symbol).measured.unit
     }
 
     /// How a quantity is shown.
-    pub(in crate::explain) fn manner(self, symbol: Symbol) -> &'a Manner {
+    pub(crate) fn manner(self, symbol: Symbol) -> &'a Manner {
         self.manners.of(symbol, || {
             let problem = self.worked.problem;
             let (measured, _) = self.measured(&symbol.into(), |_| self.unit_chosen(symbol));
@@ -153,7 +153,7 @@ impl<'a> Display<'a> {
     }
 
     /// What a reader of the steps knows: what is told, and what the steps found.
-    pub(in crate::explain) fn known_to_the_reader(self) -> BTreeSet<Symbol> {
+    pub(crate) fn known_to_the_reader(self) -> BTreeSet<Symbol> {
         let told = self.worked.variant.all_given().iter().map(|(symbol, ..)| *symbol);
         told.chain(self.worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied())).collect()
     }
@@ -221,22 +221,22 @@ impl<'a> Display<'a> {
     }
 
     /// How the value of a term is printed, and whether it is a number or a multiple of letters.
-    pub(in crate::explain) fn measure(self, expr: &Expr) -> (Measured, bool) {
+    pub(crate) fn measure(self, expr: &Expr) -> (Measured, bool) {
         self.measured(expr, |dimension| coherent_unit(dimension, self.worked.problem.units()))
     }
 
     /// Whether a term has a value of its own.
-    pub(in crate::explain) fn has_value(self, expr: &Expr) -> bool {
+    pub(crate) fn has_value(self, expr: &Expr) -> bool {
         expr.all_symbols(&|symbol| self.has_number(symbol)) && self.letters_of(expr).is_some()
     }
 
     /// Whether a quantity is shown by a number, or by a multiple of letters.
-    pub(in crate::explain) fn has_number(self, symbol: Symbol) -> bool {
+    pub(crate) fn has_number(self, symbol: Symbol) -> bool {
         !self.is_free(symbol) && self.worked.variant.value(symbol).is_some()
     }
 
     /// The symbol itself; a value that the author wrote into a term is shown as that value.
-    pub(in crate::explain) fn name(self, symbol: Symbol) -> Math {
+    pub(crate) fn name(self, symbol: Symbol) -> Math {
         self.manner(symbol).name.clone().unwrap_or_else(|| self.quantity(symbol))
     }
 
@@ -257,12 +257,12 @@ impl<'a> Display<'a> {
     }
 
     /// A term in symbols.
-    pub(in crate::explain) fn symbolic(self, expr: &Expr) -> Math {
+    pub(crate) fn symbolic(self, expr: &Expr) -> Math {
         expr.layout(&|symbol| self.named(symbol))
     }
 
     /// A term that many solutions show, in symbols and ready for numbers.
-    pub(in crate::explain) fn term(self, expr: Expr) -> Term {
+    pub(crate) fn term(self, expr: Expr) -> Term {
         let arranged = expr.arranged();
         let (unit, is_multiple) = self.measure(&expr);
         Term {
@@ -277,7 +277,7 @@ impl<'a> Display<'a> {
     }
 
     /// A term in which every quantity given piece by piece is replaced by the piece that holds for this variant.
-    pub(in crate::explain) fn resolved(self, expr: &Expr) -> Expr {
+    pub(crate) fn resolved(self, expr: &Expr) -> Expr {
         let Expr::Piecewise(piecewise) = expr else {
             return if has_pieces(expr) { expr.map_children(|part| self.resolved(part)) } else { expr.clone() };
         };
@@ -288,7 +288,7 @@ impl<'a> Display<'a> {
     }
 
     /// The condition under which the piece that holds for this variant does so; `None` for a term without pieces.
-    pub(in crate::explain) fn piece_that_holds(self, expr: &Expr) -> Option<Math> {
+    pub(crate) fn piece_that_holds(self, expr: &Expr) -> Option<Math> {
         let Expr::Piecewise(piecewise) = expr else {
             return expr.children().find_map(|part| self.piece_that_holds(part));
         };
@@ -310,7 +310,7 @@ impl<'a> Display<'a> {
 
     /// A term with numbers and units in place of its symbols, what is zero and has a unit being left out; none where that leaves
     /// nothing to compute.
-    pub(in crate::explain) fn substituted(self, term: &Term) -> Option<Math> {
+    pub(crate) fn substituted(self, term: &Term) -> Option<Math> {
         let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
         let put = |arranged: &Arrangement| arranged.with_numbers(&|symbol| self.put_in(symbol), &value);
         if !self.has_zeros(term) {
@@ -329,12 +329,12 @@ impl<'a> Display<'a> {
     }
 
     /// A term without what is zero and has a unit.
-    pub(in crate::explain) fn without_zeros(self, term: &Expr) -> Expr {
+    pub(crate) fn without_zeros(self, term: &Expr) -> Expr {
         term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero))
     }
 
     /// Whether a quantity that is zero is left out of a term with numbers.
-    pub(in crate::explain) fn has_zeros(self, term: &Term) -> bool {
+    pub(crate) fn has_zeros(self, term: &Term) -> bool {
         term.mentions.iter().any(|symbol| self.is_nothing(*symbol))
     }
 
@@ -345,7 +345,7 @@ impl<'a> Display<'a> {
 
     /// Whether a term holds the angle of a point that a calculator's arctangent does not give for this variant: its
     /// denominator is negative or zero.
-    pub(in crate::explain) fn is_outside_arctangent(self, expr: &Expr) -> bool {
+    pub(crate) fn is_outside_arctangent(self, expr: &Expr) -> bool {
         let denominator = match expr {
             Expr::Apply(Function::Atan2, _) => expr.children().nth(1),
             _ => None,
@@ -355,18 +355,18 @@ impl<'a> Display<'a> {
     }
 
     /// `left = right`, in symbols.
-    pub(in crate::explain) fn equation(self, left: &Expr, right: &Expr) -> Math {
+    pub(crate) fn equation(self, left: &Expr, right: &Expr) -> Math {
         Math::relation(self.symbolic(left), Operator::Equals, self.symbolic(right))
     }
 }
 
 /// Whether a part of a term is given piece by piece.
-pub(in crate::explain) fn has_pieces(expr: &Expr) -> bool {
+pub(crate) fn has_pieces(expr: &Expr) -> bool {
     matches!(expr, Expr::Piecewise(_)) || expr.children().any(has_pieces)
 }
 
 /// A number followed by its unit.
-pub(in crate::explain) fn with_unit(number: Math, unit: &Unit) -> Math {
+pub(crate) fn with_unit(number: Math, unit: &Unit) -> Math {
     match suffix(unit) {
         Some(suffix) => Math::Row(vec![number, suffix]),
         None => number,
@@ -374,7 +374,7 @@ pub(in crate::explain) fn with_unit(number: Math, unit: &Unit) -> Math {
 }
 
 /// A printed number as mathematics, powers of ten included.
-pub(in crate::explain) fn number_math(text: String) -> Math {
+pub(crate) fn number_math(text: String) -> Math {
     if text.is_ascii() {
         return Math::Number(text);
     }
@@ -388,6 +388,6 @@ pub(in crate::explain) fn number_math(text: String) -> Math {
 }
 
 /// A value to so many figures, as plain text.
-pub(in crate::explain) fn printed(value: f64, figures: usize) -> String {
+pub(crate) fn printed(value: f64, figures: usize) -> String {
     Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
 }

@@ -4,11 +4,11 @@
 //! not come out. Lines are looked at from the last to the first, since a result that needs more figures asks more of what it
 //! is computed from.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::first_place;
-use crate::quantity::round_to_figures;
-use crate::quantity::unit_of_place;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::first_place;
+use momentous_quantity::round_to_figures;
+use momentous_quantity::unit_of_place;
 
 /// The fewest figures of a value in a solution.
 pub(super) const FEWEST: usize = 4;
@@ -27,7 +27,7 @@ const LITTLE: f64 = 0.1;
 
 /// A number in a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::explain) enum Item {
+pub(crate) enum Item {
     /// A quantity.
     Quantity(Symbol),
     /// The coefficient of that place in the quadratic equation of an unknown.
@@ -48,7 +48,7 @@ pub(in crate::explain) enum Item {
 
 /// How many figures the numbers of a solution have.
 #[derive(Clone, Debug, Default)]
-pub(in crate::explain) struct Figures {
+pub(crate) struct Figures {
     pub numbers: Vec<(Item, usize)>,
     /// The results that no number of figures gives.
     pub stubborn: Vec<Item>,
@@ -58,7 +58,7 @@ pub(in crate::explain) struct Figures {
 
 impl Figures {
     /// The figures of a number; none where no line asks for more than the usual ones.
-    pub(in crate::explain) fn of(&self, item: Item) -> Option<usize> {
+    pub(crate) fn of(&self, item: Item) -> Option<usize> {
         self.numbers.iter().find(|(own, _)| *own == item).map(|(_, figures)| *figures)
     }
 }
@@ -138,7 +138,7 @@ struct Line {
 
 /// The numbers of a solution and the lines between them.
 #[derive(Default)]
-pub(in crate::explain) struct Ledger {
+pub(crate) struct Ledger {
     entries: Vec<Entry>,
     lines: Vec<Line>,
     /// The place of each quantity that is entered, by its index.
@@ -147,17 +147,17 @@ pub(in crate::explain) struct Ledger {
 
 impl Ledger {
     /// Enters a number that is printed exactly.
-    pub(in crate::explain) fn exact(&mut self, item: Item, value: f64, unit: f64, half: f64) {
+    pub(crate) fn exact(&mut self, item: Item, value: f64, unit: f64, half: f64) {
         self.enter(Entry::exact(item, value, unit, half));
     }
 
     /// Enters a number with at least so many figures.
-    pub(in crate::explain) fn rounded(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
+    pub(crate) fn rounded(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
         self.asked(item, value, unit, at_least(figures, value / unit));
     }
 
     /// Enters a number with that many figures, be they fewer than stand before the point.
-    pub(in crate::explain) fn asked(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
+    pub(crate) fn asked(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
         self.enter(Entry::rounded(item, value, unit, figures, MOST.max(figures)));
     }
 
@@ -176,29 +176,29 @@ impl Ledger {
     }
 
     /// Whether a number is entered.
-    pub(in crate::explain) fn knows(&self, item: Item) -> bool {
+    pub(crate) fn knows(&self, item: Item) -> bool {
         self.place(item).is_some()
     }
 
     /// A result that is the value of a term of some quantities; nothing where one of them is not entered.
-    pub(in crate::explain) fn term(&mut self, term: &Expr, mentions: &[Symbol], result: Item) {
+    pub(crate) fn term(&mut self, term: &Expr, mentions: &[Symbol], result: Item) {
         let operands = mentions.iter().map(|symbol| self.place(Item::Quantity(*symbol))).collect();
         self.line(Rule::Term(term.clone()), operands, result);
     }
 
     /// A root of the quadratic equation of an unknown.
-    pub(in crate::explain) fn root(&mut self, unknown: Symbol, greater: bool, result: Item) {
+    pub(crate) fn root(&mut self, unknown: Symbol, greater: bool, result: Item) {
         let operands = [0, 1, 2].map(|place| self.place(Item::Coefficient(unknown, place)));
         self.line(Rule::Root { greater }, operands.into_iter().collect(), result);
     }
 
     /// The same number in another unit, or with other figures.
-    pub(in crate::explain) fn same(&mut self, item: Item, result: Item) {
+    pub(crate) fn same(&mut self, item: Item, result: Item) {
         self.line(Rule::Same, self.place(item).map(|place| vec![place]), result);
     }
 
     /// Two numbers of which the first is said to be less than the second, or not greater.
-    pub(in crate::explain) fn ordered(&mut self, [low, high]: [Item; 2], strictly: bool) {
+    pub(crate) fn ordered(&mut self, [low, high]: [Item; 2], strictly: bool) {
         self.line(Rule::Above { strictly }, self.place(low).map(|place| vec![place]), high);
     }
 
@@ -222,7 +222,7 @@ impl Ledger {
     }
 
     /// Gives every number as many figures as the lines need.
-    pub(in crate::explain) fn settle(mut self) -> Figures {
+    pub(crate) fn settle(mut self) -> Figures {
         let mut stubborn = Vec::new();
         let mut changed = true;
         while changed {
@@ -244,7 +244,7 @@ impl Ledger {
 }
 
 /// As many figures, or all that stand before the point.
-pub(in crate::explain) fn at_least(figures: usize, shown: f64) -> usize {
+pub(crate) fn at_least(figures: usize, shown: f64) -> usize {
     let place = first_place(shown);
     let before_the_point = usize::try_from(place + 1).unwrap_or(0);
     if place <= LARGEST_PLAIN { figures.max(before_the_point) } else { figures }
@@ -326,9 +326,9 @@ impl Line {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::SymbolEntry;
-    use crate::expr::SymbolTable;
-    use crate::quantity::Dimension;
+    use momentous_expr::SymbolEntry;
+    use momentous_expr::SymbolTable;
+    use momentous_quantity::Dimension;
 
     /// Enters `c = a - b`, with these values, to the usual figures.
     fn difference(a: f64, b: f64, c: f64) -> ([Item; 3], Figures) {

@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::problem::Part;
-use crate::problem::Worked;
-use crate::quantity::Dimension;
-use crate::quantity::Rational;
-use crate::solve::Closed;
-use crate::solve::Step;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_problem::Part;
+use momentous_problem::Worked;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
+use momentous_solve::Closed;
+use momentous_solve::Step;
 
 /// The powers of open letters of which a quantity is a multiple; none for a number.
 pub(super) type Powers = BTreeMap<Symbol, Rational>;
@@ -31,7 +31,7 @@ pub(super) struct Letters {
 }
 
 impl Letters {
-    pub(in crate::explain) fn of(worked: Worked<'_>) -> Self {
+    pub(crate) fn of(worked: Worked<'_>) -> Self {
         let zeros = worked.zeros().map(|zero| (zero, Expr::zero())).collect();
         Self::along(worked, &worked.leaf().audit.plan.steps, &|unknown| worked.in_givens(unknown, &zeros))
     }
@@ -83,7 +83,7 @@ impl Letters {
     }
 
     /// Whether a quantity hangs on an open letter.
-    pub(in crate::explain) fn is_open(&self, symbol: Symbol) -> bool {
+    pub(crate) fn is_open(&self, symbol: Symbol) -> bool {
         match self.known.get(&symbol) {
             Some(Some(Growth::By(powers))) => !powers.is_empty(),
             Some(None) => true,
@@ -92,7 +92,7 @@ impl Letters {
     }
 
     /// Whether it is no multiple of powers of letters.
-    pub(in crate::explain) fn is_free(&self, symbol: Symbol) -> bool {
+    pub(crate) fn is_free(&self, symbol: Symbol) -> bool {
         matches!(self.known.get(&symbol), Some(None))
     }
 
@@ -101,7 +101,7 @@ impl Letters {
     }
 
     /// The powers of letters of which a term is a multiple; `None` where it is none.
-    pub(in crate::explain) fn powers(&self, worked: Worked<'_>, term: &Expr) -> Option<Powers> {
+    pub(crate) fn powers(&self, worked: Worked<'_>, term: &Expr) -> Option<Powers> {
         if self.known.is_empty() {
             return Some(Powers::new());
         }

@@ -2,24 +2,24 @@
 
 use std::sync::OnceLock;
 
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::problem::Worked;
-use crate::scene::Senses;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_problem::Worked;
+use momentous_scene::Senses;
 
 use super::letters::Letters;
 use super::term::Measured;
 
 /// How the quantities of one way are shown.
 #[derive(Default)]
-pub(in crate::explain) struct Manners {
+pub(crate) struct Manners {
     letters: OnceLock<Letters>,
     /// One for each symbol of the model.
     each: Vec<OnceLock<Manner>>,
 }
 
 /// How a quantity is shown, whatever its value.
-pub(in crate::explain) struct Manner {
+pub(crate) struct Manner {
     /// The unit in which explanations compute with it.
     pub measured: Measured,
     /// Its name; nothing for a number that the author wrote into a term.
@@ -35,7 +35,7 @@ pub(in crate::explain) struct Manner {
 }
 
 impl Manners {
-    pub(in crate::explain) fn new(worked: Worked<'_>) -> Self {
+    pub(crate) fn new(worked: Worked<'_>) -> Self {
         let symbols = worked.problem.model().symbols.len();
         Self { letters: OnceLock::new(), each: (0..symbols).map(|_| OnceLock::new()).collect() }
     }
@@ -46,7 +46,7 @@ impl Manners {
     }
 
     /// How a quantity is shown.
-    pub(in crate::explain) fn of(&self, symbol: Symbol, find: impl FnOnce() -> Manner) -> &Manner {
+    pub(crate) fn of(&self, symbol: Symbol, find: impl FnOnce() -> Manner) -> &Manner {
         self.each[symbol.index()].get_or_init(find)
     }
 }

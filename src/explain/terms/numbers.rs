@@ -2,21 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::expr::Leaf;
-use crate::expr::LeafKind;
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::problem::AskedUnit;
-use crate::problem::NumberPart;
-use crate::quantity::Decimal;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
-use crate::quantity::round_to_figures;
-use crate::quantity::unit_of_place;
-use crate::solve::Bounded;
-use crate::solve::Real;
-use crate::solve::evaluate;
+use momentous_expr::Expr;
+use momentous_expr::Leaf;
+use momentous_expr::LeafKind;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_problem::AskedUnit;
+use momentous_problem::NumberPart;
+use momentous_quantity::Decimal;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
+use momentous_quantity::round_to_figures;
+use momentous_quantity::unit_of_place;
+use momentous_solve::Bounded;
+use momentous_solve::Real;
+use momentous_solve::evaluate;
 
 use super::algebra::positive_first;
 use super::display::Display;
@@ -34,7 +34,7 @@ use super::term::Term;
 const MOST_DIGITS: usize = 8;
 
 /// A number that is printed as it is.
-pub(in crate::explain) struct Exact {
+pub(crate) struct Exact {
     math: Math,
     negative: bool,
     /// Half a unit of its last place, in the unit in which it is printed.
@@ -59,7 +59,7 @@ impl Exact {
 
 impl Display<'_> {
     /// A value in its display unit, as it stands for its quantity in a term.
-    pub(in crate::explain) fn leaf(self, symbol: Symbol) -> Leaf {
+    pub(crate) fn leaf(self, symbol: Symbol) -> Leaf {
         let known = |(own, _): &&(Symbol, Leaf)| *own == symbol;
         if let Some((_, leaf)) = self.shown.leaves.borrow().iter().find(known) {
             return leaf.clone();
@@ -94,7 +94,7 @@ impl Display<'_> {
     }
 
     /// How a value is printed that is not rounded: what is given, counted, a plain fraction, or zero.
-    pub(in crate::explain) fn exact(self, symbol: Symbol) -> Option<Exact> {
+    pub(crate) fn exact(self, symbol: Symbol) -> Option<Exact> {
         let manner = self.manner(symbol);
         if let Some(letters) = &manner.measured.letters {
             return self.multiple(symbol, letters);
@@ -122,7 +122,7 @@ impl Display<'_> {
     }
 
     /// Whether a quantity is a multiple of letters that is printed exactly.
-    pub(in crate::explain) fn is_exact_multiple(self, symbol: Symbol) -> bool {
+    pub(crate) fn is_exact_multiple(self, symbol: Symbol) -> bool {
         self.is_open(symbol) && self.exact(symbol).is_some()
     }
 
@@ -137,7 +137,7 @@ impl Display<'_> {
     }
 
     /// To how many figures a number is printed.
-    pub(in crate::explain) fn figures(self, item: Item, shown: f64) -> usize {
+    pub(crate) fn figures(self, item: Item, shown: f64) -> usize {
         let settled = self.shown.figures.get().and_then(|figures| figures.of(item));
         settled.unwrap_or_else(|| at_least(self.usual(item), shown))
     }
@@ -154,7 +154,7 @@ impl Display<'_> {
     }
 
     /// Enters a quantity into the ledger of a solution, as it will be printed.
-    pub(in crate::explain) fn enter(self, ledger: &mut Ledger, symbol: Symbol) {
+    pub(crate) fn enter(self, ledger: &mut Ledger, symbol: Symbol) {
         let item = Item::Quantity(symbol);
         let value = self.worked.variant.value(symbol).filter(|_| self.has_number(symbol) && !ledger.knows(item));
         let Some(value) = value else { return };
@@ -170,7 +170,7 @@ impl Display<'_> {
     }
 
     /// Enters a result and the term whose value it is.
-    pub(in crate::explain) fn enter_term(self, ledger: &mut Ledger, term: &Term, result: Item) {
+    pub(crate) fn enter_term(self, ledger: &mut Ledger, term: &Term, result: Item) {
         self.enter_line(ledger, &term.expr, &term.mentions, result);
     }
 
@@ -185,26 +185,26 @@ impl Display<'_> {
     }
 
     /// Enters a number that is no quantity of the problem: the value of a term.
-    pub(in crate::explain) fn enter_value(self, ledger: &mut Ledger, term: &Expr, unit: f64, item: Item) {
+    pub(crate) fn enter_value(self, ledger: &mut Ledger, term: &Expr, unit: f64, item: Item) {
         let mentions: Vec<Symbol> = term.symbols().into_iter().collect();
         self.enter_rounded(ledger, item, self.bounded(term).for_print(), unit);
         self.enter_line(ledger, term, &mentions, item);
     }
 
     /// Enters a number with the usual figures at least.
-    pub(in crate::explain) fn enter_rounded(self, ledger: &mut Ledger, item: Item, value: f64, unit: f64) {
+    pub(crate) fn enter_rounded(self, ledger: &mut Ledger, item: Item, value: f64, unit: f64) {
         ledger.rounded(item, value, unit, self.usual(item));
     }
 
     /// An unknown as a formula in what is told exactly; none where it holds anything else.
-    pub(in crate::explain) fn in_what_is_told(self, unknown: Symbol) -> Option<Expr> {
+    pub(crate) fn in_what_is_told(self, unknown: Symbol) -> Option<Expr> {
         let whole = self.worked.in_givens(unknown, &self.worked.alphabet().values)?;
         let is_told = |symbol: Symbol| self.worked.variant.given(symbol).is_some() && !self.is_open(symbol);
         whole.all_symbols(&is_told).then(|| positive_first(&whole))
     }
 
     /// A term with what is told in place of its symbols, each in its own unit.
-    pub(in crate::explain) fn as_told(self, expr: &Expr) -> Math {
+    pub(crate) fn as_told(self, expr: &Expr) -> Math {
         expr.layout(&|symbol| {
             let Some((value, unit)) = self.worked.variant.given(symbol) else { return self.leaf(symbol) };
             let math = with_unit(number_math(Printed::written(&value).plain()), &unit);
@@ -213,12 +213,12 @@ impl Display<'_> {
     }
 
     /// The number and its unit.
-    pub(in crate::explain) fn quantity(self, symbol: Symbol) -> Math {
+    pub(crate) fn quantity(self, symbol: Symbol) -> Math {
         self.leaf(symbol).math
     }
 
     /// The number and its unit, to so many figures where it is rounded.
-    pub(in crate::explain) fn quantity_to(self, symbol: Symbol, figures: usize) -> Math {
+    pub(crate) fn quantity_to(self, symbol: Symbol, figures: usize) -> Math {
         if self.exact(symbol).is_some() {
             return self.quantity(symbol);
         }
@@ -228,7 +228,7 @@ impl Display<'_> {
     }
 
     /// A term's value in a unit, as a number of the solution.
-    pub(in crate::explain) fn evaluated(self, expr: &Expr, unit: &Measured, item: Item) -> Math {
+    pub(crate) fn evaluated(self, expr: &Expr, unit: &Measured, item: Item) -> Math {
         let named = match (item, expr) {
             (Item::Quantity(symbol), _) => Some(symbol),
             (Item::Side(..), Expr::Symbol(symbol)) => Some(*symbol).filter(|symbol| self.unit(*symbol) == &unit.unit),
@@ -242,7 +242,7 @@ impl Display<'_> {
     }
 
     /// A number in the unit in which a part asks it; none where that is a quantity.
-    pub(in crate::explain) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
+    pub(crate) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
         let own = &self.manner(number.symbol).measured;
         match &number.unit {
             AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
@@ -252,7 +252,7 @@ impl Display<'_> {
     }
 
     /// A term's value in SI units; zero where nothing tells it from that.
-    pub(in crate::explain) fn value_of(self, expr: &Expr) -> f64 {
+    pub(crate) fn value_of(self, expr: &Expr) -> f64 {
         self.bounded(expr).or_zero()
     }
 

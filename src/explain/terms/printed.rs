@@ -2,19 +2,19 @@
 
 use std::sync::Arc;
 
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::problem::AskedUnit;
-use crate::problem::End;
-use crate::problem::FormulaPart;
-use crate::problem::Interval;
-use crate::problem::NumberPart;
-use crate::problem::RangePart;
-use crate::problem::VectorPart;
-use crate::problem::Worked;
-use crate::quantity::coherent_unit;
-use crate::solve::Bounded;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_problem::AskedUnit;
+use momentous_problem::End;
+use momentous_problem::FormulaPart;
+use momentous_problem::Interval;
+use momentous_problem::NumberPart;
+use momentous_problem::RangePart;
+use momentous_problem::VectorPart;
+use momentous_problem::Worked;
+use momentous_quantity::coherent_unit;
+use momentous_solve::Bounded;
 
 use super::super::Inline;
 use super::algebra::positive_first;
@@ -24,7 +24,7 @@ use super::display::printed;
 use super::display::with_unit;
 
 /// A value to the figures that are asked.
-pub(in crate::explain) fn shown(number: &NumberPart, value: f64) -> Math {
+pub(crate) fn shown(number: &NumberPart, value: f64) -> Math {
     if number.whole {
         return Math::Number(format!("{value:.0}"));
     }
@@ -32,7 +32,7 @@ pub(in crate::explain) fn shown(number: &NumberPart, value: f64) -> Math {
 }
 
 /// An answer as it is printed, with its unit.
-pub(in crate::explain) fn answer(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
+pub(crate) fn answer(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
     let shown = |value: f64| shown(number, value);
     match &number.unit {
         AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
@@ -46,12 +46,12 @@ pub(in crate::explain) fn answer(display: Display<'_>, number: &NumberPart, answ
 }
 
 /// A multiple of a quantity.
-pub(in crate::explain) fn multiple(display: Display<'_>, number: Math, symbol: Symbol) -> Math {
+pub(crate) fn multiple(display: Display<'_>, number: Math, symbol: Symbol) -> Math {
     Math::Row(vec![number, Math::Operator(Operator::Juxtapose), display.name(symbol)])
 }
 
 /// A multiple that has a unit, as papers print it: `6 m` in newton seconds, with m in kilograms.
-pub(in crate::explain) fn as_taught(display: Display<'_>, number: &NumberPart) -> Vec<Inline> {
+pub(crate) fn as_taught(display: Display<'_>, number: &NumberPart) -> Vec<Inline> {
     let AskedUnit::InTermsOf(symbol, unit) = &number.unit else { return Vec::new() };
     let answer = display.worked.answer(number);
     if unit.is_none() || answer.is_zero() {
@@ -69,7 +69,7 @@ pub(in crate::explain) fn as_taught(display: Display<'_>, number: &NumberPart) -
 }
 
 /// A formula as it is printed.
-pub(in crate::explain) fn formula(display: Display<'_>, part: &FormulaPart) -> Option<Math> {
+pub(crate) fn formula(display: Display<'_>, part: &FormulaPart) -> Option<Math> {
     let formula = display.worked.formula(part)?;
     Some(display.symbolic(&positive_first(&formula)))
 }
@@ -101,7 +101,7 @@ pub fn printed_range(worked: Worked<'_>, range: &RangePart) -> Option<Math> {
 }
 
 /// An interval with the name of its quantity.
-pub(in crate::explain) fn chain(range: &RangePart, name: Math, interval: &Interval) -> Math {
+pub(crate) fn chain(range: &RangePart, name: Math, interval: &Interval) -> Math {
     let value = |end: &End| {
         let value = end.value.for_print();
         let number = if end.own { Math::Number(value.to_string()) } else { shown(&range.number, value) };

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::expr::Arrangement;
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::quantity::Unit;
+use momentous_expr::Arrangement;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_quantity::Unit;
 
 /// A term, set in symbols once and ready for the numbers of each variant.
 #[derive(Debug)]
-pub(in crate::explain) struct Term {
+pub(crate) struct Term {
     pub expr: Expr,
     /// In symbols.
     pub symbols: Math,
@@ -29,7 +29,7 @@ pub(in crate::explain) struct Term {
 
 /// A unit in which many values are printed; where letters are left open, a unit with powers of these.
 #[derive(Debug)]
-pub(in crate::explain) struct Measured {
+pub(crate) struct Measured {
     pub unit: Unit,
     /// The powers of letters, as a product.
     pub letters: Option<Expr>,
@@ -40,7 +40,7 @@ pub(in crate::explain) struct Measured {
 }
 
 impl Measured {
-    pub(in crate::explain) fn new(unit: Unit) -> Self {
+    pub(crate) fn new(unit: Unit) -> Self {
         Self { suffix: suffix(&unit), unit, letters: None, product: None }
     }
 
@@ -49,7 +49,7 @@ impl Measured {
     }
 
     /// A number followed by the unit.
-    pub(in crate::explain) fn put(&self, number: Math) -> Math {
+    pub(crate) fn put(&self, number: Math) -> Math {
         let is = |number: &Math, text: &str| matches!(number, Math::Number(digits) if digits == text);
         let times = |number: Math, product: &Math| {
             Math::Row(vec![number, Math::Operator(Operator::Juxtapose), product.clone()])

@@ -1,11 +1,11 @@
 //! The first whole number for which a condition holds: the trials that show it.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::solve::Closed;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_solve::Closed;
+use momentous_solve::Relation;
 
 use super::super::Block;
 use super::super::Inline;
@@ -28,7 +28,7 @@ pub(super) fn trials(display: Display<'_>, unknown: Symbol, closed: &Closed) -> 
 }
 
 /// Enters the trials into the ledger of a solution.
-pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, closed: &Closed) {
+pub(crate) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, closed: &Closed) {
     let Some(trials) = tried(display, unknown, closed) else { return };
     for (trial, holds) in trials {
         let items = [trial.enter(ledger, 0), trial.enter(ledger, 1)];

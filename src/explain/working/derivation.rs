@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::model::Instance;
-use crate::model::Integral;
-use crate::solve::Closed;
-use crate::solve::Move;
-use crate::solve::Root;
-use crate::solve::Statement;
-use crate::solve::Step;
-use crate::solve::System;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_model::Instance;
+use momentous_model::Integral;
+use momentous_solve::Closed;
+use momentous_solve::Move;
+use momentous_solve::Root;
+use momentous_solve::Statement;
+use momentous_solve::Step;
+use momentous_solve::System;
 
 use super::super::terms::algebra::positive_first;
 use super::super::terms::algebra::without_common_minus;
@@ -22,7 +22,7 @@ use super::super::terms::display::Display;
 
 /// One equation of a step.
 #[derive(Debug)]
-pub(in crate::explain) struct Line {
+pub(crate) struct Line {
     /// Its number, where a sentence refers to it.
     pub number: Option<u32>,
     pub left: Expr,
@@ -34,11 +34,11 @@ pub(in crate::explain) struct Line {
 }
 
 /// The equations of earlier steps by their places in the system, with the numbers of their lines.
-pub(in crate::explain) type Stated = BTreeMap<usize, Option<u32>>;
+pub(crate) type Stated = BTreeMap<usize, Option<u32>>;
 
 /// What a line came from. Other lines are named by their places in the step.
 #[derive(Debug)]
-pub(in crate::explain) enum Origin {
+pub(crate) enum Origin {
     /// It is the statement of a law; its place in the system.
     Law(usize),
     /// `times`, multiplied by `factor`, was added to `to`.
@@ -63,7 +63,7 @@ pub(in crate::explain) enum Origin {
 
 /// The lines of a step, and from which of them each unknown is found.
 #[derive(Debug, Default)]
-pub(in crate::explain) struct Derivation {
+pub(crate) struct Derivation {
     pub lines: Vec<Line>,
     pub sources: BTreeMap<Symbol, Vec<usize>>,
     /// The last line that was made of each equation of the system.
@@ -72,7 +72,7 @@ pub(in crate::explain) struct Derivation {
 
 impl Derivation {
     /// The lines of a step, in their order and without numbers.
-    pub(in crate::explain) fn of(display: Display<'_>, step: &Step, before: &Stated) -> Self {
+    pub(crate) fn of(display: Display<'_>, step: &Step, before: &Stated) -> Self {
         let system = &display.worked.leaf().system;
         let instances = &display.worked.problem.model().instances;
         let mut derivation = Self::default();
@@ -128,7 +128,7 @@ impl Derivation {
 
     /// Numbers the lines that a sentence refers to, from `next` on. The law of a step with no other equation stands just
     /// above what is said of it.
-    pub(in crate::explain) fn number(&mut self, next: &mut u32) {
+    pub(crate) fn number(&mut self, next: &mut u32) {
         let mut referred: BTreeSet<usize> = self.sources.values().flatten().copied().collect();
         referred.extend(self.lines.iter().flat_map(|line| line.origin.from()));
         let laws = self.lines.iter().filter(|line| matches!(line.origin, Origin::Law(_))).count();
@@ -142,13 +142,13 @@ impl Derivation {
     }
 
     /// The lines from which an unknown is found.
-    pub(in crate::explain) fn sources_of(&self, unknown: Symbol) -> Vec<&Line> {
+    pub(crate) fn sources_of(&self, unknown: Symbol) -> Vec<&Line> {
         let places = self.sources.get(&unknown).map(Vec::as_slice).unwrap_or_default();
         places.iter().filter_map(|place| self.lines.get(*place)).collect()
     }
 
     /// The laws that it states, as equations of the system, with their numbers.
-    pub(in crate::explain) fn stated(&self) -> impl Iterator<Item = (usize, Option<u32>)> {
+    pub(crate) fn stated(&self) -> impl Iterator<Item = (usize, Option<u32>)> {
         self.lines.iter().filter_map(|line| match line.origin {
             Origin::Law(equation) => Some((equation, line.number)),
             _ => None,
@@ -246,7 +246,7 @@ impl Derivation {
 
 impl Origin {
     /// The lines that it names.
-    pub(in crate::explain) fn from(&self) -> Vec<usize> {
+    pub(crate) fn from(&self) -> Vec<usize> {
         match self {
             Self::Law(_) => Vec::new(),
             Self::Add { to, times, .. } => vec![*to, *times],
@@ -304,7 +304,7 @@ fn decided(system: &System, term: &Expr) -> Expr {
 }
 
 /// Whether a step only evaluates what its equation already states: `T_1 = ...`.
-pub(in crate::explain) fn is_definition(step: &Step, left: &Expr, right: &Expr) -> bool {
+pub(crate) fn is_definition(step: &Step, left: &Expr, right: &Expr) -> bool {
     let [Root { values }] = &step.roots[..] else { return false };
     let [(unknown, Closed::Formula(formula))] = &values[..] else { return false };
     *left == Expr::from(*unknown) && formula == right

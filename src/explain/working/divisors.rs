@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::derivation::Line;
 
 /// The factors by which a line is divided when it is solved for `unknown`, which then equals `value`: what stands below
 /// a bar for the first time, and what was cancelled.
-pub(in crate::explain) fn of_solution(lines: &[&Line], unknown: Symbol, value: &Expr) -> Vec<Expr> {
+pub(crate) fn of_solution(lines: &[&Line], unknown: Symbol, value: &Expr) -> Vec<Expr> {
     let mut before = Vec::new();
     lines.iter().flat_map(|line| [&line.left, &line.right]).for_each(|side| add_denominators(side, &mut before));
     let mut found = of_term(value);
@@ -27,14 +27,14 @@ pub(in crate::explain) fn of_solution(lines: &[&Line], unknown: Symbol, value: &
 }
 
 /// The factors of a coefficient by which an equation is divided.
-pub(in crate::explain) fn of_coefficient(coefficient: &Expr) -> Vec<Expr> {
+pub(crate) fn of_coefficient(coefficient: &Expr) -> Vec<Expr> {
     let mut found = Vec::new();
     add_factors(coefficient, &mut found);
     found
 }
 
 /// The factors that stand below a bar in a term.
-pub(in crate::explain) fn of_term(term: &Expr) -> Vec<Expr> {
+pub(crate) fn of_term(term: &Expr) -> Vec<Expr> {
     let mut found = Vec::new();
     add_denominators(term, &mut found);
     found

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::solve::Move;
-use crate::solve::Step;
-use crate::solve::quadratic_formula;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_solve::Move;
+use momentous_solve::Step;
+use momentous_solve::quadratic_formula;
 
 use super::super::Block;
 use super::super::Inline;
@@ -55,14 +55,14 @@ impl Coefficient {
 }
 
 /// A root as the formula for quadratic equations gives it.
-pub(in crate::explain) struct Taught {
+pub(crate) struct Taught {
     pub value: Expr,
     /// The coefficient of the square, by which was divided.
     pub leading: Expr,
 }
 
 /// The root of that place of a step whose unknown is found from a quadratic equation; `formula` is how it is computed.
-pub(in crate::explain) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
+pub(crate) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
     step.moves.iter().find_map(|step_move| match step_move {
         Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => {
             let [plus, minus] = quadratic_formula([a, b, c]);
@@ -75,11 +75,7 @@ pub(in crate::explain) fn root(step: &Step, unknown: Symbol, place: usize, formu
 }
 
 /// The equation with the numbers of its coefficients, and its roots; `None` where a coefficient has no value.
-pub(in crate::explain) fn solution(
-    display: Display<'_>,
-    unknown: Symbol,
-    coefficients: [&Expr; 3],
-) -> Option<Vec<Block>> {
+pub(crate) fn solution(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -> Option<Vec<Block>> {
     let terms = with_plain_square(coefficients);
     if display.is_free(unknown) {
         return Some(without_zeros(display, unknown, terms));
@@ -113,7 +109,7 @@ fn with_plain_square(coefficients: [&Expr; 3]) -> [Expr; 3] {
 }
 
 /// Enters the coefficients and the roots into the ledger of a solution.
-pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, coefficients: [&Expr; 3]) {
+pub(crate) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, coefficients: [&Expr; 3]) {
     let terms = with_plain_square(coefficients);
     if !terms.iter().all(|term| display.has_value(term)) {
         return;

@@ -2,18 +2,18 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Symbol;
-use crate::laws::geometry;
-use crate::model::Because;
-use crate::model::Instance;
-use crate::model::Integral;
-use crate::solve::Closed;
-use crate::solve::Move;
-use crate::solve::Root;
-use crate::solve::Statement;
-use crate::solve::Step;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Symbol;
+use momentous_laws::geometry;
+use momentous_model::Because;
+use momentous_model::Instance;
+use momentous_model::Integral;
+use momentous_solve::Closed;
+use momentous_solve::Move;
+use momentous_solve::Root;
+use momentous_solve::Statement;
+use momentous_solve::Step;
 
 use super::super::Block;
 use super::super::terms::algebra;
@@ -30,7 +30,7 @@ use super::sentence;
 
 /// One step, as far as no number changes it.
 #[derive(Debug)]
-pub(in crate::explain) struct Script {
+pub(crate) struct Script {
     /// Whether what it finds stands with the givens, where the reader has it from: a given by another name, or what the sheet prints.
     pub is_given: bool,
     /// Its equations in symbols.
@@ -43,7 +43,7 @@ pub(in crate::explain) struct Script {
 
 /// How an unknown is found.
 #[derive(Debug)]
-pub(in crate::explain) struct Found {
+pub(crate) struct Found {
     /// From which equations, and what must not be zero for that.
     pub words: Option<Block>,
     /// What it equals.
@@ -52,7 +52,7 @@ pub(in crate::explain) struct Found {
 
 /// What an unknown equals.
 #[derive(Debug)]
-pub(in crate::explain) enum Formula {
+pub(crate) enum Formula {
     /// The same in every solution; nothing where no formula gives it.
     Fixed(Option<Box<Term>>),
     /// It hangs on the numbers.
@@ -61,7 +61,7 @@ pub(in crate::explain) enum Formula {
 
 /// A part of what stands before the results of a step.
 #[derive(Debug)]
-pub(in crate::explain) enum Opening {
+pub(crate) enum Opening {
     /// A law: its name, why it applies here, and its equation, unless what is found says it at once.
     Law { name: &'static str, reason: Block, equation: Option<Block> },
     /// It is the same in every solution.
@@ -73,7 +73,7 @@ pub(in crate::explain) enum Opening {
 }
 
 /// The scripts of the steps of the answer plan.
-pub(in crate::explain) fn scripts(display: Display<'_>) -> Vec<Script> {
+pub(crate) fn scripts(display: Display<'_>) -> Vec<Script> {
     let (mut next, mut stated) = (1, Stated::new());
     let writer = Writer { display };
     let steps = display.worked.leaf().answer_steps().iter();
@@ -187,12 +187,12 @@ fn sides<'a>(display: Display<'a>, step: &Step) -> Option<[&'a Expr; 2]> {
 }
 
 /// What the author writes as an expression of other givens and the sheet prints: to its reader, a given like the others.
-pub(in crate::explain) fn printed(display: Display<'_>, step: &Step) -> Option<Symbol> {
+pub(crate) fn printed(display: Display<'_>, step: &Step) -> Option<Symbol> {
     related(display, step).map(|(unknown, _)| unknown).filter(|unknown| display.worked.form.printed.contains(unknown))
 }
 
 /// What a step calls by another name: the new name, and the given, perhaps with a minus.
-pub(in crate::explain) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
+pub(crate) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
     let (unknown, formula) = related(display, step)?;
     let given = match formula {
         Expr::Symbol(given) => *given,

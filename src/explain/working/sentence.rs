@@ -1,11 +1,11 @@
 //! How a line of algebra follows from those before it, as a sentence.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_solve::Statement;
 
 use super::super::Block;
 use super::super::Inline;

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::problem::FormulaPart;
-use crate::problem::PartKind;
-use crate::solve::Closed;
-use crate::solve::Move;
-use crate::solve::Root;
-use crate::solve::Step;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_problem::FormulaPart;
+use momentous_problem::PartKind;
+use momentous_solve::Closed;
+use momentous_solve::Move;
+use momentous_solve::Root;
+use momentous_solve::Step;
 
 use super::super::Block;
 use super::super::Inline;
@@ -34,7 +34,7 @@ use super::sentence;
 
 /// How much is said of each step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::explain) enum Detail {
+pub(crate) enum Detail {
     /// Laws with their reasons, the algebra, rejected roots.
     Full,
     /// The names of the laws, their equations and the values found.
@@ -48,10 +48,10 @@ const WIDEST_ROOT: f64 = 75.0;
 const NOT_REAL: &str = "No other value is a real number.";
 
 /// What is said once of the lines with numbers.
-pub(in crate::explain) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
+pub(crate) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
 
 /// Writes the steps of one plan for a variant.
-pub(in crate::explain) struct Steps<'a> {
+pub(crate) struct Steps<'a> {
     pub display: Display<'a>,
     pub detail: Detail,
     /// Whether the angle of a point has been explained.
@@ -63,13 +63,13 @@ pub(in crate::explain) struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub(in crate::explain) fn new(display: Display<'a>, detail: Detail) -> Self {
+    pub(crate) fn new(display: Display<'a>, detail: Detail) -> Self {
         let is_brief = detail == Detail::Brief;
         Self { display, detail, angle_explained: is_brief, zeros_explained: is_brief, dropped: BTreeSet::new() }
     }
 
     /// One step, as blocks.
-    pub(in crate::explain) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
+    pub(crate) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
         if script.is_given {
             return Vec::new();
         }
@@ -189,7 +189,7 @@ impl<'a> Steps<'a> {
     }
 
     /// What an unknown equals for these numbers.
-    pub(in crate::explain) fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
+    pub(crate) fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
         let formula = match closed {
             // The plan's form of a root guards against rounding, which symbols need not.
             Closed::Formula(Expr::Piecewise(_)) if self.display.is_free(unknown) => self.in_givens(unknown),
@@ -214,7 +214,7 @@ impl<'a> Steps<'a> {
     }
 
     /// The formula of what is asked as one in what is given, where the last step has another.
-    pub(in crate::explain) fn whole(&self, unknown: Symbol, formula: Option<&Expr>) -> Option<Expr> {
+    pub(crate) fn whole(&self, unknown: Symbol, formula: Option<&Expr>) -> Option<Expr> {
         self.formula_part(unknown)?;
         let whole = self.in_givens(unknown).filter(|whole| formula != Some(whole))?;
         // Then its value is the whole formula.
@@ -331,11 +331,7 @@ fn is_too_wide(formula: &Math) -> bool {
 }
 
 /// The root of a step that was taken, and its place.
-pub(in crate::explain) fn taken<'s>(
-    display: Display<'_>,
-    position: usize,
-    step: &'s Step,
-) -> Option<(usize, &'s Root)> {
+pub(crate) fn taken<'s>(display: Display<'_>, position: usize, step: &'s Step) -> Option<(usize, &'s Root)> {
     let choice = display.worked.variant.roots().get(position).copied().unwrap_or(0);
     step.roots.get(choice).map(|root| (choice, root)).or_else(|| step.roots.first().map(|root| (0, root)))
 }

@@ -1,7 +1,7 @@
 //! The fields of a variant as questions of Canvas, each with the whole statement.
 
-use crate::fault::Faults;
-use crate::render::Markup;
+use momentous_fault::Faults;
+use momentous_render::Markup;
 
 use super::super::band::{Band, bands};
 use super::super::element::{Element, element};

@@ -1,7 +1,7 @@
 //! A number's windows as Moodle's answers: a value, a tolerance, a fraction and a feedback; the first that fits counts.
 
-use crate::exercise::NumberItem;
-use crate::quantity::Unit;
+use momentous_exercise::NumberItem;
+use momentous_quantity::Unit;
 
 use super::super::band::{Band, bands, printed};
 

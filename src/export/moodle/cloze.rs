@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::explain::Inline;
-use crate::render::Markup;
+use momentous_explain::Inline;
+use momentous_render::Markup;
 
 use super::super::field::{Asked, Choice, Field};
 use super::super::question::{Asking, Question};

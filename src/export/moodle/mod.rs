@@ -9,13 +9,13 @@ use std::io::Write;
 use quick_xml::Writer;
 use quick_xml::events::{BytesCData, BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 
-use crate::exercise::Item;
-use crate::exercise::ItemPart;
-use crate::exercise::NumberItem;
-use crate::quantity::Rational;
-use crate::render::Identity;
-use crate::render::Markup;
-use crate::render::base64;
+use momentous_exercise::Item;
+use momentous_exercise::ItemPart;
+use momentous_exercise::NumberItem;
+use momentous_quantity::Rational;
+use momentous_render::Identity;
+use momentous_render::Markup;
+use momentous_render::base64;
 
 use super::Begun;
 use super::Export;

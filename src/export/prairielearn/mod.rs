@@ -7,7 +7,7 @@ use serde_json::json;
 use sha2::Digest;
 use sha2::Sha256;
 
-use crate::render::Markup;
+use momentous_render::Markup;
 
 use super::Export;
 use super::NotWritten;

@@ -1,7 +1,7 @@
 //! A variant as an item of QTI. A window is written as two comparisons, which every player knows; tolerances are not.
 
-use crate::fault::Faults;
-use crate::render::Markup;
+use momentous_fault::Faults;
+use momentous_render::Markup;
 
 use super::super::band::{Band, bands, printed};
 use super::super::element::{Element, element, html_element};

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::calculus::curvature::differ;
 use super::super::{Expr, Function, Piecewise, Symbol};
@@ -20,7 +20,7 @@ pub(super) struct Rules<'a> {
     /// Whether functions of sums, and roots and logarithms of products, are taken apart: decides more, reads worse.
     pub(super) expand: bool,
     /// The symbols whose values are positive.
-    pub(in crate::expr) positive: &'a dyn Fn(Symbol) -> bool,
+    pub(crate) positive: &'a dyn Fn(Symbol) -> bool,
 }
 
 /// Nothing is known to be positive.
@@ -31,7 +31,7 @@ pub(super) fn none_positive(_: Symbol) -> bool {
 /// Whether two terms are proven equal, wherever both have a value. `false` means that no proof was found.
 ///
 /// ```
-/// use momentous::expr::{Expr, equal};
+/// use momentous_expr::{Expr, equal};
 /// let x = Expr::Pi;
 /// let square = (x.clone() + Expr::one()).powi(2);
 /// assert!(equal(&square, &(x.clone() * x.clone() + Expr::integer(2) * x + Expr::one())));
@@ -72,7 +72,7 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
 
 impl Rules<'_> {
     /// The canonical form; `None` where it would be too large, or where the term divides by zero.
-    pub(in crate::expr) fn quotient(&self, expr: &Expr) -> Option<Quotient> {
+    pub(crate) fn quotient(&self, expr: &Expr) -> Option<Quotient> {
         match expr {
             Expr::Number(value) => Some(Quotient::constant(value.clone())),
             Expr::Sum(terms) => Quotient::sum(terms.iter().map(|term| self.quotient(term))),
@@ -130,12 +130,12 @@ impl Rules<'_> {
     }
 
     /// The sum, with powers of atoms that have a simpler form replaced.
-    pub(in crate::expr) fn sum(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
+    pub(crate) fn sum(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
         self.settled(left.plus(right)?)
     }
 
     /// The product, with powers of atoms that have a simpler form replaced.
-    pub(in crate::expr) fn product(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
+    pub(crate) fn product(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
         self.settled(left.times(right)?)
     }
 
@@ -204,7 +204,7 @@ impl Rules<'_> {
     }
 
     /// A base to an exponent.
-    pub(in crate::expr) fn power(&self, base: &Quotient, exponent: &Quotient) -> Option<Quotient> {
+    pub(crate) fn power(&self, base: &Quotient, exponent: &Quotient) -> Option<Quotient> {
         if let Some(number) = exponent.as_constant() {
             return self.numeric_power(base, &number);
         }
@@ -273,7 +273,7 @@ impl Rules<'_> {
     }
 
     /// The absolute value.
-    pub(in crate::expr) fn absolute(&self, form: &Quotient) -> Option<Quotient> {
+    pub(crate) fn absolute(&self, form: &Quotient) -> Option<Quotient> {
         let above = self.absolute_part(&form.numerator)?;
         self.product(&above, &self.absolute_part(&form.denominator)?.inverse()?)
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::{Expr, Function};
 use super::canonical::{Rules, whole_and_part};
@@ -15,7 +15,7 @@ const MAX_MULTIPLE: u32 = 8;
 
 impl Rules<'_> {
     /// A function of its arguments.
-    pub(in crate::expr) fn apply(&self, function: Function, arguments: &[Expr]) -> Option<Quotient> {
+    pub(crate) fn apply(&self, function: Function, arguments: &[Expr]) -> Option<Quotient> {
         let forms: Vec<_> = arguments.iter().map(|argument| self.quotient(argument)).collect::<Option<_>>()?;
         if self.expand
             && let [y, x] = forms.as_slice()

@@ -2,7 +2,7 @@
 //!
 //! Source: D. E. Knuth, *The Art of Computer Programming*, vol. 2, section 4.6.1, algorithm E, applied recursively.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::coprime::are_coprime;
 use super::monomial::{Atom, Monomial};

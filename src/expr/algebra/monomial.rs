@@ -18,7 +18,7 @@ impl Monomial {
     }
 
     /// The product of powers of atoms, each of which may come again.
-    pub(in crate::expr) fn product(mut powers: Vec<(Atom, i32)>) -> Self {
+    pub(crate) fn product(mut powers: Vec<(Atom, i32)>) -> Self {
         powers.sort_by(|a, b| a.0.cmp(&b.0));
         powers.dedup_by(|later, earlier| {
             let again = later.0 == earlier.0;
@@ -30,22 +30,22 @@ impl Monomial {
     }
 
     /// Whether it is 1.
-    pub(in crate::expr) fn is_one(&self) -> bool {
+    pub(crate) fn is_one(&self) -> bool {
         self.0.is_empty()
     }
 
     /// The atoms with their exponents, in order.
-    pub(in crate::expr) fn powers(&self) -> impl Iterator<Item = (&Atom, i32)> {
+    pub(crate) fn powers(&self) -> impl Iterator<Item = (&Atom, i32)> {
         self.0.iter().map(|(atom, exponent)| (atom, *exponent))
     }
 
     /// The exponent of an atom, 0 where it does not occur.
-    pub(in crate::expr) fn exponent(&self, atom: &Atom) -> i32 {
+    pub(crate) fn exponent(&self, atom: &Atom) -> i32 {
         self.powers().find(|(own, _)| *own == atom).map_or(0, |(_, exponent)| exponent)
     }
 
     /// The sum of all exponents.
-    pub(in crate::expr) fn degree(&self) -> i32 {
+    pub(crate) fn degree(&self) -> i32 {
         self.0.iter().fold(0, |sum, (_, exponent)| sum.saturating_add(*exponent))
     }
 
@@ -74,17 +74,17 @@ impl Monomial {
     }
 
     /// The product.
-    pub(in crate::expr) fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         self.merge(other, i32::saturating_add)
     }
 
     /// The quotient, with negative exponents where `other` does not divide it.
-    pub(in crate::expr) fn over(&self, other: &Self) -> Self {
+    pub(crate) fn over(&self, other: &Self) -> Self {
         self.merge(other, i32::saturating_sub)
     }
 
     /// Whether `other` over it has no negative exponents.
-    pub(in crate::expr) fn divides(&self, other: &Self) -> bool {
+    pub(crate) fn divides(&self, other: &Self) -> bool {
         self.powers().all(|(atom, power)| other.exponent(atom) >= power)
             && other.powers().all(|(atom, power)| power >= self.exponent(atom))
     }
@@ -95,12 +95,12 @@ impl Monomial {
     }
 
     /// The greatest monomial that divides both.
-    pub(in crate::expr) fn common(&self, other: &Self) -> Self {
+    pub(crate) fn common(&self, other: &Self) -> Self {
         self.merge(other, i32::min)
     }
 
     /// The part whose atoms pass `test`, and the part whose atoms do not.
-    pub(in crate::expr) fn partition(&self, test: impl Fn(&Atom) -> bool) -> (Self, Self) {
+    pub(crate) fn partition(&self, test: impl Fn(&Atom) -> bool) -> (Self, Self) {
         let (pass, fail) = self.0.iter().cloned().partition(|(atom, _)| test(atom));
         (Self(pass), Self(fail))
     }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use dashu::base::{Gcd, Sign};
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::monomial::{Atom, Monomial};
 
@@ -21,12 +21,12 @@ pub(super) struct Polynomial(Vec<(Monomial, Rational)>);
 
 impl Polynomial {
     /// A number.
-    pub(in crate::expr) fn constant(value: Rational) -> Self {
+    pub(crate) fn constant(value: Rational) -> Self {
         Self::term(value, Monomial::default())
     }
 
     /// One.
-    pub(in crate::expr) fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self::constant(Rational::ONE)
     }
 
@@ -36,7 +36,7 @@ impl Polynomial {
     }
 
     /// One monomial with its coefficient.
-    pub(in crate::expr) fn term(coefficient: Rational, monomial: Monomial) -> Self {
+    pub(crate) fn term(coefficient: Rational, monomial: Monomial) -> Self {
         Self(if coefficient.is_zero() { Vec::new() } else { vec![(monomial, coefficient)] })
     }
 
@@ -55,22 +55,22 @@ impl Polynomial {
     }
 
     /// The terms, in increasing lexicographic order.
-    pub(in crate::expr) fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
+    pub(crate) fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
         self.0.iter().map(|(monomial, value)| (monomial, value))
     }
 
     /// How many terms there are.
-    pub(in crate::expr) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// Whether it is zero.
-    pub(in crate::expr) fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
     /// Whether it is one.
-    pub(in crate::expr) fn is_one(&self) -> bool {
+    pub(crate) fn is_one(&self) -> bool {
         matches!(&self.0[..], [(monomial, value)] if monomial.is_one() && value.is_one())
     }
 
@@ -89,19 +89,19 @@ impl Polynomial {
     }
 
     /// Every atom that occurs.
-    pub(in crate::expr) fn atoms(&self) -> BTreeSet<&Atom> {
+    pub(crate) fn atoms(&self) -> BTreeSet<&Atom> {
         self.0.iter().flat_map(|(monomial, _)| monomial.powers()).map(|(atom, _)| atom).collect()
     }
 
     /// The sum.
-    pub(in crate::expr) fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
         sum.add(other.clone());
         sum
     }
 
     /// Adds another.
-    pub(in crate::expr) fn add(&mut self, other: Self) {
+    pub(crate) fn add(&mut self, other: Self) {
         let mut sum = Vec::with_capacity(self.len() + other.len());
         let mut own = std::mem::take(&mut self.0).into_iter().peekable();
         let mut more = other.0.into_iter().peekable();
@@ -126,7 +126,7 @@ impl Polynomial {
     }
 
     /// The product with a term.
-    pub(in crate::expr) fn scaled(&self, factor: &Rational, by: &Monomial) -> Self {
+    pub(crate) fn scaled(&self, factor: &Rational, by: &Monomial) -> Self {
         if factor.is_zero() {
             return Self::default();
         }
@@ -142,7 +142,7 @@ impl Polynomial {
     }
 
     /// The product; `None` where it would be too large.
-    pub(in crate::expr) fn times(&self, other: &Self) -> Option<Self> {
+    pub(crate) fn times(&self, other: &Self) -> Option<Self> {
         if self.len() * other.len() > MAX_PAIRS {
             return None;
         }
@@ -158,7 +158,7 @@ impl Polynomial {
     }
 
     /// A power; `None` where it would be too large.
-    pub(in crate::expr) fn power(&self, exponent: u32) -> Option<Self> {
+    pub(crate) fn power(&self, exponent: u32) -> Option<Self> {
         if let (1, Some((monomial, coefficient))) = (self.len(), self.leading())
             && exponent > 64
             && !coefficient.is_one()
@@ -177,7 +177,7 @@ impl Polynomial {
     }
 
     /// The coefficients of the powers of one atom; an empty map for zero.
-    pub(in crate::expr) fn coefficients(&self, atom: &Atom) -> BTreeMap<i32, Self> {
+    pub(crate) fn coefficients(&self, atom: &Atom) -> BTreeMap<i32, Self> {
         let mut found: BTreeMap<i32, Self> = BTreeMap::new();
         for (monomial, coefficient) in self.terms() {
             let (_, rest) = monomial.partition(|own| own == atom);
@@ -187,7 +187,7 @@ impl Polynomial {
     }
 
     /// In how many terms each power of one atom stands.
-    pub(in crate::expr) fn spread(&self, atom: &Atom) -> BTreeMap<i32, usize> {
+    pub(crate) fn spread(&self, atom: &Atom) -> BTreeMap<i32, usize> {
         let mut found = BTreeMap::new();
         for (monomial, _) in self.terms() {
             *found.entry(monomial.exponent(atom)).or_default() += 1;
@@ -196,7 +196,7 @@ impl Polynomial {
     }
 
     /// The derivative with respect to one atom, all others held.
-    pub(in crate::expr) fn derivative(&self, atom: &Atom) -> Self {
+    pub(crate) fn derivative(&self, atom: &Atom) -> Self {
         let by = Monomial::atom(atom.clone(), 1);
         let lowered = self.terms().filter_map(|(monomial, coefficient)| {
             let exponent = monomial.exponent(atom);
@@ -206,7 +206,7 @@ impl Polynomial {
     }
 
     /// The positive number and the monomial that all terms have in common, so that whole coprime coefficients remain.
-    pub(in crate::expr) fn content(&self) -> (Rational, Monomial) {
+    pub(crate) fn content(&self) -> (Rational, Monomial) {
         let mut terms = self.terms();
         let Some((first, value)) = terms.next() else { return (Rational::ONE, Monomial::default()) };
         let mut numerator = value.numerator().unsigned_abs_value();
@@ -228,7 +228,7 @@ impl Polynomial {
     }
 
     /// The quotient by a term.
-    pub(in crate::expr) fn over(&self, number: &Rational, by: &Monomial) -> Self {
+    pub(crate) fn over(&self, number: &Rational, by: &Monomial) -> Self {
         if number.is_zero() {
             return Self::default();
         }
@@ -247,7 +247,7 @@ impl Polynomial {
     }
 
     /// Whether the leading coefficient is negative.
-    pub(in crate::expr) fn is_negative(&self) -> bool {
+    pub(crate) fn is_negative(&self) -> bool {
         self.leading().is_some_and(|(_, value)| value.sign() == Sign::Negative)
     }
 

@@ -6,10 +6,10 @@ use super::super::{Expr, Symbol};
 const MAX_POWER: i32 = 16;
 
 /// What takes more than this to write fills pages: it is not multiplied out, and not integrated.
-pub(in crate::expr) const MAX_SIZE: usize = 10_000;
+pub(crate) const MAX_SIZE: usize = 10_000;
 
 /// The coefficients of the powers 0, 1, 2, ... of `symbol`; `None` where the term is not such a polynomial as it is written.
-pub(in crate::expr) fn polynomial_in(term: &Expr, symbol: Symbol) -> Option<Vec<Expr>> {
+pub(crate) fn polynomial_in(term: &Expr, symbol: Symbol) -> Option<Vec<Expr>> {
     if !term.contains(symbol) {
         return Some(vec![term.clone()]);
     }

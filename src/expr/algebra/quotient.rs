@@ -1,6 +1,6 @@
 //! Quotients of polynomials, kept in lowest terms as far as the bounds allow.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::gcd::{Work, gcd};
 use super::monomial::{Atom, Monomial};
@@ -10,9 +10,9 @@ use super::polynomial::Polynomial;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Quotient {
     /// What is divided.
-    pub(in crate::expr) numerator: Polynomial,
+    pub(crate) numerator: Polynomial,
     /// What it is divided by.
-    pub(in crate::expr) denominator: Polynomial,
+    pub(crate) denominator: Polynomial,
 }
 
 impl From<Polynomial> for Quotient {
@@ -23,17 +23,17 @@ impl From<Polynomial> for Quotient {
 
 impl Quotient {
     /// A number.
-    pub(in crate::expr) fn constant(value: Rational) -> Self {
+    pub(crate) fn constant(value: Rational) -> Self {
         Polynomial::constant(value).into()
     }
 
     /// Zero.
-    pub(in crate::expr) fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self::constant(Rational::ZERO)
     }
 
     /// One.
-    pub(in crate::expr) fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self::constant(Rational::ONE)
     }
 
@@ -43,7 +43,7 @@ impl Quotient {
     }
 
     /// A number times powers of atoms.
-    pub(in crate::expr) fn term(number: Rational, monomial: &Monomial) -> Self {
+    pub(crate) fn term(number: Rational, monomial: &Monomial) -> Self {
         if number.is_zero() {
             return Self::zero();
         }
@@ -107,7 +107,7 @@ impl Quotient {
     }
 
     /// The sum of some; `None` where one is missing, or it would be too large.
-    pub(in crate::expr) fn sum(terms: impl Iterator<Item = Option<Self>>) -> Option<Self> {
+    pub(crate) fn sum(terms: impl Iterator<Item = Option<Self>>) -> Option<Self> {
         let mut parts: Vec<(Self, bool)> = Vec::new();
         for term in terms {
             let term = term?;
@@ -130,7 +130,7 @@ impl Quotient {
     }
 
     /// The sum; `None` where it would be too large.
-    pub(in crate::expr) fn plus(&self, other: &Self) -> Option<Self> {
+    pub(crate) fn plus(&self, other: &Self) -> Option<Self> {
         if self.are_whole(other) {
             return Some(self.numerator.plus(&other.numerator).into());
         }
@@ -148,7 +148,7 @@ impl Quotient {
     }
 
     /// The product; `None` where it would be too large.
-    pub(in crate::expr) fn times(&self, other: &Self) -> Option<Self> {
+    pub(crate) fn times(&self, other: &Self) -> Option<Self> {
         if self.are_whole(other) {
             return self.numerator.times(&other.numerator).map(Self::from);
         }
@@ -161,18 +161,18 @@ impl Quotient {
     }
 
     /// The product with a number.
-    pub(in crate::expr) fn scaled(&self, factor: &Rational) -> Self {
+    pub(crate) fn scaled(&self, factor: &Rational) -> Self {
         let numerator = self.numerator.scaled(factor, &Monomial::default());
         Self { denominator: if numerator.is_zero() { Polynomial::one() } else { self.denominator.clone() }, numerator }
     }
 
     /// The inverse; `None` for zero.
-    pub(in crate::expr) fn inverse(&self) -> Option<Self> {
+    pub(crate) fn inverse(&self) -> Option<Self> {
         (!self.numerator.is_zero()).then(|| Self::written(self.denominator.primitive(), self.numerator.primitive()))
     }
 
     /// An integer power; `None` where it would be too large, or divide by zero.
-    pub(in crate::expr) fn power(&self, exponent: i32) -> Option<Self> {
+    pub(crate) fn power(&self, exponent: i32) -> Option<Self> {
         let size = exponent.unsigned_abs();
         let power = Self { numerator: self.numerator.power(size)?, denominator: self.denominator.power(size)? };
         if exponent < 0 { power.inverse() } else { Some(power) }

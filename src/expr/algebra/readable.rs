@@ -1,6 +1,6 @@
 //! A canonical form written the way a person would: factors taken out, positive terms first, one fraction bar.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::{Expr, Function};
 use super::canonical::root_degree;

@@ -9,7 +9,7 @@ impl Expr {
     /// The canonical form, written readably; the term itself where that would be much longer than the term.
     ///
     /// ```
-    /// use momentous::expr::Expr;
+    /// use momentous_expr::Expr;
     /// let x = Expr::Pi;
     /// let quotient = (x.clone().powi(2) - Expr::one()) / (x.clone() - Expr::one());
     /// assert_eq!(quotient.simplify(), Expr::one() + x);

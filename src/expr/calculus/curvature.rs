@@ -21,7 +21,7 @@ pub fn is_curved(term: &Expr, symbols: &[Symbol]) -> bool {
 }
 
 /// Whether two terms certainly have different values somewhere. `false` decides nothing.
-pub(in crate::expr) fn differ(left: &Expr, right: &Expr) -> bool {
+pub(crate) fn differ(left: &Expr, right: &Expr) -> bool {
     let [left, right] = [left, right].map(|side| side.evaluate(&|symbol| sample(symbol, 0)));
     let size = left.abs() + right.abs();
     size.is_finite() && (left - right).abs() > NEGLIGIBLE * (1.0 + size)

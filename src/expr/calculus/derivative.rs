@@ -8,8 +8,8 @@ impl Expr {
     /// The derivative with respect to `symbol`; pieces are differentiated one by one.
     ///
     /// ```
-    /// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-    /// use momentous::quantity::Dimension;
+    /// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+    /// use momentous_quantity::Dimension;
     /// let mut table = SymbolTable::default();
     /// let t = table.intern(SymbolEntry { name: "t".into(), dimension: Dimension::TIME, meaning: String::new() });
     /// assert_eq!(Expr::from(t).powi(3).differentiate(t).text(&table), "3*t^2");

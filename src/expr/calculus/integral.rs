@@ -1,7 +1,7 @@
 //! Antiderivatives of what forces are made of: polynomials, powers of linear terms, sines and exponentials, pieces of these.
 //! What is not found is said so; nothing is guessed.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::algebra::polynomial_in::{MAX_SIZE, polynomial_in};
 use super::super::{Expr, Function, Symbol};
@@ -13,8 +13,8 @@ impl Expr {
     /// An antiderivative with respect to `symbol`; `None` where the rules find none.
     ///
     /// ```
-    /// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-    /// use momentous::quantity::Dimension;
+    /// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+    /// use momentous_quantity::Dimension;
     /// let mut table = SymbolTable::default();
     /// let t = table.intern(SymbolEntry { name: "t".into(), dimension: Dimension::TIME, meaning: String::new() });
     /// assert_eq!(Expr::from(t).powi(2).integrate(t).unwrap().text(&table), "t^3/3");
@@ -25,7 +25,7 @@ impl Expr {
     }
 }
 
-pub(in crate::expr) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Option<Expr> {
+pub(crate) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Option<Expr> {
     *steps = steps.checked_sub(1)?;
     // By parts, each step may write a term out some times over.
     if term.size() > MAX_SIZE {

@@ -12,8 +12,8 @@ impl Expr {
     /// A lower bound of zero is taken to lie in the first piece: pieces are counted from the start.
     ///
     /// ```
-    /// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-    /// use momentous::quantity::Dimension;
+    /// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+    /// use momentous_quantity::Dimension;
     /// let mut table = SymbolTable::default();
     /// let mut add = |name: &str| {
     ///     table.intern(SymbolEntry { name: name.into(), dimension: Dimension::TIME, meaning: String::new() })

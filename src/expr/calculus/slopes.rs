@@ -14,8 +14,8 @@ impl Expr {
     /// derivative is the sum over these places. Where there is none, what is added is not finite.
     ///
     /// ```
-    /// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-    /// use momentous::quantity::Dimension;
+    /// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+    /// use momentous_quantity::Dimension;
     ///
     /// let mut table = SymbolTable::default();
     /// let v = table.intern(SymbolEntry { name: "v".into(), dimension: Dimension::VELOCITY, meaning: "v".into() });
@@ -66,7 +66,8 @@ impl Expr {
 
 impl Function {
     /// The derivative of a function of one argument.
-    pub(crate) fn slope_at(self, argument: f64) -> f64 {
+    #[must_use]
+    pub fn slope_at(self, argument: f64) -> f64 {
         match self {
             Self::Sin => libm::cos(argument),
             Self::Cos => -libm::sin(argument),

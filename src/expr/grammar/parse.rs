@@ -40,7 +40,7 @@ const POWER: u8 = 40;
 /// Reads a term.
 ///
 /// ```
-/// use momentous::expr::{Expr, Names, Symbol, parse};
+/// use momentous_expr::{Expr, Names, Symbol, parse};
 /// struct Nobody;
 /// impl Names for Nobody {
 ///     fn symbol(&mut self, _: &str) -> Option<Symbol> { None }

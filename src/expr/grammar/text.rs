@@ -1,6 +1,6 @@
 //! Terms as text in the grammar that [`super::parse`] reads.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::sign::{is_negative, without_minus};
 use super::super::{Expr, Function, Symbol, SymbolTable};
@@ -36,7 +36,7 @@ impl Expr {
     /// The term as an author would type it, with the names of `symbols`; it reads back as the same term.
     ///
     /// ```
-    /// use momentous::expr::{Expr, SymbolTable};
+    /// use momentous_expr::{Expr, SymbolTable};
     /// let term = Expr::Pi * (Expr::one() - Expr::Pi.sqrt()) / Expr::integer(2);
     /// assert_eq!(term.text(&SymbolTable::default()), "pi*(1 - sqrt(pi))/2");
     /// ```
@@ -54,7 +54,7 @@ impl Expr {
     /// Whether the term begins with a minus as it is printed, be it behind a bracket.
     ///
     /// ```
-    /// use momentous::expr::Expr;
+    /// use momentous_expr::Expr;
     /// let below_one = Expr::Pi - Expr::one();
     /// assert!((-Expr::Pi + Expr::one()).begins_with_minus() && !below_one.begins_with_minus());
     /// ```
@@ -75,7 +75,7 @@ impl Expr {
 }
 
 /// Numerator and denominator: the factors with negative numeric powers, turned over, and a number's denominator.
-pub(in crate::expr) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bool) -> (Vec<Expr>, Vec<Expr>) {
+pub(crate) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bool) -> (Vec<Expr>, Vec<Expr>) {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     for factor in factors {
         match factor {
@@ -96,7 +96,7 @@ pub(in crate::expr) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Ration
 }
 
 /// A number with few decimals, exactly; `None` where it has many, or never ends.
-pub(in crate::expr) fn decimal(value: &Rational) -> Option<String> {
+pub(crate) fn decimal(value: &Rational) -> Option<String> {
     let decimals = decimals(value)?;
     if decimals == 0 {
         return Some(value.numerator().to_string());
@@ -117,7 +117,7 @@ fn decimals(value: &Rational) -> Option<u32> {
 }
 
 /// Whether a number reads better as a decimal than as a fraction: `0.7` and `120.5`, but `1/2`, `5/4`, `9/8` and `1/3`.
-pub(in crate::expr) fn reads_as_decimal(value: &Rational) -> bool {
+pub(crate) fn reads_as_decimal(value: &Rational) -> bool {
     const DENOMINATORS: [u8; 4] = [2, 4, 8, 16];
     const LARGEST: u8 = 100;
     let is_below = || DENOMINATORS.iter().any(|below| *value.denominator() == (*below).into());

@@ -1,6 +1,6 @@
 //! The words of a term: numbers, names, operators, each with its place in the text.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::parse_fault::ParseFault;
 
@@ -28,13 +28,13 @@ pub(super) enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Token<'a> {
     /// What it is.
-    pub(in crate::expr) kind: Kind,
+    pub(crate) kind: Kind,
     /// The word itself.
-    pub(in crate::expr) written: &'a str,
+    pub(crate) written: &'a str,
     /// Its first byte.
-    pub(in crate::expr) start: usize,
+    pub(crate) start: usize,
     /// The byte after its last.
-    pub(in crate::expr) end: usize,
+    pub(crate) end: usize,
 }
 
 /// The words of a text.

@@ -89,7 +89,7 @@ impl Math {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::expr::{Math, name_math};
+    /// use momentous_expr::{Math, name_math};
     /// let fraction = Math::Fraction(Arc::new(name_math("J_A[hit]")), Arc::new(name_math("m_A")));
     /// assert_eq!(fraction.latex(), r"\frac{J_{A}}{m_{A}}");
     /// ```
@@ -101,7 +101,7 @@ impl Math {
     }
 
     /// The same for parts side by side, at the end of a text.
-    pub(crate) fn put_row_latex(parts: &[Self], out: &mut String) {
+    pub fn put_row_latex(parts: &[Self], out: &mut String) {
         write_row(parts, out);
     }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::grammar::text::{decimal, reads_as_decimal, split_quotient};
 use super::super::sign::without_minus;
@@ -13,7 +13,7 @@ impl Expr {
     /// The term as typeset mathematics, with `leaf` saying what stands for each symbol.
     ///
     /// ```
-    /// use momentous::expr::{Expr, Math, SymbolTable};
+    /// use momentous_expr::{Expr, Math, SymbolTable};
     /// let half_turn = Expr::Pi / Expr::integer(2) - Expr::one();
     /// let no_symbols = |_| unreachable!("there are none");
     /// assert_eq!(half_turn.layout(&no_symbols).latex(), r"\frac{\pi}{2} - 1");

@@ -151,12 +151,13 @@ impl Default for Math {
 
 impl Math {
     /// Whether an operator is a sign in front, since nothing that it could join stands before it.
-    pub(crate) fn is_prefix(before: Option<&Self>) -> bool {
+    #[must_use]
+    pub fn is_prefix(before: Option<&Self>) -> bool {
         matches!(before, None | Some(Self::Operator(_)))
     }
 
     /// Whether a space belongs between neighbours: a number and its unit, a word and what follows.
-    pub(crate) fn needs_space(before: Option<&Self>, after: &Self) -> bool {
+    pub fn needs_space(before: Option<&Self>, after: &Self) -> bool {
         let Some(before) = before else { return false };
         let joins = |part: &Self| matches!(part, Self::Operator(_));
         match (before, after) {
@@ -169,7 +170,7 @@ impl Math {
 }
 
 /// A subscript as runs of letters, of digits, and of everything else.
-pub(crate) fn subscript_parts(text: &str) -> impl Iterator<Item = &str> {
+pub fn subscript_parts(text: &str) -> impl Iterator<Item = &str> {
     let kind = |letter: char| (letter.is_alphabetic(), letter.is_numeric());
     let mut rest = text;
     std::iter::from_fn(move || {

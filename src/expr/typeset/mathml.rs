@@ -32,7 +32,7 @@ impl Math {
     /// As a whole `math` element, on a line of its own where `display` holds.
     ///
     /// ```
-    /// use momentous::expr::Math;
+    /// use momentous_expr::Math;
     /// let element = Math::Number("-2.30".into()).mathml(false);
     /// assert!(element.ends_with("<mrow><mo form=\"prefix\">\u{2212}</mo><mn>2.30</mn></mrow></math>"));
     /// ```
@@ -43,7 +43,7 @@ impl Math {
     }
 
     /// Parts side by side, as one element without the `math` around it.
-    pub(crate) fn row_element<M: Borrow<Self>>(parts: &[M]) -> String {
+    pub fn row_element<M: Borrow<Self>>(parts: &[M]) -> String {
         row(parts)
     }
 

@@ -39,7 +39,7 @@ const LETTERS: [(&str, &str); 28] = [
 /// The typeset form of a quantity's name. A stage in square brackets is shown for durations and terminal velocities only.
 ///
 /// ```
-/// use momentous::expr::name_math;
+/// use momentous_expr::name_math;
 /// assert_eq!(name_math("v_A1.x").latex(), "(v_{A1})_{x}");
 /// assert_eq!(name_math("mu_s").latex(), r"\mu_{s}");
 /// assert_eq!(name_math("F_avg_A[hit]").latex(), r"F_{\text{avg},A}");

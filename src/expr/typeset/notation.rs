@@ -8,7 +8,7 @@ use super::super::name_math;
 /// student types, has the course's.
 ///
 /// ```
-/// use momentous::expr::Notation;
+/// use momentous_expr::Notation;
 /// let course = Notation::new([("J", "I"), ("p", "L")]);
 /// assert_eq!(course.name("J_A[hit]"), "I_A[hit]");
 /// assert_eq!(course.math("p_A1.x").latex(), "(L_{A1})_{x}");

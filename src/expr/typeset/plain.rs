@@ -34,7 +34,7 @@ impl Math {
     /// On one line, with true minus signs: `m_A v_A1 = (2 kg)(−3 m/s)`.
     ///
     /// ```
-    /// use momentous::expr::{Math, Operator, name_math};
+    /// use momentous_expr::{Math, Operator, name_math};
     /// let line = Math::relation(name_math("v_A2"), Operator::Equals, Math::Number("-0.40".into()));
     /// assert_eq!(line.plain(), "v_A2 = \u{2212}0.40");
     /// ```
@@ -67,7 +67,8 @@ impl Math {
     }
 
     /// The same for parts side by side.
-    pub(crate) fn row_plain(parts: &[Self]) -> String {
+    #[must_use]
+    pub fn row_plain(parts: &[Self]) -> String {
         row(parts)
     }
 

@@ -33,7 +33,7 @@ impl Math {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::expr::{Math, name_math};
+    /// use momentous_expr::{Math, name_math};
     /// let fraction = Math::Fraction(Arc::new(name_math("J_A[hit]")), Arc::new(name_math("m_A")));
     /// assert_eq!(fraction.typst(), "frac(attach(J,b:A),attach(m,b:A))");
     /// ```
@@ -48,18 +48,19 @@ impl Math {
 /// Typst's mathematics as it grows. Blanks stand only where letters or digits would run together: beside words, Typst would
 /// print them.
 #[derive(Debug, Default)]
-pub(crate) struct TypstMath {
+pub struct TypstMath {
     code: String,
 }
 
 impl TypstMath {
     /// What was written.
-    pub(crate) fn into_code(self) -> String {
+    #[must_use]
+    pub fn into_code(self) -> String {
         self.code
     }
 
     /// Code that is ready.
-    pub(crate) fn put(&mut self, code: &str) {
+    pub fn put(&mut self, code: &str) {
         let runs_on = |letter: Option<char>| letter.is_some_and(char::is_alphanumeric);
         if runs_on(self.code.chars().next_back()) && runs_on(code.chars().next()) {
             self.code.push(' ');
@@ -68,7 +69,7 @@ impl TypstMath {
     }
 
     /// A call of a function; what `inner` writes stands in its brackets.
-    pub(crate) fn call(&mut self, name: &str, inner: impl FnOnce(&mut Self)) {
+    pub fn call(&mut self, name: &str, inner: impl FnOnce(&mut Self)) {
         self.put(name);
         self.code.push('(');
         inner(self);
@@ -76,18 +77,18 @@ impl TypstMath {
     }
 
     /// A further argument, named or not.
-    pub(crate) fn argument(&mut self, name: &str) {
+    pub fn argument(&mut self, name: &str) {
         self.code.push(',');
         self.code.push_str(name);
     }
 
     /// Upright words.
-    pub(crate) fn words(&mut self, text: &str) {
+    pub fn words(&mut self, text: &str) {
         self.put(&quoted(text));
     }
 
     /// A sign by itself, whatever it means to Typst.
-    pub(crate) fn sign(&mut self, sign: char) {
+    pub fn sign(&mut self, sign: char) {
         if sign.is_alphanumeric() {
             self.put(sign.encode_utf8(&mut [0; 4]));
         } else if sign.is_whitespace() || sign.is_control() {
@@ -99,7 +100,7 @@ impl TypstMath {
     }
 
     /// Digits with at most one point; anything else that a number may hold is quoted.
-    pub(crate) fn number(&mut self, text: &str) {
+    pub fn number(&mut self, text: &str) {
         let (whole, fraction) = text.split_once('.').unwrap_or((text, "0"));
         let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         if digits(whole) && digits(fraction) { self.put(text) } else { self.words(text) }
@@ -116,7 +117,7 @@ impl TypstMath {
     }
 
     /// A layout tree.
-    pub(crate) fn math(&mut self, math: &Math) {
+    pub fn math(&mut self, math: &Math) {
         match math {
             Math::Row(parts) => self.row(parts),
             Math::Number(text) => match text.strip_prefix(['-', '\u{2212}']) {
@@ -170,7 +171,7 @@ impl TypstMath {
     }
 
     /// Parts side by side.
-    pub(crate) fn row(&mut self, parts: &[Math]) {
+    pub fn row(&mut self, parts: &[Math]) {
         let mut before: Option<&Math> = None;
         for part in parts {
             match part {
@@ -267,7 +268,8 @@ fn is_function(part: Option<&Math>) -> bool {
 }
 
 /// A string literal of Typst.
-pub(crate) fn quoted(text: &str) -> String {
+#[must_use]
+pub fn quoted(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 2);
     out.push('"');
     for sign in text.chars() {

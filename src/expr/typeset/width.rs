@@ -7,7 +7,7 @@ const SCRIPT: f64 = 0.7;
 
 impl Math {
     /// A rough width, in widths of a digit.
-    pub(crate) fn width(&self) -> f64 {
+    pub fn width(&self) -> f64 {
         match self {
             Self::Row(parts) => parts.iter().map(Self::width).sum(),
             Self::Number(text)
@@ -34,7 +34,7 @@ impl Math {
     }
 
     /// The parts of rows within rows, one after another.
-    pub(crate) fn spread<'a>(&'a self, put: &mut dyn FnMut(&'a Self)) {
+    pub fn spread<'a>(&'a self, put: &mut dyn FnMut(&'a Self)) {
         match self {
             Self::Row(parts) => parts.iter().for_each(|part| part.spread(put)),
             _ => put(self),

@@ -2,11 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::expr::Math;
-use crate::figure::extent::{Contact, Extent};
-use crate::figure::geometry::arc_points;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role, Shape};
+use crate::extent::{Contact, Extent};
+use crate::geometry::arc_points;
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 const REFERENCE: f64 = 34.0;
 const ARC_RADIUS: f64 = 22.0;

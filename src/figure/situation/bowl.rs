@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::expr::Math;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role};
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle};
 use super::conical::Across;

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::expr::Math;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role, Shape};
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 use super::moving::{MovingBody, Scales, draw_vector};
 
@@ -97,7 +97,7 @@ impl Moment {
 }
 
 /// A small mark with a name: a fixed centre.
-pub(in crate::figure) fn draw_centre(canvas: &mut Canvas, at: Point, name: &Math, away_from: f64) {
+pub(crate) fn draw_centre(canvas: &mut Canvas, at: Point, name: &Math, away_from: f64) {
     canvas.draw(Shape::Circle { centre: at, radius: CENTRE_DOT, role: Role::Axis });
     let anchor = Anchor::Around { at, radius: CENTRE_DOT, prefer: away_from + std::f64::consts::PI };
     canvas.label(name, Role::Body, anchor);

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::expr::Math;
-use crate::figure::coil::draw_cord;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role, Shape};
+use crate::coil::draw_cord;
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle};
 use super::central::draw_centre;

@@ -5,10 +5,10 @@
 
 use std::f64::consts::PI;
 
-use crate::figure::body::{Attach, Body, label_arrow};
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role, Shape};
+use crate::body::{Attach, Body, label_arrow};
+use crate::place::{Anchor, Canvas};
+use crate::surface::draw_surface;
+use crate::{Point, Role, Shape};
 
 use super::angle::{AngleMark, Vertex, draw_angle};
 use super::moving::{MovingBody, Scales, draw_vector};

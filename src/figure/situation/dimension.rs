@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::expr::Math;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role};
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 /// The least length that a dimension line fits into.
 const SHORTEST: f64 = 16.0;

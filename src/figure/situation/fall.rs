@@ -1,11 +1,11 @@
 //! A body that falls to the floor, and perhaps bounces: heights with dimension lines, the path dashed.
 
-use crate::expr::Math;
-use crate::figure::body::Attach;
-use crate::figure::coil::{draw_coil, draw_support};
-use crate::figure::place::Canvas;
-use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role};
+use crate::body::Attach;
+use crate::coil::{draw_coil, draw_support};
+use crate::place::Canvas;
+use crate::surface::draw_surface;
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 use super::angle::draw_incline;
 use super::dimension::draw_dimension;

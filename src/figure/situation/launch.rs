@@ -1,10 +1,10 @@
 //! A body that begins a free flight, and what the flight leads to. The path is a sketch: how far it leads is asked.
 
-use crate::expr::Math;
-use crate::figure::body::{Attach, Body};
-use crate::figure::place::Canvas;
-use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role};
+use crate::body::{Attach, Body};
+use crate::place::Canvas;
+use crate::surface::draw_surface;
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 use super::angle::draw_incline;
 use super::dimension::draw_dimension;

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use crate::expr::Math;
-use crate::figure::body::{Attach, Body};
-use crate::figure::coil::{draw_coil, draw_cord, draw_slack, draw_support};
-use crate::figure::extent::Measure;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role};
+use crate::body::{Attach, Body};
+use crate::coil::{draw_coil, draw_cord, draw_slack, draw_support};
+use crate::extent::Measure;
+use crate::place::{Anchor, Canvas};
+use crate::surface::draw_surface;
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle, wedge};
 use super::moving::{Moving, MovingBody, Scales, draw_vector};

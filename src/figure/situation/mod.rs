@@ -89,8 +89,8 @@ impl Situation {
     /// The drawing.
     ///
     /// ```
-    /// use momentous::expr::Math;
-    /// use momentous::figure::{Layout, Line, LabelledVector, Moving, MovingBody, Situation, Wording, overlaps};
+    /// use momentous_expr::Math;
+    /// use momentous_figure::{Layout, Line, LabelledVector, Moving, MovingBody, Situation, Wording, overlaps};
     ///
     /// let cart = |name: &str, speed| {
     ///     let velocity = LabelledVector::known(Math::subscripted("v", name), [speed, 0.0]);

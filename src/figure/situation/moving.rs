@@ -1,11 +1,11 @@
 //! A body with the vectors that are given of it.
 
-use crate::expr::Math;
-use crate::figure::body::{Attach, Body, label_arrow};
-use crate::figure::input::{Form, LabelledVector};
-use crate::figure::place::Canvas;
-use crate::figure::scale::Scale;
-use crate::figure::{Point, Role};
+use crate::body::{Attach, Body, label_arrow};
+use crate::input::{Form, LabelledVector};
+use crate::place::Canvas;
+use crate::scale::Scale;
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle};
 
@@ -54,7 +54,7 @@ impl MovingBody {
         self
     }
 
-    pub(in crate::figure) fn outline(&self) -> Body {
+    pub(crate) fn outline(&self) -> Body {
         Body::new(&self.name, self.form, Point::ORIGIN)
     }
 }
@@ -100,14 +100,14 @@ impl Moving {
 }
 
 /// The scales of a figure, one a role.
-pub(in crate::figure) struct Scales {
+pub(crate) struct Scales {
     velocity: Scale,
     force: Scale,
     other: Scale,
 }
 
 impl Scales {
-    pub(in crate::figure) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
+    pub(crate) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
         let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
         let of = |is_own: &dyn Fn(Role) -> bool| -> Vec<Point> {
             let own = vectors.iter().filter(|moving| is_own(moving.role));
@@ -128,7 +128,7 @@ impl Scales {
         }
     }
 
-    pub(in crate::figure) fn arrow(&self, moving: &Moving) -> Option<Point> {
+    pub(crate) fn arrow(&self, moving: &Moving) -> Option<Point> {
         self.of_role(moving.role).arrow(moving.vector.vector()?)
     }
 }
@@ -139,13 +139,7 @@ fn claims_scale(role: Role) -> bool {
 }
 
 /// Draws a vector at the body; a zero vector is noted as such, an unknown one left out.
-pub(in crate::figure) fn draw_vector(
-    canvas: &mut Canvas,
-    body: &mut Body,
-    moving: &Moving,
-    scales: &Scales,
-    attach: Attach,
-) {
+pub(crate) fn draw_vector(canvas: &mut Canvas, body: &mut Body, moving: &Moving, scales: &Scales, attach: Attach) {
     let Some(arrow) = scales.arrow(moving) else {
         if moving.vector.vector().is_some() {
             body.draw_note(canvas, &moving.vector.equals(Math::Number("0".to_owned())), moving.role);

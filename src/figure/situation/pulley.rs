@@ -2,12 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::expr::Math;
-use crate::figure::body::{Attach, Body};
-use crate::figure::coil::{draw_cord, draw_support};
-use crate::figure::place::Canvas;
-use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role, Shape};
+use crate::body::{Attach, Body};
+use crate::coil::{draw_cord, draw_support};
+use crate::place::Canvas;
+use crate::surface::draw_surface;
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle, wedge};
 use super::moving::{MovingBody, Scales, draw_vector};

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use crate::expr::Math;
-use crate::figure::body::{Attach, Body};
-use crate::figure::place::Canvas;
-use crate::figure::{Point, Role};
+use crate::body::{Attach, Body};
+use crate::place::Canvas;
+use crate::{Point, Role};
+use momentous_expr::Math;
 
 use super::dimension::draw_dimension;
 use super::moving::{Moving, MovingBody, Scales, draw_vector};

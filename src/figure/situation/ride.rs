@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use crate::expr::Math;
-use crate::figure::body::Body;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role, Shape};
+use crate::body::Body;
+use crate::place::{Anchor, Canvas};
+use crate::surface::draw_surface;
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle, wedge};
 use super::dimension::draw_dimension;

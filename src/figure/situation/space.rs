@@ -1,14 +1,14 @@
 //! A body at a place in space, seen from a fixed point: the way there along the axes, in projection.
 
-use crate::expr::Math;
-use crate::figure::extent::Extent;
-use crate::figure::input::LabelledVector;
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role, Shape};
+use crate::extent::Extent;
+use crate::input::LabelledVector;
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 use super::central::draw_centre;
 use super::moving::{MovingBody, Scales, draw_vector};
-use crate::figure::body::Attach;
+use crate::body::Attach;
 
 /// The room in which the places are spread out.
 const ROOM: Point = Point::new(210.0, 200.0);

@@ -2,11 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::expr::Math;
-use crate::figure::body::{Attach, Body};
-use crate::figure::coil::{draw_cord, draw_support};
-use crate::figure::place::{Anchor, Canvas};
-use crate::figure::{Point, Role, Shape};
+use crate::body::{Attach, Body};
+use crate::coil::{draw_cord, draw_support};
+use crate::place::{Anchor, Canvas};
+use crate::{Point, Role, Shape};
+use momentous_expr::Math;
 
 use super::angle::{AngleMark, Vertex, draw_angle};
 use super::dimension::draw_dimension;

@@ -5,12 +5,12 @@ use std::cell::OnceCell;
 
 use dashu::base::Abs;
 
-use crate::quantity::MOST_TOLERANCES;
-use crate::quantity::Rational;
-use crate::quantity::Tolerance;
-use crate::quantity::Unit;
-use crate::quantity::first_place;
-use crate::quantity::unit_of_place;
+use momentous_quantity::MOST_TOLERANCES;
+use momentous_quantity::Rational;
+use momentous_quantity::Tolerance;
+use momentous_quantity::Unit;
+use momentous_quantity::first_place;
+use momentous_quantity::unit_of_place;
 
 use super::super::expected::ExpectedNumber;
 use super::super::number::Number;

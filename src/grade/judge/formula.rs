@@ -1,13 +1,13 @@
 //! A formula: equal to the right one as a function over the problem's range, never as a text.
 
-use crate::expr::Expr;
-use crate::quantity::UnitSystem;
-use crate::quantity::coherent_unit;
-use crate::quantity::dimension_name;
-use crate::solve::Bounded;
-use crate::solve::Precise;
-use crate::solve::Real;
-use crate::solve::Sign;
+use momentous_expr::Expr;
+use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
+use momentous_quantity::dimension_name;
+use momentous_solve::Bounded;
+use momentous_solve::Precise;
+use momentous_solve::Real;
+use momentous_solve::Sign;
 
 use super::super::expected::ExpectedFormula;
 use super::super::messages::Message;

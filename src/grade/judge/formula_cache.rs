@@ -57,8 +57,8 @@ mod tests {
     use super::super::super::messages::Message;
     use super::super::super::verdict::Verdict;
     use super::*;
-    use crate::expr::{Expr, SymbolEntry, SymbolTable};
-    use crate::quantity::Dimension;
+    use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+    use momentous_quantity::Dimension;
 
     #[test]
     fn equal_formulas_of_a_form_are_judged_once() {

@@ -1,8 +1,8 @@
 //! A number: judged in its unit, then by its figures.
 
-use crate::quantity::Factor;
-use crate::quantity::Unit;
-use crate::quantity::dimension_name;
+use momentous_quantity::Factor;
+use momentous_quantity::Unit;
+use momentous_quantity::dimension_name;
 
 use super::super::expected::{ExpectedNumber, Units};
 use super::super::messages::Message;

@@ -1,10 +1,10 @@
 //! Proofs by algebra that two formulas are equal, where they are short.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::equal_rational;
-use crate::expr::equal_where;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::equal_rational;
+use momentous_expr::equal_where;
+use momentous_quantity::Rational;
 
 use super::super::expected::ExpectedFormula;
 

@@ -1,6 +1,6 @@
 //! Slips of the decimal point: an answer that is right but for a power of ten.
 
-use crate::quantity::Dimension;
+use momentous_quantity::Dimension;
 
 use super::super::number::Number;
 use super::super::verdict::Verdict;

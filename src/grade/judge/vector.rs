@@ -1,9 +1,9 @@
 //! A vector: right where |v - t| <= tau |t|, and what is usual where it is not.
 
-use crate::quantity::Rational;
-use crate::quantity::Tolerance;
-use crate::quantity::Unit;
-use crate::quantity::dimension_name;
+use momentous_quantity::Rational;
+use momentous_quantity::Tolerance;
+use momentous_quantity::Unit;
+use momentous_quantity::dimension_name;
 
 use super::super::expected::{ExpectedVector, Units};
 use super::super::messages::Message;

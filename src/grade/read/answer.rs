@@ -1,8 +1,8 @@
 //! What was understood of an answer.
 
-use crate::expr::Expr;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
+use momentous_expr::Expr;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
 
 use super::super::number::Number;
 

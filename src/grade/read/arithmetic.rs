@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::number::Number;
 use super::doubtful;

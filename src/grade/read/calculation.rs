@@ -1,7 +1,7 @@
 //! Calculations with units: `600 m + 600 m`, `2 kg*(-1.6 m/s)`; and values in several units: `1 km 200 m`, `36°52'`.
 
-use crate::quantity::Rational;
-use crate::quantity::Unit;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
 
 use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};

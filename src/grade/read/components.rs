@@ -1,6 +1,6 @@
 //! A vector by its components, each with its own name or direction: `1.5 to the right and 2 down`, `px = 1.5, py = -2 N s`.
 
-use crate::quantity::Unit;
+use momentous_quantity::Unit;
 
 use super::super::expected::ExpectedVector;
 use super::answer::NumberAnswer;

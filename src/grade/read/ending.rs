@@ -1,7 +1,7 @@
 //! What stands behind a plain number, read once: people write few units and directions, behind many numbers.
 
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
 
 use super::super::number::Number;
 use super::answer::{Answer, NumberAnswer, Sense, Written, echo_number, join};
@@ -18,7 +18,7 @@ const LONGEST_ENDING: usize = 60;
 /// The endings that were read behind plain numbers as answers to one part. What an ending says does not depend on the number
 /// before it, but for its sign: `-3 m/s to the left` says the direction twice.
 #[derive(Clone, Debug, Default)]
-pub(in crate::grade) struct Endings(Vec<Known>);
+pub(crate) struct Endings(Vec<Known>);
 
 /// An ending, behind a number with that sign.
 #[derive(Clone, Debug)]
@@ -108,7 +108,7 @@ impl<'t> Plain<'t> {
 
 impl Endings {
     /// The answer, or why it cannot be read, and the one or the other in words, where the ending is known.
-    pub(in crate::grade) fn read(&self, text: &str, mark: DecimalMark) -> Option<(Result<Answer, Unreadable>, String)> {
+    pub(crate) fn read(&self, text: &str, mark: DecimalMark) -> Option<(Result<Answer, Unreadable>, String)> {
         let plain = Plain::of(text, mark)?;
         let known = self.0.iter().find(|known| known.sign == plain.sign && known.written == plain.ending)?;
         let ending = match &known.ending {
@@ -134,7 +134,7 @@ impl Endings {
     }
 
     /// Remembers the ending of an answer that was read, where it is one behind a plain number.
-    pub(in crate::grade) fn learn(&mut self, text: &str, mark: DecimalMark, answer: &Result<Answer, Unreadable>) {
+    pub(crate) fn learn(&mut self, text: &str, mark: DecimalMark, answer: &Result<Answer, Unreadable>) {
         let Some(plain) = Plain::of(text, mark) else { return };
         let ending = match answer {
             Ok(Answer::Number(answer)) => Ending::of(&plain, answer).map(Ok),

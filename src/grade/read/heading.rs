@@ -1,6 +1,6 @@
 //! Directions in the plane, as people write them: `40° below +x`, `36° N of E`, `S30°W`, `-40°`.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::expected::Frame;
 use super::super::expected::Reference;

@@ -1,6 +1,6 @@
 //! An interval or a condition: `0 < e <= 0.5`, `(0, 0.5]`, `at most 0.5`, `between 0 and 0.5`.
 
-use crate::quantity::Unit;
+use momentous_quantity::Unit;
 
 use super::super::expected::ExpectedInterval;
 use super::answer::{EndAnswer, IntervalAnswer, NumberAnswer};

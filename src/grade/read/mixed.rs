@@ -1,7 +1,7 @@
 //! What may stand behind the digits of a number: a fraction, as in `2 1/2` and `2½`, or a power of ten behind a space.
 
-use crate::quantity::Decimal;
-use crate::quantity::Rational;
+use momentous_quantity::Decimal;
+use momentous_quantity::Rational;
 
 use super::super::number::Number;
 use super::vulgar::of_character;

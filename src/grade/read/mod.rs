@@ -45,13 +45,13 @@ use super::expected::ExpectedKind;
 /// Of the part only its form is looked at: the unit and direction words, or the options; never the right value.
 ///
 /// ```
-/// use momentous::grade::{DecimalMark, ExpectedKind, read};
+/// use momentous_grade::{DecimalMark, ExpectedKind, read};
 /// let options = vec!["conserved".to_owned(), "not conserved".to_owned()];
 /// let asked = ExpectedKind::Choice { options, right: 0, because: String::new() };
 /// assert_eq!(read("(b)", &asked, DecimalMark::Point)?.echo(), "not conserved");
 /// let fault = read("maybe", &asked, DecimalMark::Point).unwrap_err();
 /// assert_eq!(fault.kind.code(), "no_option");
-/// # Ok::<(), momentous::grade::Unreadable>(())
+/// # Ok::<(), momentous_grade::Unreadable>(())
 /// ```
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::quantity::Unit;
+use momentous_quantity::Unit;
 
 use super::super::expected::ExpectedNumber;
 use super::answer::NumberAnswer;

@@ -3,8 +3,8 @@
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::quantity::Decimal;
-use crate::quantity::DecimalFault;
+use momentous_quantity::Decimal;
+use momentous_quantity::DecimalFault;
 
 use super::unreadable::UnreadableKind;
 

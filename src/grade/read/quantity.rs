@@ -1,6 +1,6 @@
 //! The answer to a part that asks for a number: a value, with what people write around it, or a direction in words.
 
-use crate::quantity::Unit;
+use momentous_quantity::Unit;
 
 use super::super::expected::ExpectedNumber;
 use super::super::expected::Reference;

@@ -1,7 +1,7 @@
 //! What people write around a number that says nothing of it: `v = about 3.2 m/s (2 s.f.)`; and numbers in words.
 
-use crate::quantity::Dimension;
-use crate::quantity::Rational;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
 
 use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};

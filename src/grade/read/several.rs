@@ -8,7 +8,7 @@ const BETWEEN: [&str; 8] = [" or ", " and ", ";", ", ", " oder ", " und ", " / "
 /// The values of an answer, each as a text of its own: a unit behind the last belongs to all, and `±` is both signs.
 ///
 /// ```
-/// use momentous::grade::read_several;
+/// use momentous_grade::read_several;
 /// assert_eq!(read_several("2 or -2 m/s"), ["2 m/s", "-2 m/s"]);
 /// assert_eq!(read_several("±2 m/s"), ["2 m/s", "-2 m/s"]);
 /// ```

@@ -1,8 +1,8 @@
 //! The unit behind a number, with what people write around it.
 
-use crate::quantity::Unit;
-use crate::quantity::UnitFault;
-use crate::quantity::UnitFaultKind;
+use momentous_quantity::Unit;
+use momentous_quantity::UnitFault;
+use momentous_quantity::UnitFaultKind;
 
 use super::arithmetic::begins_number;
 use super::plain::ENDS;

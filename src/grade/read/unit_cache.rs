@@ -4,9 +4,9 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use crate::quantity::Unit;
-use crate::quantity::UnitFault;
-use crate::quantity::UnitFaultKind;
+use momentous_quantity::Unit;
+use momentous_quantity::UnitFault;
+use momentous_quantity::UnitFaultKind;
 
 /// So many are remembered before all are forgotten.
 const MOST: usize = 256;

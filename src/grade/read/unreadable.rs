@@ -1,6 +1,6 @@
 //! Why an answer cannot be read.
 
-use crate::quantity::UnitFault;
+use momentous_quantity::UnitFault;
 
 /// An answer that cannot be read: what is wrong, and at which character. It is never marked, and costs no attempt.
 #[derive(Clone, Debug, PartialEq, Eq)]

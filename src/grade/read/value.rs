@@ -1,7 +1,7 @@
 //! A number with its unit and direction in plain characters, in whatever order people write them.
 
-use crate::quantity::Dimension;
-use crate::quantity::Unit;
+use momentous_quantity::Dimension;
+use momentous_quantity::Unit;
 
 use super::super::expected::ExpectedNumber;
 use super::super::number::Number;

@@ -1,7 +1,7 @@
 //! A vector: by its components, by unit vectors, or by magnitude and direction.
 
-use crate::quantity::Rational;
-use crate::quantity::Unit;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
 
 use super::super::expected::ExpectedVector;
 use super::super::number::Number;

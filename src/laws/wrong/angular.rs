@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

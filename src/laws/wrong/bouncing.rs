@@ -1,7 +1,7 @@
 //! Mistakes about bouncing.
 
-use crate::expr::Expr;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

@@ -1,8 +1,8 @@
 //! Mistakes about kinetic energy and its loss.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

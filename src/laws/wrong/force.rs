@@ -1,6 +1,6 @@
 //! Mistakes about forces over time.
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::Misconception;
 use super::Taught;

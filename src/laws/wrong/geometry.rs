@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

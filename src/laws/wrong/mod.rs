@@ -53,7 +53,7 @@ pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
 /// The mistake of that id.
 ///
 /// ```
-/// use momentous::laws::wrong::find;
+/// use momentous_laws::wrong::find;
 /// assert_eq!(find("restitution-inverted").map(|kind| kind.does), Some("divides by the coefficient of restitution"));
 /// ```
 #[must_use]

@@ -1,7 +1,7 @@
 //! Mistakes about motions that are given as functions.
 
-use crate::expr::Expr;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

@@ -1,7 +1,7 @@
 //! Mistakes about orbits.
 
-use crate::expr::Expr;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;
@@ -65,11 +65,11 @@ pub const PERIOD: &[WrongForm] =
 pub const SHAPE: &[WrongForm] = &[WrongForm { of: &ECCENTRICITY, write: |law| law.both(|side| unsquared(law, side)) }];
 
 /// A speed that counts with twice its square.
-fn speed(law: &Taught<'_>, symbol: crate::expr::Symbol) -> Option<Expr> {
+fn speed(law: &Taught<'_>, symbol: momentous_expr::Symbol) -> Option<Expr> {
     law.is(symbol, Dimension::VELOCITY).then(|| Expr::integer(2).sqrt() * Expr::from(symbol))
 }
 
-fn radius(law: &Taught<'_>, symbol: crate::expr::Symbol) -> Option<Expr> {
+fn radius(law: &Taught<'_>, symbol: momentous_expr::Symbol) -> Option<Expr> {
     law.is(symbol, Dimension::LENGTH).then(|| Expr::from(symbol).powi(2))
 }
 

@@ -1,9 +1,9 @@
 //! Mistakes about motion against a resistance.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::laws::Sides;
-use crate::quantity::Dimension;
+use crate::Sides;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

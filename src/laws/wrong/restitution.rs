@@ -1,9 +1,9 @@
 //! Mistakes about restitution.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::Sides;
-use crate::quantity::Dimension;
+use crate::Sides;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

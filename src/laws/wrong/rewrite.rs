@@ -1,10 +1,10 @@
 //! How wrong equations are written from right ones: terms left out, signs lost, factors exchanged.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::laws::Sides;
-use crate::quantity::Dimension;
+use crate::Sides;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_quantity::Dimension;
 
 use super::Taught;
 use super::Wrong;

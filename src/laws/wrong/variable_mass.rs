@@ -1,8 +1,8 @@
 //! Mistakes about streams and rockets.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;

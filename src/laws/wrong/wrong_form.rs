@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::SymbolTable;
-use crate::laws::Sides;
+use crate::Sides;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolTable;
 
 /// A common mistake, as a row of its chapter's table.
 #[derive(Debug)]

@@ -1,15 +1,15 @@
 //! Angular momentum about a fixed point or the centre of mass, and the moments of the forces of a push, or of weight in flight.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::mass_centre;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::Stage;
-use crate::scene::stage::Flight;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::mass_centre;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::stage::Flight;
 
 use super::super::ActingForce;
 use super::super::Builder;
@@ -114,7 +114,7 @@ pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -
 
 impl Builder<'_> {
     /// How a fixed point, or the centre of mass, is called in a sentence.
-    pub(in crate::model) fn centre(&self, about: &str) -> Option<String> {
+    pub(crate) fn centre(&self, about: &str) -> Option<String> {
         match about {
             MASS_CENTRE => Some("the centre of mass".to_owned()),
             point => self.scene.points.get(point).map(|entry| entry.name.clone()),
@@ -131,7 +131,7 @@ impl Builder<'_> {
     }
 
     /// Where a body is, seen from a fixed point or the centre of mass.
-    pub(in crate::model) fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
+    pub(crate) fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let from = |builder: &mut Self, axis: &Axis| match about {
             MASS_CENTRE => {

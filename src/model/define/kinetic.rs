@@ -1,14 +1,14 @@
 //! Kinetic energies, and what a stage loses.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::Law;
-use crate::laws::energy;
-use crate::scene::Stage;
-use crate::scene::stage::MassChange;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::Law;
+use momentous_laws::energy;
+use momentous_scene::Stage;
+use momentous_scene::stage::MassChange;
 
 use super::super::Because;
 use super::super::Builder;
@@ -158,12 +158,12 @@ impl Builder<'_> {
 
 impl Builder<'_> {
     /// The kinetic energy of a body as a term in the components that its impact has made.
-    pub(in crate::model) fn kinetic_of(&mut self, body: &str, instant: usize) -> Expr {
+    pub(crate) fn kinetic_of(&mut self, body: &str, instant: usize) -> Expr {
         self.kinetic_turned(body, instant).unwrap_or_else(|| self.kinetic_term(body, instant))
     }
 
     /// The kinetic energy of a body as a term in its velocity.
-    pub(in crate::model) fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
+    pub(crate) fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
         if let Some(turning) = self.kinetic_of_rotor(body, instant) {
             return turning;
         }

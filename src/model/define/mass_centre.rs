@@ -1,13 +1,13 @@
 //! The centre of mass: its place, its velocity, and how impulses from outside move it.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::kinematics;
-use crate::laws::mass_centre;
-use crate::laws::momentum;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::scene::stage::Separate;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::kinematics;
+use momentous_laws::mass_centre;
+use momentous_laws::momentum;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_scene::stage::Separate;
 
 use super::super::Agent;
 use super::super::Builder;

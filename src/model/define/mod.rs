@@ -11,15 +11,15 @@ mod spring;
 mod vector;
 mod velocity;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
-use crate::laws::force;
-use crate::laws::geometry;
-use crate::laws::kinematics;
-use crate::laws::momentum;
-use crate::scene::Axis;
-use crate::scene::Stage;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
+use momentous_laws::force;
+use momentous_laws::geometry;
+use momentous_laws::kinematics;
+use momentous_laws::momentum;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
 
 use super::Because;
 use super::Builder;
@@ -106,7 +106,7 @@ impl Builder<'_> {
     }
 
     /// The symbol of a name, taken apart.
-    pub(in crate::model) fn quantity(&mut self, mut name: Name) -> Option<Symbol> {
+    pub(crate) fn quantity(&mut self, mut name: Name) -> Option<Symbol> {
         if let Some(symbol) = self.symbols.find(&name.to_string()) {
             return Some(symbol);
         }

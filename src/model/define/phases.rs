@@ -1,11 +1,11 @@
 //! The two phases of an impact: the impulse of deformation until the bodies have one velocity, and that of restitution.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::restitution;
-use crate::quantity::Dimension;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::restitution;
+use momentous_quantity::Dimension;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
 
 use super::super::Builder;
 use super::super::Name;
@@ -38,7 +38,7 @@ pub(super) fn restoring(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol
     let deformation = deformation(builder, name)?;
     let symbol = impulse(builder, stage, QuantityKind::RestitutionImpulse, "restitution");
     let Some(Stage::Impact(impact)) = builder.scene.stages.get(stage) else { return None };
-    let path = crate::fault::Path::root().key("scene").key("stages").index(stage).key("impact").key("restitution");
+    let path = momentous_fault::Path::root().key("scene").key("stages").index(stage).key("impact").key("restitution");
     let e = match &impact.restitution {
         Some(term) => builder.restitution_coefficient(term, &path),
         None => impact.elastic.then(Expr::one)?,
@@ -119,7 +119,7 @@ impl Builder<'_> {
             // Along the outward normal a body comes with a negative velocity: its impulse is counted from the surface.
             Partners::Surface(body, surface) => {
                 let velocity = scene.surfaces.get(surface).and_then(|entry| entry.velocity.clone());
-                let path = crate::fault::Path::root().key("scene").key("surfaces").key(surface).key("velocity");
+                let path = momentous_fault::Path::root().key("scene").key("surfaces").key(surface).key("velocity");
                 let moves = velocity.map_or_else(Expr::zero, |term| self.read(&term, Dimension::VELOCITY, "", &path));
                 let before = [along(self, body), moves];
                 Some(Deformed { masses: [Some(-self.mass_at(body, stage + 1)), None], before })

@@ -1,9 +1,9 @@
 //! Motion as seen from the centre of mass.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::energy;
-use crate::laws::mass_centre;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::energy;
+use momentous_laws::mass_centre;
 
 use super::super::Builder;
 use super::super::Name;

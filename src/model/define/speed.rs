@@ -1,9 +1,9 @@
 //! Speed and direction of a body, related to whichever components its velocity has.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::laws::geometry;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_laws::geometry;
 
 use super::super::Builder;
 use super::super::Name;

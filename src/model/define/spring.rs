@@ -1,8 +1,8 @@
 //! The energy that a spring stores.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::energy;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::energy;
 
 use super::super::Because;
 use super::super::Builder;

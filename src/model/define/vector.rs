@@ -1,10 +1,10 @@
 //! Magnitudes of vectors and angles between them: `magnitude(H_O1)`, `angle(v_A2, v_B2)`, `angle(v_A1, +z)`.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::laws::geometry;
-use crate::quantity::Dimension;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_laws::geometry;
+use momentous_quantity::Dimension;
 
 use super::super::Builder;
 use super::super::Instant;

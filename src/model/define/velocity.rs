@@ -1,7 +1,7 @@
 //! The velocity of a body or of the centre of mass, as its components along the axes or those about a centre.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
 
 use super::super::Builder;
 use super::super::Name;

@@ -1,24 +1,24 @@
 //! Forces along the path of particles on an arm, and the pull that holds them on their circles.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::force;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Instant;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::wording;
-use crate::quantity::Dimension;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Arm;
-use crate::scene::stage::Rotate;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Instant;
+use crate::Name;
+use crate::QuantityKind;
+use crate::wording;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::force;
+use momentous_quantity::Dimension;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Arm;
+use momentous_scene::stage::Rotate;
 
 /// A force along the path of a particle, read.
 pub(super) struct Along<'a> {
@@ -108,12 +108,12 @@ fn holding<'s>(scene: &'s Scene, name: &Name) -> Option<(&'s Rotate, &'s Arm, us
 }
 
 /// Whether a name is the pull on a particle that an arm or a string holds.
-pub(in crate::model) fn is_holding_pull(scene: &Scene, name: &Name) -> bool {
+pub(crate) fn is_holding_pull(scene: &Scene, name: &Name) -> bool {
     holding(scene, name).is_some()
 }
 
 /// The pull that holds a particle on its circle.
-pub(in crate::model) fn holding_pull(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+pub(crate) fn holding_pull(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let scene = builder.scene;
     let (stage, arm, side) = holding(scene, name)?;

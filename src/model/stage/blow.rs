@@ -1,20 +1,20 @@
 //! A blow of unknown history: impulse and momentum along every axis.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::momentum;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::weight_in_contact::Lasting;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::stage::Blow;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::Name;
+use crate::QuantityKind;
+use crate::weight_in_contact::Lasting;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::momentum;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::stage::Blow;
 
 impl Builder<'_> {
-    pub(in crate::model) fn blow(&mut self, index: usize, stage: &Blow, path: &Path) {
+    pub(crate) fn blow(&mut self, index: usize, stage: &Blow, path: &Path) {
         let body = stage.body.as_str();
         let name = self.called(body);
         let mass = self.mass(body);

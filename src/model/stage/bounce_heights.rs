@@ -1,17 +1,17 @@
 //! Heights of bounces by their numbers, after a drop: `h_1`, `h_2`.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
-use crate::laws::bouncing;
-use crate::model::Builder;
-use crate::model::Instant;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::wording::counted;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Bounces;
+use crate::Builder;
+use crate::Instant;
+use crate::Name;
+use crate::QuantityKind;
+use crate::wording::counted;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
+use momentous_laws::bouncing;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Bounces;
 
 /// Whether the height of a drop says how the body arrives: of the fall just before, or `h_0`.
 pub(super) fn is_dropped(scene: &Scene, index: usize, stage: &Bounces) -> bool {
@@ -32,7 +32,7 @@ fn of_heights(scene: &Scene) -> Option<(usize, &Bounces)> {
 }
 
 /// Whether it is the height after a bounce, by its number.
-pub(in crate::model) fn is_height_of_a_bounce(scene: &Scene, name: &Name) -> bool {
+pub(crate) fn is_height_of_a_bounce(scene: &Scene, name: &Name) -> bool {
     number(name).is_some() && of_heights(scene).is_some()
 }
 
@@ -46,7 +46,7 @@ fn number(name: &Name) -> Option<usize> {
 }
 
 /// The height after a bounce, by the height of the drop and by those of other bounces.
-pub(in crate::model) fn height_of_a_bounce(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+pub(crate) fn height_of_a_bounce(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let own = number(name)?;
     let (index, stage) = of_heights(builder.scene)?;
     let path = Path::root().key("scene").key("stages").index(index).key("bounces").key("restitution");

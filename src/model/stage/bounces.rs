@@ -1,19 +1,19 @@
 //! Repeated bounces of a body that was dropped on a level floor, in closed form.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::Law;
-use crate::laws::bouncing;
-use crate::laws::kinematics;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Influence;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::Stage;
-use crate::scene::stage::Bounces;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::Influence;
+use crate::Name;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::Law;
+use momentous_laws::bouncing;
+use momentous_laws::kinematics;
+use momentous_quantity::Dimension;
+use momentous_scene::Stage;
+use momentous_scene::stage::Bounces;
 
 use super::bounce_heights::is_dropped;
 
@@ -28,7 +28,7 @@ pub(super) fn at_bounce(kind: QuantityKind) -> Name {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn bounces(&mut self, index: usize, stage: &Bounces, path: &Path) {
+    pub(crate) fn bounces(&mut self, index: usize, stage: &Bounces, path: &Path) {
         let e = self.restitution_coefficient(&stage.restitution, &path.key("restitution"));
         let count = stage
             .count

@@ -1,20 +1,20 @@
 //! Repeated bounces of a body that arrives somehow on a smooth floor, level or sloping.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
-use crate::laws::Law;
-use crate::laws::bouncing;
-use crate::laws::momentum;
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::incline::Fall;
-use crate::model::stage::bounces::{COUNTED, IN_ALL, at_bounce};
-use crate::scene::Axis;
-use crate::scene::stage::Bounces;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::incline::Fall;
+use crate::stage::bounces::{COUNTED, IN_ALL, at_bounce};
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
+use momentous_laws::Law;
+use momentous_laws::bouncing;
+use momentous_laws::momentum;
+use momentous_scene::Axis;
+use momentous_scene::stage::Bounces;
+use momentous_solve::Relation;
 
 /// The bounces of one body: how it arrives, and what acts on it between.
 struct Bouncing<'a> {

@@ -1,29 +1,29 @@
 //! A body inside a smooth cone or bowl: angular momentum about the axis, and energy.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::energy;
-use crate::laws::geometry;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::VectorKind;
-use crate::model::builder::SECOND_COST;
-use crate::quantity::Dimension;
-use crate::scene::Point;
-use crate::scene::stage::Bowl;
-use crate::scene::stage::UpOrDown;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::VectorKind;
+use crate::builder::SECOND_COST;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::energy;
+use momentous_laws::geometry;
+use momentous_quantity::Dimension;
+use momentous_scene::Point;
+use momentous_scene::stage::Bowl;
+use momentous_scene::stage::UpOrDown;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn bowl(&mut self, index: usize, stage: &Bowl, path: &Path) {
+    pub(crate) fn bowl(&mut self, index: usize, stage: &Bowl, path: &Path) {
         let body = stage.body.as_str();
         let (name, centre) = (self.called(body), self.point(&stage.about));
         let states = [index + 1, index + 2].map(|instant| self.polar_state(body, &stage.about, instant));

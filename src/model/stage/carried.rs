@@ -1,26 +1,26 @@
 //! A body that rises or sinks on another one which gives way: momentum along the level axis, and the energy of both.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::kinematics;
-use crate::laws::momentum;
-use crate::laws::separation;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Reason;
-use crate::quantity::Dimension;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage::Halt;
-use crate::scene::stage::Place;
-use crate::scene::stage::Slide;
-use crate::scene::stage::Swing;
-use crate::scene::stage::UpOrDown;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Reason;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::kinematics;
+use momentous_laws::momentum;
+use momentous_laws::separation;
+use momentous_quantity::Dimension;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage::Halt;
+use momentous_scene::stage::Place;
+use momentous_scene::stage::Slide;
+use momentous_scene::stage::Swing;
+use momentous_scene::stage::UpOrDown;
+use momentous_solve::Relation;
 
 use super::swing::End;
 

@@ -1,23 +1,23 @@
 //! Motion under a central force, in polar components.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::energy;
-use crate::model::Builder;
-use crate::model::Influence;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::Work;
-use crate::model::stored::Stored;
-use crate::quantity::Dimension;
-use crate::scene::stage::Central;
-use crate::scene::stage::CentralSpring;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Influence;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::Work;
+use crate::stored::Stored;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::energy;
+use momentous_quantity::Dimension;
+use momentous_scene::stage::Central;
+use momentous_scene::stage::CentralSpring;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn central(&mut self, index: usize, stage: &Central, path: &Path) {
+    pub(crate) fn central(&mut self, index: usize, stage: &Central, path: &Path) {
         let (body, point) = (stage.body.as_str(), stage.about.as_str());
         let centre = self.point(point);
         let name = self.called(body);
@@ -114,12 +114,12 @@ impl Builder<'_> {
     }
 
     /// How a point is called in a sentence.
-    pub(in crate::model) fn point(&self, point: &str) -> String {
+    pub(crate) fn point(&self, point: &str) -> String {
         self.scene.points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
     }
 
     /// Radius and transverse velocity of a body at an instant.
-    pub(in crate::model) fn polar_state(&mut self, body: &str, point: &str, instant: usize) -> (Expr, Expr) {
+    pub(crate) fn polar_state(&mut self, body: &str, point: &str, instant: usize) -> (Expr, Expr) {
         let since = self.timeline.naming_instant(body, instant);
         let (name, centre, when) = (self.called(body), self.point(point), self.when(since));
         let radius = self.positive(

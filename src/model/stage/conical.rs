@@ -1,26 +1,26 @@
 //! A conical pendulum whose cord is drawn in: steady circles before and after, and angular momentum about the vertical.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::force;
-use crate::laws::geometry;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::VectorKind;
-use crate::model::builder::SECOND_COST;
-use crate::quantity::Dimension;
-use crate::scene::Term;
-use crate::scene::stage::Conical;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::VectorKind;
+use crate::builder::SECOND_COST;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::force;
+use momentous_laws::geometry;
+use momentous_quantity::Dimension;
+use momentous_scene::Term;
+use momentous_scene::stage::Conical;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn conical(&mut self, index: usize, stage: &Conical, path: &Path) {
+    pub(crate) fn conical(&mut self, index: usize, stage: &Conical, path: &Path) {
         let (name, centre) = (self.called(&stage.body), self.point(&stage.about));
         let ends = stage.length.ends();
         let momenta = [0, 1].map(|side| self.steady_circle(index, side, stage, ends[side], path));

@@ -1,24 +1,24 @@
 //! Two bodies on a taut string over a pulley: impulse and momentum, work and energy along the string.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::kinematics;
-use crate::laws::momentum;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::Work;
-use crate::quantity::Dimension;
-use crate::scene::stage::Connected;
-use crate::scene::stage::MOST_STRANDS;
-use crate::scene::stage::Strand;
-use crate::scene::stage::Until;
-use crate::solve::Relation;
+use crate::Because;
+use crate::Builder;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::Work;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::kinematics;
+use momentous_laws::momentum;
+use momentous_quantity::Dimension;
+use momentous_scene::stage::Connected;
+use momentous_scene::stage::MOST_STRANDS;
+use momentous_scene::stage::Strand;
+use momentous_scene::stage::Until;
+use momentous_solve::Relation;
 
 /// One end of the string.
 struct Side {
@@ -40,7 +40,7 @@ impl Side {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn connected(&mut self, index: usize, stage: &Connected, path: &Path) {
+    pub(crate) fn connected(&mut self, index: usize, stage: &Connected, path: &Path) {
         let stops = stage.until == Some(Until::Rest);
         let trailing = self.strand(index, &stage.trailing, -1, stops, &path.key("trailing"));
         let leading = self.strand(index, &stage.leading, 1, stops, &path.key("leading"));

@@ -2,19 +2,19 @@
 
 #![deny(clippy::wildcard_enum_match_arm)]
 
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Partners;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Ends;
+use momentous_scene::stage::Partners;
 
 /// A body that a stage names, and the key under which it does; none where that is the stage itself.
 type Named<'a> = (&'a str, Option<&'static str>);
 
 /// The key under which a stage names a body that turns about its point.
-pub(in crate::model) const ROTOR: &str = "rotor";
+pub(crate) const ROTOR: &str = "rotor";
 
 /// A stage as the rest of the room sees it.
-pub(in crate::model) struct Description<'a> {
+pub(crate) struct Description<'a> {
     /// What it is called.
     pub noun: &'a str,
     /// How its start and its end are said.
@@ -35,7 +35,7 @@ pub(in crate::model) struct Description<'a> {
 
 /// How the start and the end of a stage are said.
 #[derive(Clone, Copy)]
-pub(in crate::model) enum Span<'a> {
+pub(crate) enum Span<'a> {
     /// Just before and just after it.
     Sudden,
     /// At its start and at its end.
@@ -50,7 +50,7 @@ pub(in crate::model) enum Span<'a> {
 
 /// Whose place a stage leaves as it was.
 #[derive(Clone, Copy)]
-pub(in crate::model) enum Leaves {
+pub(crate) enum Leaves {
     /// That of every body.
     All,
     /// That of the bodies that it does not name.
@@ -62,7 +62,7 @@ pub(in crate::model) enum Leaves {
 impl<'a> Description<'a> {
     /// The description of a stage.
     #[allow(clippy::too_many_lines, reason = "one arm for each kind of stage")]
-    pub(in crate::model) fn of(scene: &'a Scene, stage: &'a Stage) -> Self {
+    pub(crate) fn of(scene: &'a Scene, stage: &'a Stage) -> Self {
         match stage {
             Stage::Impact(own) => Self {
                 bodies: match own.partners() {
@@ -219,12 +219,12 @@ impl<'a> Description<'a> {
     }
 
     /// The bodies whose velocities it changes.
-    pub(in crate::model) fn changed(&self) -> Vec<&'a str> {
+    pub(crate) fn changed(&self) -> Vec<&'a str> {
         self.changes.clone().unwrap_or_else(|| self.bodies.iter().map(|(body, _)| *body).collect())
     }
 
     /// Whether a body stays where it was.
-    pub(in crate::model) fn leaves(&self, body: &str) -> bool {
+    pub(crate) fn leaves(&self, body: &str) -> bool {
         match self.leaves {
             Leaves::All => true,
             Leaves::Others => self.bodies.iter().all(|(own, _)| *own != body),

@@ -2,19 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::model::Builder;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::stage::Drift;
+use crate::Builder;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::stage::Drift;
 
 impl Builder<'_> {
-    pub(in crate::model) fn drift(&mut self, index: usize, stage: &Drift, path: &Path) {
+    pub(crate) fn drift(&mut self, index: usize, stage: &Drift, path: &Path) {
         let phrase = self.stage_phrase(index);
         let meaning = format!("the duration of {phrase}");
         let time = match &stage.during {

@@ -1,20 +1,20 @@
 //! Free fall through a height.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::stage::Fall;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::stage::Fall;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn fall(&mut self, index: usize, stage: &Fall, path: &Path) {
+    pub(crate) fn fall(&mut self, index: usize, stage: &Fall, path: &Path) {
         let body = stage.body.as_str();
         let name = self.called(body);
         let phrase = self.stage_phrase(index);
@@ -29,7 +29,7 @@ impl Builder<'_> {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let Some(down) = *down else {
                 let because = format!("weight has no component along {}", axis.letter());
-                self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because, (after, before));
+                self.law(&momentous_laws::momentum::NO_IMPULSE, Some(index), because, (after, before));
                 continue;
             };
             let because = format!("weight is the only force on {name} during {phrase}");

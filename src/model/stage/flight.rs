@@ -1,30 +1,30 @@
 //! Free flight: velocities and places at the end from those at the start.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::incline::Fall;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage::Flight;
-use crate::scene::stage::Resistance;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::incline::Fall;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage::Flight;
+use momentous_scene::stage::Resistance;
+use momentous_solve::Relation;
 
 use super::resisted::Resisted;
 
 impl Builder<'_> {
-    pub(in crate::model) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
+    pub(crate) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
         let time = self.flight_time(index, stage);
         self.lasting[index] = Some(time.clone());
         let bodies: Vec<&str> = stage.flying().collect();
@@ -64,7 +64,7 @@ impl Builder<'_> {
     }
 
     /// How long a flight lasts.
-    pub(in crate::model) fn flight_time(&mut self, index: usize, stage: &Flight) -> Expr {
+    pub(crate) fn flight_time(&mut self, index: usize, stage: &Flight) -> Expr {
         let meaning = format!("the duration of {}", self.stage_phrase(index));
         let path = Path::root().key("scene").key("stages").index(index).key("flight").key("during");
         match &stage.during {
@@ -102,7 +102,7 @@ impl Builder<'_> {
             let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
             let Some(gravity) = self.accelerates(position, falls) else {
                 let because = format!("no force acts on {name}{along}");
-                self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because.clone(), (after, before.clone()));
+                self.law(&momentous_laws::momentum::NO_IMPULSE, Some(index), because.clone(), (after, before.clone()));
                 let sides = kinematics::uniform(&from, &before, time, &to);
                 self.law(&kinematics::UNIFORM, Some(index), because, sides);
                 weight.push(Expr::zero());
@@ -146,7 +146,7 @@ impl Builder<'_> {
     }
 
     /// What is so at the end: the top of the path, or a place; `moved` says where a body then is, if that is to be put in.
-    pub(in crate::model) fn end_of_flight(
+    pub(crate) fn end_of_flight(
         &mut self,
         index: usize,
         bodies: &[&str],

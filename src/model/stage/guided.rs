@@ -1,15 +1,15 @@
 //! Impacts in which a body is guided: a ball and a wedge on rails, a ball and a sphere on a cord.
 
-use crate::expr::Expr;
-use crate::laws::momentum;
-use crate::laws::restitution;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::scene::Axis;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::QuantityKind;
+use crate::Reason;
+use momentous_expr::Expr;
+use momentous_laws::momentum;
+use momentous_laws::restitution;
+use momentous_scene::Axis;
+use momentous_solve::Relation;
 
 use super::impact::Contact;
 

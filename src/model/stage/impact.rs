@@ -1,29 +1,29 @@
 //! Impacts of two bodies.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::momentum;
-use crate::laws::restitution;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::directions::Split;
-use crate::model::frame::Frame;
-use crate::model::weight_in_contact::Lasting;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::Term;
-use crate::scene::stage::Impact;
-use crate::scene::stage::Partners;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::directions::Split;
+use crate::frame::Frame;
+use crate::weight_in_contact::Lasting;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::momentum;
+use momentous_laws::restitution;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::Term;
+use momentous_scene::stage::Impact;
+use momentous_scene::stage::Partners;
+use momentous_solve::Relation;
 
 /// What is the same for both bodies of an impact.
 pub(super) struct Contact<'a> {
@@ -33,7 +33,7 @@ pub(super) struct Contact<'a> {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn impact(&mut self, index: usize, stage: &Impact, path: &Path) {
+    pub(crate) fn impact(&mut self, index: usize, stage: &Impact, path: &Path) {
         let contact = Contact { index, stage, path };
         if self.scene.plane == Plane::Vertical && stage.include.is_empty() {
             self.neglect(
@@ -332,7 +332,7 @@ impl Builder<'_> {
     }
 
     /// The coefficient of restitution: between 0 and 1.
-    pub(in crate::model) fn restitution_coefficient(&mut self, term: &Term, path: &Path) -> Expr {
+    pub(crate) fn restitution_coefficient(&mut self, term: &Term, path: &Path) -> Expr {
         let e = self.read(term, Dimension::NONE, "the coefficient of restitution", path);
         self.require(e.clone(), Relation::AtLeast, Expr::zero(), Reason::NegativeRestitution);
         self.require(e.clone(), Relation::AtMost, Expr::one(), Reason::RestitutionAboveOne);
@@ -348,7 +348,7 @@ impl Builder<'_> {
     }
 
     /// The average force of an impulse, where a duration is used.
-    pub(in crate::model) fn mean_force(
+    pub(crate) fn mean_force(
         &mut self,
         index: usize,
         body: &str,
@@ -367,13 +367,13 @@ impl Builder<'_> {
     }
 
     /// The name of a quantity of a stage.
-    pub(in crate::model) fn in_stage(&self, kind: QuantityKind, subject: &str, index: usize) -> Name {
+    pub(crate) fn in_stage(&self, kind: QuantityKind, subject: &str, index: usize) -> Name {
         Name::of(kind, subject).during(self.stage_label(index))
     }
 
     /// What tells the impulses of several stages apart in their names.
-    pub(in crate::model) fn stage_label(&self, index: usize) -> Option<String> {
-        let own = || self.scene.stages.get(index).and_then(crate::scene::Stage::name).map(str::to_owned);
+    pub(crate) fn stage_label(&self, index: usize) -> Option<String> {
+        let own = || self.scene.stages.get(index).and_then(momentous_scene::Stage::name).map(str::to_owned);
         (self.scene.stages.len() > 1).then(|| own().unwrap_or_else(|| (index + 1).to_string()))
     }
 }

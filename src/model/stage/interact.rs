@@ -1,23 +1,23 @@
 //! Bodies that act on each other only: momentum and angular momentum of all of them.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::energy;
-use crate::laws::mass_centre;
-use crate::laws::momentum;
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::stage::Interact;
+use crate::Builder;
+use crate::Name;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::energy;
+use momentous_laws::mass_centre;
+use momentous_laws::momentum;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::stage::Interact;
 
 impl Builder<'_> {
-    pub(in crate::model) fn interact(&mut self, index: usize, stage: &Interact, path: &Path) {
+    pub(crate) fn interact(&mut self, index: usize, stage: &Interact, path: &Path) {
         if self.scene.plane == Plane::Vertical {
             let fault = Fault::new(Code::Value, "in a vertical plane, weight is an external force on the bodies");
             self.faults.push(fault.help("write `plane: horizontal`").at_path(path.clone()));

@@ -48,30 +48,30 @@ mod thrust_motion;
 mod tow;
 mod walk;
 
-pub(in crate::model) use along_path::holding_pull;
-pub(in crate::model) use along_path::is_holding_pull;
-pub(in crate::model) use bounce_heights::height_of_a_bounce;
-pub(in crate::model) use bounce_heights::is_height_of_a_bounce;
-pub(in crate::model) use described::Description;
-pub(in crate::model) use described::ROTOR;
-pub(in crate::model) use described::Span;
-pub(in crate::model) use push::{Acting, Pushed};
-pub(in crate::model) use push_system::pushing;
-pub(in crate::model) use push_system::total_impulse;
-pub(in crate::model) use rotate::angular_impulse_by_name;
+pub(crate) use along_path::holding_pull;
+pub(crate) use along_path::is_holding_pull;
+pub(crate) use bounce_heights::height_of_a_bounce;
+pub(crate) use bounce_heights::is_height_of_a_bounce;
+pub(crate) use described::Description;
+pub(crate) use described::ROTOR;
+pub(crate) use described::Span;
+pub(crate) use push::{Acting, Pushed};
+pub(crate) use push_system::pushing;
+pub(crate) use push_system::total_impulse;
+pub(crate) use rotate::angular_impulse_by_name;
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_solve::Relation;
 
 use super::Builder;
 use super::Reason;
 
 impl Builder<'_> {
     /// Adds the equations of every stage, in order.
-    pub(in crate::model) fn stages(&mut self) {
+    pub(crate) fn stages(&mut self) {
         self.masses_by_name();
         self.inertias_by_name();
         let scene = self.scene;

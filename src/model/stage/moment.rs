@@ -1,20 +1,20 @@
 //! A moment about a fixed point or the centre of mass: the angular momentum of all bodies before and after.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Work;
-use crate::quantity::Dimension;
-use crate::scene::Strength;
-use crate::scene::stage::Moment;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Work;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_quantity::Dimension;
+use momentous_scene::Strength;
+use momentous_scene::stage::Moment;
 
 impl Builder<'_> {
-    pub(in crate::model) fn moment(&mut self, index: usize, stage: &Moment, path: &Path) {
+    pub(crate) fn moment(&mut self, index: usize, stage: &Moment, path: &Path) {
         let Some(centre) = self.centre(&stage.about) else { return };
         self.counts_turns("a moment", &path.key("value"));
         let (start, end) = self.duration(index, &stage.during, &path.key("during"));
@@ -29,7 +29,7 @@ impl Builder<'_> {
             }
             (value, [_, _]) => vec![(None, self.strength(value, Dimension::ENERGY, &meaning, &at))],
             _ => {
-                let fault = crate::fault::Fault::new(crate::fault::Code::Value, "a moment in space is a vector");
+                let fault = momentous_fault::Fault::new(momentous_fault::Code::Value, "a moment in space is a vector");
                 self.faults.push(fault.help("write its components: `value: { x: 3 N*m, z: M }`").at_path(at));
                 return;
             }

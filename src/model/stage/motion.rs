@@ -1,22 +1,22 @@
 //! Motions given as functions: what the velocity is at both ends, how far the body moves, and what acts on it.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::force;
-use crate::laws::momentum;
-use crate::laws::motion;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Integral;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::stage::Motion;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Integral;
+use crate::Name;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::force;
+use momentous_laws::momentum;
+use momentous_laws::motion;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::stage::Motion;
 
 /// One component of a motion.
 struct Course {
@@ -31,7 +31,7 @@ struct Course {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn motion(&mut self, index: usize, stage: &Motion, path: &Path) {
+    pub(crate) fn motion(&mut self, index: usize, stage: &Motion, path: &Path) {
         let clock = self.running_time();
         let times = match &stage.during {
             Some(during) => self.duration(index, during, &path.key("during")).into(),

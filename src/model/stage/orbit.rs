@@ -1,15 +1,15 @@
 //! The gravity of a fixed centre: energy from place to place, the shape of the orbit, the time along it.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::laws::orbit;
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::stage::Central;
-use crate::scene::stage::Orbit;
+use crate::Builder;
+use crate::Name;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_laws::orbit;
+use momentous_quantity::Dimension;
+use momentous_scene::stage::Central;
+use momentous_scene::stage::Orbit;
 
 /// Gravity's parameter GM.
 const PARAMETER: Dimension = Dimension::new(0, 3, -2);
@@ -27,7 +27,7 @@ struct Round<'a> {
 
 impl Builder<'_> {
     /// The equations of an orbit, and gravity's parameter.
-    pub(in crate::model) fn orbit(&mut self, index: usize, stage: &Central, path: &Path) -> Option<Expr> {
+    pub(crate) fn orbit(&mut self, index: usize, stage: &Central, path: &Path) -> Option<Expr> {
         let term = stage.gravity.as_ref()?;
         let (body, name, centre) = (stage.body.as_str(), self.called(&stage.body), self.point(&stage.about));
         let meaning = format!("gravity's parameter GM of {centre}");

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::guide::dot;
-use crate::scene::Axis;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::guide::dot;
+use momentous_scene::Axis;
+use momentous_solve::Relation;
 
 use super::impact::Contact;
 

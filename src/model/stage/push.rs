@@ -1,39 +1,39 @@
 //! Forces of known law over a time: their impulses, weight, and friction with its normal force.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::momentum;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Integral;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::forces::Acts;
-use crate::model::frame::Direction;
-use crate::model::incline::Incline;
-use crate::model::strength::through;
-use crate::model::wording;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Force;
-use crate::scene::Plane;
-use crate::scene::Pull;
-use crate::scene::Strength;
-use crate::scene::stage::During;
-use crate::scene::stage::Push;
-use crate::scene::stage::ToldBy;
-use crate::scene::stage::Until;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::Integral;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::forces::Acts;
+use crate::frame::Direction;
+use crate::incline::Incline;
+use crate::strength::through;
+use crate::wording;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::momentum;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Force;
+use momentous_scene::Plane;
+use momentous_scene::Pull;
+use momentous_scene::Strength;
+use momentous_scene::stage::During;
+use momentous_scene::stage::Push;
+use momentous_scene::stage::ToldBy;
+use momentous_scene::stage::Until;
+use momentous_solve::Relation;
 
 /// A force of a push, read.
-pub(in crate::model) struct Acting {
+pub(crate) struct Acting {
     pub name: String,
     pub strength: Expr,
     pub direction: Direction,
@@ -42,7 +42,7 @@ pub(in crate::model) struct Acting {
 }
 
 /// What is the same all through a push.
-pub(in crate::model) struct Pushed<'a> {
+pub(crate) struct Pushed<'a> {
     pub index: usize,
     pub body: &'a str,
     pub acting: Vec<Acting>,
@@ -57,7 +57,7 @@ pub(in crate::model) struct Pushed<'a> {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn push(&mut self, index: usize, stage: &Push, path: &Path) {
+    pub(crate) fn push(&mut self, index: usize, stage: &Push, path: &Path) {
         let clock = self.running_time();
         let (start, end) = match &stage.during {
             Some(during) => self.duration(index, during, &path.key("during")),
@@ -218,7 +218,7 @@ impl Builder<'_> {
     }
 
     /// The part of the weight along the axis.
-    pub(in crate::model) fn weight_on_slope(&mut self, body: &str, incline: &Incline) -> Expr {
+    pub(crate) fn weight_on_slope(&mut self, body: &str, incline: &Incline) -> Expr {
         if incline.is_level() {
             return Expr::zero();
         }
@@ -226,7 +226,7 @@ impl Builder<'_> {
     }
 
     /// Work and energy over a distance of motion along the axis.
-    pub(in crate::model) fn push_over(
+    pub(crate) fn push_over(
         &mut self,
         pushed: &Pushed<'_>,
         forces: Vec<Expr>,
@@ -245,20 +245,14 @@ impl Builder<'_> {
         self.moves_along(pushed.index, pushed.body, [&before, &end]);
     }
     /// The impulse of weight along the axis of that position, in a vertical plane.
-    pub(in crate::model) fn weight_impulse(
-        &mut self,
-        mass: &Expr,
-        position: usize,
-        start: &Expr,
-        end: &Expr,
-    ) -> Option<Expr> {
+    pub(crate) fn weight_impulse(&mut self, mass: &Expr, position: usize, start: &Expr, end: &Expr) -> Option<Expr> {
         let down = self.downwards(position)?;
         let gravity = self.gravity();
         Some(Expr::product([Expr::integer(down), mass.clone(), gravity, end.clone() - start.clone()]))
     }
 
     /// Whether the axis of that position points down (1) or up (-1), where weight acts in the plane of the scene.
-    pub(in crate::model) fn downwards(&self, position: usize) -> Option<i64> {
+    pub(crate) fn downwards(&self, position: usize) -> Option<i64> {
         if self.scene.plane == Plane::Horizontal {
             return None;
         }
@@ -266,12 +260,12 @@ impl Builder<'_> {
     }
 
     /// Whether weight has a component along some axis.
-    pub(in crate::model) fn weight_has_a_component(&self) -> bool {
+    pub(crate) fn weight_has_a_component(&self) -> bool {
         (0..self.axes.len()).any(|position| self.downwards(position).is_some())
     }
 
     /// Start and end of a stage's own clock.
-    pub(in crate::model) fn duration(&mut self, index: usize, during: &During, path: &Path) -> (Expr, Expr) {
+    pub(crate) fn duration(&mut self, index: usize, during: &During, path: &Path) -> (Expr, Expr) {
         let phrase = self.stage_phrase(index);
         match during {
             During::For(term) => {
@@ -295,7 +289,7 @@ impl Builder<'_> {
     }
 
     /// Two times of which the second must not lie before the first.
-    pub(in crate::model) fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: Reason) {
+    pub(crate) fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: Reason) {
         if earlier.is_zero() {
             return;
         }
@@ -303,7 +297,7 @@ impl Builder<'_> {
     }
 
     /// A force whose law ends at some time is not known after it, so the stage must not last longer.
-    pub(in crate::model) fn told_throughout(&mut self, name: &str, strength: &Expr, end: &Expr) {
+    pub(crate) fn told_throughout(&mut self, name: &str, strength: &Expr, end: &Expr) {
         let Expr::Piecewise(pieces) = strength else { return };
         if let Some((Some(last), _)) = pieces.pieces.last() {
             self.in_order(end, last, Reason::OutlastsForce(name.to_owned()));
@@ -311,7 +305,7 @@ impl Builder<'_> {
     }
 
     /// The number zero for a value that the author wrote as `0 s`, so that nothing is carried along that is not there.
-    pub(in crate::model) fn zero_if_so_written(&self, value: Expr) -> Expr {
+    pub(crate) fn zero_if_so_written(&self, value: Expr) -> Expr {
         let zero = self.literals.iter().any(|(own, written)| Expr::from(*own) == value && written.value.is_zero());
         if zero { Expr::zero() } else { value }
     }
@@ -355,13 +349,7 @@ impl Builder<'_> {
     }
 
     /// The impulse of a force over the stage: force times time, or a symbol with its integral.
-    pub(in crate::model) fn impulse_of(
-        &mut self,
-        index: usize,
-        force: &Acting,
-        clock: Symbol,
-        [start, end]: [&Expr; 2],
-    ) -> Expr {
+    pub(crate) fn impulse_of(&mut self, index: usize, force: &Acting, clock: Symbol, [start, end]: [&Expr; 2]) -> Expr {
         if !force.strength.contains(clock) {
             return force.strength.clone() * (end.clone() - start.clone());
         }

@@ -1,24 +1,24 @@
 //! Forces that depend on the position of the body they act on: what they do is found over the distance, by work and energy.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::kinematics;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Integral;
-use crate::model::Name;
-use crate::model::Passage;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::wording;
-use crate::scene::Friction;
-use crate::scene::stage::Push;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Integral;
+use crate::Name;
+use crate::Passage;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::wording;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::kinematics;
+use momentous_scene::Friction;
+use momentous_scene::stage::Push;
+use momentous_solve::Relation;
 
 use super::push::Acting;
 use super::push::Pushed;

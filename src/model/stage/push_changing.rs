@@ -1,25 +1,25 @@
 //! A body on a level line whose mass changes at a steady rate while forces act on it: sand that falls into a cart, or runs out of it.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::laws::motion;
-use crate::laws::variable_mass;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Integral;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::forces::Acts;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Force;
-use crate::scene::stage::MassChange;
-use crate::scene::stage::Push;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Integral;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::forces::Acts;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_laws::motion;
+use momentous_laws::variable_mass;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Force;
+use momentous_scene::stage::MassChange;
+use momentous_scene::stage::Push;
+use momentous_solve::Relation;
 
 use super::push::Pushed;
 use super::thrust::FLOW;

@@ -1,9 +1,9 @@
 //! A push of a body that a guide holds: impulse and momentum along its guide.
 
-use crate::expr::Expr;
-use crate::laws::kinematics;
-use crate::model::Builder;
-use crate::model::guide::Guided;
+use crate::Builder;
+use crate::guide::Guided;
+use momentous_expr::Expr;
+use momentous_laws::kinematics;
 
 use super::push::Pushed;
 use super::push::times;

@@ -1,19 +1,19 @@
 //! How a body moves while known forces act on it: where it is at the end, its acceleration and net force at both ends.
 
-use crate::expr::Expr;
-use crate::laws::kinematics;
-use crate::laws::motion;
-use crate::model::Builder;
-use crate::model::Integral;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::scene::Axis;
+use crate::Builder;
+use crate::Integral;
+use crate::Name;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_laws::kinematics;
+use momentous_laws::motion;
+use momentous_scene::Axis;
 
 use super::push::Pushed;
 
 impl Builder<'_> {
     /// Place, acceleration and net force along one axis, along which these forces act.
-    pub(in crate::model) fn motion_along(&mut self, pushed: &Pushed<'_>, axis: Axis, forces: &[Expr]) {
+    pub(crate) fn motion_along(&mut self, pushed: &Pushed<'_>, axis: Axis, forces: &[Expr]) {
         let net = Expr::sum(forces.iter().cloned()).simplify();
         let at = |time: &Expr| net.substitute(&|own| (own == pushed.clock).then(|| time.clone()));
         self.rates_along(pushed, axis, [at(&pushed.start), at(&pushed.end)]);

@@ -1,22 +1,22 @@
 //! A body that something resists in proportion to the square of its speed, along a line, beside forces that stay the same.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::laws::resistance;
-use crate::model::Alternative;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::builder::LAW_COST;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Term;
-use crate::solve::Equation;
-use crate::solve::Relation;
+use crate::Alternative;
+use crate::Because;
+use crate::Builder;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::builder::LAW_COST;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_laws::resistance;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Term;
+use momentous_solve::Equation;
+use momentous_solve::Relation;
 
 use super::push::Pushed;
 
@@ -163,7 +163,7 @@ impl Builder<'_> {
     }
 
     /// Whether a sum of products of positive quantities is positive (1) or negative (-1); none where that depends on the values.
-    pub(in crate::model) fn sign_of(&self, sum: &Expr) -> Option<i64> {
+    pub(crate) fn sign_of(&self, sum: &Expr) -> Option<i64> {
         let terms = if let Expr::Sum(terms) = sum { terms.to_vec() } else { vec![sum.clone()] };
         let sign = |term: &Expr| {
             let sure = term.all_symbols(&|symbol| self.system.positive.contains(&symbol)) && is_product(term);

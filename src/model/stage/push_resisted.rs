@@ -1,16 +1,16 @@
 //! A body that something resists beside forces that stay the same.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::model::Builder;
-use crate::model::Influence;
-use crate::scene::Axis;
-use crate::scene::Force;
-use crate::scene::stage::Push;
-use crate::scene::stage::Resistance;
+use crate::Builder;
+use crate::Influence;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_scene::Axis;
+use momentous_scene::Force;
+use momentous_scene::stage::Push;
+use momentous_scene::stage::Resistance;
 
 use super::push::Pushed;
 use super::resisted::Resisted;

@@ -1,28 +1,28 @@
 //! Forces on several bodies at the same time: what must be told of them, and what they do to the system.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::force;
-use crate::laws::mass_centre;
-use crate::model::ActingForce;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::name::MASS_CENTRE;
-use crate::model::name::Meaning;
-use crate::scene::Axis;
-use crate::scene::Force;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Push;
+use crate::ActingForce;
+use crate::Because;
+use crate::Builder;
+use crate::Name;
+use crate::QuantityKind;
+use crate::name::MASS_CENTRE;
+use crate::name::Meaning;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::force;
+use momentous_laws::mass_centre;
+use momentous_scene::Axis;
+use momentous_scene::Force;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Push;
 
 /// What must fit together in a push before any law is written down.
-pub(in crate::model) fn pushing(scene: &Scene, push: &Push, at: &Path) -> Vec<Fault> {
+pub(crate) fn pushing(scene: &Scene, push: &Push, at: &Path) -> Vec<Fault> {
     let bodies: Vec<&str> = push.pushed().collect();
     if bodies.is_empty() {
         let fault = Fault::new(Code::MissingKey, "a push needs a body");
@@ -78,7 +78,7 @@ fn of_one_body<'a>(scene: &Scene, push: &Push) -> impl Iterator<Item = (&'a str,
 }
 
 /// The impulse on all bodies of a push together: `J[pull]`.
-pub(in crate::model) fn total_impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+pub(crate) fn total_impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let axis = builder.axis_of(name)?;
     let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
     let scene = builder.scene;

@@ -1,17 +1,17 @@
 //! The motion of a body along one axis against a resistance in proportion to its speed, whatever stage it is in.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
-use crate::laws::momentum;
-use crate::laws::motion;
-use crate::laws::resistance;
-use crate::model::Builder;
-use crate::model::Integral;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Term;
+use crate::Builder;
+use crate::Integral;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
+use momentous_laws::momentum;
+use momentous_laws::motion;
+use momentous_laws::resistance;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Term;
 
 /// Resistance by the speed.
 const LINEAR: Dimension = Dimension::new(1, 0, -1);

@@ -2,32 +2,32 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::geometry;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Impulse;
-use crate::model::Influence;
-use crate::model::Integral;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Work;
-use crate::model::name::Meaning;
-use crate::model::turned::Turned;
-use crate::quantity::Dimension;
-use crate::scene::Stage;
-use crate::scene::stage::Arm;
-use crate::scene::stage::Rotate;
+use crate::Agent;
+use crate::Builder;
+use crate::Effect;
+use crate::Impulse;
+use crate::Influence;
+use crate::Integral;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Work;
+use crate::name::Meaning;
+use crate::turned::Turned;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::geometry;
+use momentous_quantity::Dimension;
+use momentous_scene::Stage;
+use momentous_scene::stage::Arm;
+use momentous_scene::stage::Rotate;
 
 use super::along_path::Along;
 use super::described::Description;
 
 impl Builder<'_> {
-    pub(in crate::model) fn rotate(&mut self, index: usize, stage: &Rotate, path: &Path) {
+    pub(crate) fn rotate(&mut self, index: usize, stage: &Rotate, path: &Path) {
         let point = stage.about.as_str();
         let centre = self.point(point);
         let held = stage.held();
@@ -188,7 +188,7 @@ impl Builder<'_> {
 
     /// The name of the angular momentum about a point at the start of a stage (0) or at its end (1). Where the stage beside it counts other
     /// bodies, there are two of them at that instant, and each has the stage in its name.
-    pub(in crate::model) fn momentum_on_arm_by_name(&self, index: usize, side: usize, about: &str) -> Name {
+    pub(crate) fn momentum_on_arm_by_name(&self, index: usize, side: usize, about: &str) -> Name {
         let turning = |stage: usize| -> Option<BTreeSet<&str>> {
             let own = self.scene.stages.get(stage)?;
             if !matches!(own, Stage::Rotate(_) | Stage::Strike(_)) {
@@ -205,33 +205,26 @@ impl Builder<'_> {
     }
 
     /// The angular velocity of a body by itself.
-    pub(in crate::model) fn turn_of_body(&mut self, body: &str, centre: &str, instant: usize) -> Expr {
+    pub(crate) fn turn_of_body(&mut self, body: &str, centre: &str, instant: usize) -> Expr {
         let meaning = format!("the angular velocity of {} about {centre} {}", self.called(body), self.when(instant));
         self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), meaning).into()
     }
 
     /// The angular velocity of an arm that carries several bodies.
-    pub(in crate::model) fn turn_of_arm(&mut self, centre: &str, instant: usize) -> Expr {
+    pub(crate) fn turn_of_arm(&mut self, centre: &str, instant: usize) -> Expr {
         let meaning = format!("the angular velocity about {centre} {}", self.when(instant));
         self.symbol(Name::of(QuantityKind::AngularVelocity, "").at(instant), meaning).into()
     }
 
     /// The velocity of a body at right angles to its radius.
-    pub(in crate::model) fn transverse(&mut self, body: &str, instant: usize) -> Expr {
+    pub(crate) fn transverse(&mut self, body: &str, instant: usize) -> Expr {
         let since = self.timeline.naming_instant(body, instant);
         let meaning = format!("the transverse velocity of {} {}", self.called(body), self.when(since));
         self.symbol(Name::of(QuantityKind::Velocity, body).at(since), meaning).into()
     }
 
     /// The angular momentum of a body on an arm, whose velocity follows from the turning.
-    pub(in crate::model) fn on_arm(
-        &mut self,
-        index: usize,
-        body: &str,
-        instant: usize,
-        arm: &Expr,
-        turn: &Expr,
-    ) -> Expr {
+    pub(crate) fn on_arm(&mut self, index: usize, body: &str, instant: usize, arm: &Expr, turn: &Expr) -> Expr {
         let velocity = self.transverse(body, instant);
         let sides = (velocity.clone(), arm.clone() * turn.clone());
         let because = format!("{} moves at right angles to the radius", self.called(body));
@@ -251,7 +244,7 @@ impl Builder<'_> {
     }
 
     /// The angular impulse of a moment about a point, along the axis of that letter where there are several.
-    pub(in crate::model) fn angular_impulse(
+    pub(crate) fn angular_impulse(
         &mut self,
         index: usize,
         (centre, letter): (&str, Option<&str>),
@@ -280,9 +273,10 @@ impl Builder<'_> {
                 let because = "the moment changes with time";
                 self.integral(&angular::MOMENT_IMPULSE, index, because, (symbol.into(), value.simplify()), integral);
             }
-            None => self
-                .faults
-                .push(crate::fault::Fault::new(crate::fault::Code::Stuck, "the moment cannot be integrated over time")),
+            None => self.faults.push(momentous_fault::Fault::new(
+                momentous_fault::Code::Stuck,
+                "the moment cannot be integrated over time",
+            )),
         }
         symbol.into()
     }
@@ -316,7 +310,7 @@ fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
 }
 
 /// The angular impulse of a moment that stays the same, or of a body that strikes, where somebody asks for it.
-pub(in crate::model) fn angular_impulse_by_name(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+pub(crate) fn angular_impulse_by_name(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let meant = |index: usize| name.stage.is_none() || builder.stage_label(index) == name.stage;
     let mut all = builder.turned.iter().filter(|own| meant(own.stage) && own.letter == name.component);
     let own = all.next().cloned()?;

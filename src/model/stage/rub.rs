@@ -1,24 +1,24 @@
 //! A body that slides on another one which is free to move: friction gives both opposite impulses, and heat.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::kinematics;
-use crate::laws::separation;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::pair::Pair;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Term;
-use crate::scene::stage::Interact;
-use crate::solve::Relation;
+use crate::Because;
+use crate::Builder;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::pair::Pair;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::kinematics;
+use momentous_laws::separation;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Term;
+use momentous_scene::stage::Interact;
+use momentous_solve::Relation;
 
 /// Two bodies that rub on each other, and their velocities before and after.
 struct Rubbing<'a> {
@@ -37,7 +37,7 @@ struct Rubbing<'a> {
 
 impl Builder<'_> {
     /// The first body slides on the second.
-    pub(in crate::model) fn rub(&mut self, index: usize, stage: &Interact, friction: &Term, path: &Path) {
+    pub(crate) fn rub(&mut self, index: usize, stage: &Interact, friction: &Term, path: &Path) {
         let (Some([upper, lower]), &[(axis, _)]) = (stage.between.first_chunk(), &self.axes[..]) else {
             let fault = Fault::new(Code::Value, "friction acts between two bodies, along the only axis of a scene");
             let help = "name two bodies, the one on top first, and leave one axis";
@@ -94,7 +94,7 @@ impl Builder<'_> {
     }
 
     /// What only friction can have is told without it.
-    pub(in crate::model) fn nothing_rubs(&mut self, stage: &Interact, path: &Path) {
+    pub(crate) fn nothing_rubs(&mut self, stage: &Interact, path: &Path) {
         let told = [
             ("direction", stage.direction.is_some()),
             ("distance", stage.distance.is_some()),

@@ -1,32 +1,32 @@
 //! Bodies that come apart: momentum, the energy released, relative velocities.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::force;
-use crate::laws::momentum;
-use crate::laws::separation;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::frame::Direction;
-use crate::model::stage::push::Acting;
-use crate::model::weight_in_contact::Lasting;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::Strength;
-use crate::scene::stage::Relative;
-use crate::scene::stage::Separate;
-use crate::scene::stage::When;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::frame::Direction;
+use crate::stage::push::Acting;
+use crate::weight_in_contact::Lasting;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::force;
+use momentous_laws::momentum;
+use momentous_laws::separation;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::Strength;
+use momentous_scene::stage::Relative;
+use momentous_scene::stage::Separate;
+use momentous_scene::stage::When;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn separate(&mut self, index: usize, stage: &Separate, path: &Path) {
+    pub(crate) fn separate(&mut self, index: usize, stage: &Separate, path: &Path) {
         let parts: Vec<&str> = stage.into.iter().map(String::as_str).collect();
         let before: Vec<&str> = stage.from.as_deref().map_or_else(|| parts.clone(), |whole| vec![whole]);
         match &stage.from {

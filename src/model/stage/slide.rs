@@ -1,25 +1,25 @@
 //! Sliding against friction and weight: over a distance by work and energy, over a time by impulse and momentum.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::geometry;
-use crate::laws::momentum;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::forces::Acts;
-use crate::model::incline::Incline;
-use crate::model::speeds::Speeds;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::stage::Halt;
-use crate::scene::stage::Slide;
-use crate::scene::stage::UpOrDown;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::forces::Acts;
+use crate::incline::Incline;
+use crate::speeds::Speeds;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::geometry;
+use momentous_laws::momentum;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::stage::Halt;
+use momentous_scene::stage::Slide;
+use momentous_scene::stage::UpOrDown;
+use momentous_solve::Relation;
 
 /// What holds a sliding body back, for each unit of its mass; negative where weight drives it on.
 struct Retardation {
@@ -29,7 +29,7 @@ struct Retardation {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn slide(&mut self, index: usize, stage: &Slide, path: &Path) {
+    pub(crate) fn slide(&mut self, index: usize, stage: &Slide, path: &Path) {
         let body = stage.body.as_str();
         if stage.on.is_some() {
             return self.slide_on(index, stage, path);
@@ -97,12 +97,7 @@ impl Builder<'_> {
     }
 
     /// The duration of a stage, under the author's name or its own.
-    pub(in crate::model) fn stage_duration(
-        &mut self,
-        index: usize,
-        term: Option<&crate::scene::Term>,
-        path: &Path,
-    ) -> Expr {
+    pub(crate) fn stage_duration(&mut self, index: usize, term: Option<&momentous_scene::Term>, path: &Path) -> Expr {
         let meaning = format!("the duration of {}", self.stage_phrase(index));
         match term {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("duration")),

@@ -1,27 +1,27 @@
 //! A body that slides down another which gives way: momentum along the guide, energy, and where it leaves.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::momentum;
-use crate::laws::separation;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Impulse;
-use crate::model::Influence;
-use crate::model::Reason;
-use crate::model::Work;
-use crate::model::guide::dot;
-use crate::model::guide::projected;
-use crate::quantity::Dimension;
-use crate::scene::stage::SlideOff;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Effect;
+use crate::Impulse;
+use crate::Influence;
+use crate::Reason;
+use crate::Work;
+use crate::guide::dot;
+use crate::guide::projected;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::momentum;
+use momentous_laws::separation;
+use momentous_quantity::Dimension;
+use momentous_scene::stage::SlideOff;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn slide_off(&mut self, index: usize, stage: &SlideOff, path: &Path) {
+    pub(crate) fn slide_off(&mut self, index: usize, stage: &SlideOff, path: &Path) {
         let (body, on) = (stage.body.as_str(), stage.on.as_str());
         let [name, other] = [body, on].map(|own| self.called(own));
         let Some(guide) = self.guided(on) else {

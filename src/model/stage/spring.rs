@@ -1,30 +1,30 @@
 //! Springs: conservation of energy, and between two bodies that of momentum.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::Law;
-use crate::laws::Sides;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::kinematics;
-use crate::model::Alternative;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::builder::LAW_COST;
-use crate::model::incline::Incline;
-use crate::model::pair::Pair;
-use crate::model::stored::Stored;
-use crate::quantity::Dimension;
-use crate::scene::Term;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Spring;
-use crate::scene::stage::Until;
-use crate::solve::Relation;
+use crate::Alternative;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::builder::LAW_COST;
+use crate::incline::Incline;
+use crate::pair::Pair;
+use crate::stored::Stored;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::Law;
+use momentous_laws::Sides;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::kinematics;
+use momentous_quantity::Dimension;
+use momentous_scene::Term;
+use momentous_scene::stage::Ends;
+use momentous_scene::stage::Spring;
+use momentous_scene::stage::Until;
+use momentous_solve::Relation;
 
 /// What a spring does to the kinetic energy.
 const SPRING_WORKS: &str = "the spring does work: it stores kinetic energy when it is deformed, and gives it back";
@@ -53,7 +53,7 @@ impl OnTheWay {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn spring(&mut self, index: usize, stage: &Spring, path: &Path) {
+    pub(crate) fn spring(&mut self, index: usize, stage: &Spring, path: &Path) {
         let stiffness = self.read_positive(
             &stage.stiffness,
             Dimension::new(1, 0, -2),

@@ -1,35 +1,35 @@
 //! The force of a steady stream on a body.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::geometry;
-use crate::laws::kinematics;
-use crate::laws::variable_mass;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::model::Flowing;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::VectorKind;
-use crate::model::builder::SECOND_COST;
-use crate::model::frame::Direction;
-use crate::model::name::Meaning;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage::Stream;
-use crate::solve::Relation;
+use crate::Because;
+use crate::Builder;
+use crate::Flowing;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::VectorKind;
+use crate::builder::SECOND_COST;
+use crate::frame::Direction;
+use crate::name::Meaning;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::geometry;
+use momentous_laws::kinematics;
+use momentous_laws::variable_mass;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage::Stream;
+use momentous_solve::Relation;
 
 use super::thrust::FLOW;
 
 impl Builder<'_> {
-    pub(in crate::model) fn stream(&mut self, index: usize, stage: &Stream, path: &Path) {
+    pub(crate) fn stream(&mut self, index: usize, stage: &Stream, path: &Path) {
         let (body, by) = (stage.body.as_str(), stage.by.as_str());
         let name = self.called(body);
         let direction = match &stage.direction {
@@ -225,7 +225,7 @@ impl Builder<'_> {
             let hold = Expr::from(self.symbol(hold, meaning));
             let fact = format!("{name} moves at constant velocity");
             let because = Because::Conclusion(fact, "the forces on it balance".to_owned());
-            self.law(&crate::laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
+            self.law(&momentous_laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
         }
         let Some(moves) = moves else { return };
         let along =
@@ -255,7 +255,7 @@ impl Builder<'_> {
     }
 
     /// The kinetic energy that a body and a stream lose together as the stream comes to rest on it.
-    pub(in crate::model) fn lost_in_stream(&mut self, index: usize) -> Option<Symbol> {
+    pub(crate) fn lost_in_stream(&mut self, index: usize) -> Option<Symbol> {
         let flowing = self.flowing.iter().find(|own| own.stage == index).cloned()?;
         let Some(Stage::Stream(stage)) = self.scene.stages.get(index) else { return None };
         let Some(caught) = flowing.caught else {

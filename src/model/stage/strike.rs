@@ -1,22 +1,22 @@
 //! A body that strikes an arm: angular momentum about the point that holds the arm, and restitution where it is struck.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::angular;
-use crate::laws::restitution;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Reason;
-use crate::model::turned::Turned;
-use crate::quantity::Dimension;
-use crate::scene::stage::Strike;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::Reason;
+use crate::turned::Turned;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::angular;
+use momentous_laws::restitution;
+use momentous_quantity::Dimension;
+use momentous_scene::stage::Strike;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn strike(&mut self, index: usize, stage: &Strike, path: &Path) {
+    pub(crate) fn strike(&mut self, index: usize, stage: &Strike, path: &Path) {
         let body = stage.body.as_str();
         let (name, centre) = (self.called(body), self.point(&stage.about));
         let meaning = format!("the distance from {centre} at which {name} strikes");

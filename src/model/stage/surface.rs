@@ -1,18 +1,18 @@
 //! Impacts of a body and a surface that does not give way.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::momentum;
-use crate::laws::restitution;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::frame::Frame;
-use crate::model::weight_in_contact::Lasting;
-use crate::quantity::Dimension;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Builder;
+use crate::Impulse;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::frame::Frame;
+use crate::weight_in_contact::Lasting;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::momentum;
+use momentous_laws::restitution;
+use momentous_quantity::Dimension;
+use momentous_solve::Relation;
 
 use super::impact::Contact;
 

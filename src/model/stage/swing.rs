@@ -1,25 +1,25 @@
 //! A swing on a cord: conservation of energy, the height on the circle, the tension.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::geometry;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::VectorKind;
-use crate::model::builder::LAW_COST;
-use crate::quantity::Dimension;
-use crate::scene::Stage;
-use crate::scene::stage::Place;
-use crate::scene::stage::Swing;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::Name;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::VectorKind;
+use crate::builder::LAW_COST;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::geometry;
+use momentous_quantity::Dimension;
+use momentous_scene::Stage;
+use momentous_scene::stage::Place;
+use momentous_scene::stage::Swing;
+use momentous_solve::Relation;
 
 /// The cost of an equation that puts two laws and the height on the circle together.
 const COST_OF_BOTH: u32 = 3 * LAW_COST + 1;
@@ -32,7 +32,7 @@ pub(super) struct End {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn swing(&mut self, index: usize, stage: &Swing, path: &Path) {
+    pub(crate) fn swing(&mut self, index: usize, stage: &Swing, path: &Path) {
         let body = stage.body.as_str();
         let name = self.called(body);
         if let (Some(_), Some(_)) = (&stage.length, &stage.radius) {

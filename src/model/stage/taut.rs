@@ -1,22 +1,22 @@
 //! A string that goes taut: its impulse acts along it, and gives both bodies one velocity along it.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::laws::momentum;
-use crate::model::Builder;
-use crate::model::Reason;
-use crate::model::frame::Frame;
-use crate::model::guide::dot;
-use crate::model::pair::Pair;
-use crate::model::weight_in_contact::Lasting;
-use crate::scene::Plane;
-use crate::scene::Stage;
-use crate::scene::stage::Taut;
-use crate::solve::Relation;
+use crate::Builder;
+use crate::Reason;
+use crate::frame::Frame;
+use crate::guide::dot;
+use crate::pair::Pair;
+use crate::weight_in_contact::Lasting;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_laws::momentum;
+use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::stage::Taut;
+use momentous_solve::Relation;
 
 impl Builder<'_> {
-    pub(in crate::model) fn taut(&mut self, index: usize, stage: &Taut, path: &Path) {
+    pub(crate) fn taut(&mut self, index: usize, stage: &Taut, path: &Path) {
         let normal = match &stage.along {
             Some(term) => self.direction(term, &path.key("along")),
             None => self.first_axis(),
@@ -27,7 +27,7 @@ impl Builder<'_> {
         let [first, second] = bodies.map(|body| self.called(body));
         let before = bodies.map(|body| self.split(body, index + 1, index, &frame));
         let after = bodies.map(|body| self.split(body, index + 2, index, &frame));
-        let along = |pair: &[crate::model::directions::Split; 2]| pair.each_ref().map(|split| split.along.clone());
+        let along = |pair: &[crate::directions::Split; 2]| pair.each_ref().map(|split| split.along.clone());
         let plane = before.iter().any(|split| split.across.is_some());
         let pair = Pair {
             index,

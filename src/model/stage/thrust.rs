@@ -1,31 +1,31 @@
 //! Bodies that throw mass away: thrust, the rocket equation, the wait on the ground, resistance.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::variable_mass;
-use crate::model::Agent;
-use crate::model::Alternative;
-use crate::model::Builder;
-use crate::model::Impulse;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::builder::LAW_COST;
-use crate::model::forces::Acts;
-use crate::model::frame::Direction;
-use crate::quantity::Dimension;
-use crate::scene::Axis;
-use crate::scene::Plane;
-use crate::scene::Stage;
-use crate::scene::stage::BurningMass;
-use crate::scene::stage::Exhaust;
-use crate::scene::stage::Thrust;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Alternative;
+use crate::Builder;
+use crate::Impulse;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::builder::LAW_COST;
+use crate::forces::Acts;
+use crate::frame::Direction;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::variable_mass;
+use momentous_quantity::Dimension;
+use momentous_scene::Axis;
+use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::stage::BurningMass;
+use momentous_scene::stage::Exhaust;
+use momentous_scene::stage::Thrust;
+use momentous_solve::Relation;
 
 /// Mass in each unit of time.
-pub(in crate::model) const FLOW: Dimension = Dimension::new(1, 0, -1);
+pub(crate) const FLOW: Dimension = Dimension::new(1, 0, -1);
 /// Resistance by the square of the speed.
 const RESISTANCE: Dimension = Dimension::new(1, -1, 0);
 
@@ -43,7 +43,7 @@ pub(super) struct Burn {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn thrust(&mut self, index: usize, stage: &Thrust, path: &Path) {
+    pub(crate) fn thrust(&mut self, index: usize, stage: &Thrust, path: &Path) {
         let burn = self.read_burn(index, stage, path);
         let (name, because) = (self.called(&burn.body), "the flow is steady");
         let [start, end] = [&burn.masses[0], &burn.masses[1]];

@@ -1,10 +1,10 @@
 //! The acceleration of a body that throws mass away, and the net force on what is left of it.
 
-use crate::expr::Expr;
-use crate::laws::motion;
-use crate::laws::variable_mass;
-use crate::model::Builder;
-use crate::scene::Axis;
+use crate::Builder;
+use momentous_expr::Expr;
+use momentous_laws::motion;
+use momentous_laws::variable_mass;
+use momentous_scene::Axis;
 
 use super::thrust::Burn;
 

@@ -1,30 +1,30 @@
 //! Two bodies in a row: impulse and momentum, work and energy of both together and of each alone.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::laws::kinematics;
-use crate::laws::momentum;
-use crate::model::Agent;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::model::Direction;
-use crate::model::ForceKind;
-use crate::model::Impulse;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::model::Reason;
-use crate::model::Work;
-use crate::model::forces::Acts;
-use crate::model::incline::Incline;
-use crate::model::name::is_bare_name;
-use crate::quantity::Dimension;
-use crate::scene::Term;
-use crate::scene::stage::Tow;
-use crate::scene::stage::Towed;
-use crate::scene::stage::Until;
-use crate::solve::Relation;
+use crate::Agent;
+use crate::Because;
+use crate::Builder;
+use crate::Direction;
+use crate::ForceKind;
+use crate::Impulse;
+use crate::Influence;
+use crate::QuantityKind;
+use crate::Reason;
+use crate::Work;
+use crate::forces::Acts;
+use crate::incline::Incline;
+use crate::name::is_bare_name;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_laws::kinematics;
+use momentous_laws::momentum;
+use momentous_quantity::Dimension;
+use momentous_scene::Term;
+use momentous_scene::stage::Tow;
+use momentous_scene::stage::Towed;
+use momentous_scene::stage::Until;
+use momentous_solve::Relation;
 
 /// One of the two bodies.
 struct Member {
@@ -37,7 +37,7 @@ struct Member {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn tow(&mut self, index: usize, stage: &Tow, path: &Path) {
+    pub(crate) fn tow(&mut self, index: usize, stage: &Tow, path: &Path) {
         let joint = stage.joint();
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);

@@ -1,19 +1,19 @@
 //! A walk along something that floats: the centre of mass stays where it is.
 
-use crate::expr::Expr;
-use crate::fault::Path;
-use crate::laws::kinematics;
-use crate::laws::mass_centre;
-use crate::laws::separation;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::stage::Walk;
+use crate::Builder;
+use crate::Effect;
+use crate::Influence;
+use crate::QuantityKind;
+use momentous_expr::Expr;
+use momentous_fault::Path;
+use momentous_laws::kinematics;
+use momentous_laws::mass_centre;
+use momentous_laws::separation;
+use momentous_quantity::Dimension;
+use momentous_scene::stage::Walk;
 
 impl Builder<'_> {
-    pub(in crate::model) fn walk(&mut self, index: usize, stage: &Walk, path: &Path) {
+    pub(crate) fn walk(&mut self, index: usize, stage: &Walk, path: &Path) {
         for body in [&stage.body, &stage.on] {
             self.starts_from_rest(index, body);
         }
@@ -40,7 +40,7 @@ impl Builder<'_> {
         let parts: Vec<(Expr, Expr)> = masses.into_iter().zip(displacements.clone()).collect();
         let because =
             "no external impulse acts along the path, and the centre of mass, initially at rest, stays where it is";
-        self.law(&mass_centre::REST, Some(index), because, (crate::laws::momentum::total(&parts), Expr::zero()));
+        self.law(&mass_centre::REST, Some(index), because, (momentous_laws::momentum::total(&parts), Expr::zero()));
         let meaning = format!("the displacement of {name} relative to {other}");
         let distance = self.read(&stage.distance, Dimension::LENGTH, &meaning, &path.key("distance"));
         let [own, its] = &displacements;

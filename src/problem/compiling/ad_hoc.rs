@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Name;
-use crate::model::PrintedGraph;
-use crate::model::QuantityKind;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Name;
+use momentous_model::PrintedGraph;
+use momentous_model::QuantityKind;
 
 use super::super::language::ask::Answered;
 use super::super::language::ask::Ask;

@@ -4,20 +4,20 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::equal;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Model;
-use crate::quantity::Rational;
-use crate::solve::Closed;
-use crate::solve::Condition;
-use crate::solve::Equation;
-use crate::solve::Relation;
-use crate::solve::Statement;
-use crate::solve::may_grow;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::equal;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Model;
+use momentous_quantity::Rational;
+use momentous_solve::Closed;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Relation;
+use momentous_solve::Statement;
+use momentous_solve::may_grow;
 
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
@@ -28,7 +28,7 @@ use super::regimes::Leaf;
 use super::regimes::Regimes;
 
 /// What may be anything, and what a form's text names without telling its value.
-pub(in crate::problem) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
+pub(crate) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let any = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
     any.chain(symbols_only(loaded, form, &|name| model.symbol_of(name))).collect()
 }
@@ -49,7 +49,7 @@ fn symbols_only(loaded: &Loaded, form: &Form, named: &dyn Fn(&str) -> Option<Sym
 }
 
 /// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.
-pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
+pub(crate) fn check(model: &Model, form: &Form) -> Vec<Fault> {
     let known = &form.known;
     let free: Vec<&Known> = known.iter().filter(|known| form.free.contains(&known.symbol)).collect();
     let mut faults = Vec::new();
@@ -84,7 +84,7 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
 }
 
 /// What may be anything and the value of a quantity may depend on, as a form solves it.
-pub(in crate::problem) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Option<&'f Known> {
+pub(crate) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Option<&'f Known> {
     let free: Vec<&Known> = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).collect();
     if free.is_empty() {
         return None;
@@ -98,7 +98,7 @@ pub(in crate::problem) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symb
 }
 
 /// What is given by an expression of what may be anything: a sheet prints the expression in place of a value.
-pub(in crate::problem) fn by_formula(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
+pub(crate) fn by_formula(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let symbols = loaded.given.iter().filter_map(|(name, _)| model.symbol_of(name));
     // A value with its unit stands in no formula, nor does what the sheet does not tell.
     let is_letter = |own| form.told.contains(&own) && model.literals.iter().all(|(literal, _)| *literal != own);

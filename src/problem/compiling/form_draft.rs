@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Builder;
-use crate::model::Model;
-use crate::solve::Condition;
-use crate::solve::Equation;
-use crate::solve::Planner;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Builder;
+use momentous_model::Model;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Planner;
 
 use super::super::consequences::following::Followings;
 use super::super::consequences::mistake::Mistakes;
@@ -39,15 +39,15 @@ pub(super) struct FormDraft {
     question: Question,
     parts: Vec<Part>,
     wanted: Vec<Symbol>,
-    pub(in crate::problem) counts: Vec<Equation>,
+    pub(crate) counts: Vec<Equation>,
     reveal: Vec<Reveal>,
-    pub(in crate::problem) conditions: Vec<Condition>,
+    pub(crate) conditions: Vec<Condition>,
     sought: Vec<Sought>,
     allowed: Allowed,
 }
 
 impl FormDraft {
-    pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
+    pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
         let own;
         let loaded = if question.given.is_empty() {
             loaded
@@ -97,12 +97,12 @@ impl FormDraft {
     }
 
     /// Whether it asks for a quantity, or tells it.
-    pub(in crate::problem) fn speaks_of(&self, symbol: Symbol) -> bool {
+    pub(crate) fn speaks_of(&self, symbol: Symbol) -> bool {
         self.wanted.contains(&symbol) || self.reveal.iter().any(|reveal| reveal.symbol == symbol)
     }
 
     /// What its parts refer to.
-    pub(in crate::problem) fn mentioned(&self) -> impl Iterator<Item = Symbol> {
+    pub(crate) fn mentioned(&self) -> impl Iterator<Item = Symbol> {
         self.parts.iter().flat_map(|part| match &part.kind {
             PartKind::Choice(choice) => choice.mentioned(),
             _ => BTreeSet::new(),
@@ -111,7 +111,7 @@ impl FormDraft {
 
     /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
     /// holds for the whole scene, so it also picks the solution from which something is revealed.
-    pub(in crate::problem) fn plan(
+    pub(crate) fn plan(
         mut self,
         planner: &mut Planner,
         (loaded, model): (&Loaded, &Model),

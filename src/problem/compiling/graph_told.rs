@@ -1,11 +1,11 @@
 //! What a graph on a sheet must not print, and what it cannot.
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Model;
-use crate::model::PrintedGraph;
-use crate::quantity::Unit;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Model;
+use momentous_model::PrintedGraph;
+use momentous_quantity::Unit;
 
 use super::planned::Form;
 

@@ -1,16 +1,16 @@
 //! The value of a known quantity on its way into a program: exact as a decimal, and as the nearest double.
 
-use crate::quantity::Decimal;
-use crate::quantity::Factor;
-use crate::quantity::Unit;
-use crate::solve::Bounded;
-use crate::solve::Exact;
+use momentous_quantity::Decimal;
+use momentous_quantity::Factor;
+use momentous_quantity::Unit;
+use momentous_solve::Bounded;
+use momentous_solve::Exact;
 
 use super::super::language::domain::Domain;
 
 /// The value of one symbol; most symbols have none before they are solved.
 #[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Input {
+pub(crate) struct Input {
     value: Option<Bounded>,
     source: Source,
     factor: Factor,
@@ -28,13 +28,13 @@ enum Source {
 }
 
 impl Input {
-    pub(in crate::problem) fn blank(unit: &Unit) -> Self {
+    pub(crate) fn blank(unit: &Unit) -> Self {
         let factor = unit.factor();
         Self { value: None, source: Source::None, size: factor.to_f64(), factor }
     }
 
     /// A decimal in a unit.
-    pub(in crate::problem) fn of(value: &Decimal, unit: &Unit) -> Self {
+    pub(crate) fn of(value: &Decimal, unit: &Unit) -> Self {
         let mut input = Self::blank(unit);
         input.value = Some(scaled(value.to_f64(), input.size));
         input.source = Source::Decimal(value.clone());
@@ -42,17 +42,17 @@ impl Input {
     }
 
     /// Takes the value of that number of a domain.
-    pub(in crate::problem) fn draw(&mut self, domain: &Domain, index: u64) {
+    pub(crate) fn draw(&mut self, domain: &Domain, index: u64) {
         self.value = Some(scaled(domain.value_f64(index), self.size));
         self.source = Source::Drawn(index);
     }
 
-    pub(in crate::problem) fn bounded(&self) -> Option<Bounded> {
+    pub(crate) fn bounded(&self) -> Option<Bounded> {
         self.value
     }
 
     /// The decimal that it was made from, where it was made from one.
-    pub(in crate::problem) fn decimal(&self) -> Option<Decimal> {
+    pub(crate) fn decimal(&self) -> Option<Decimal> {
         match &self.source {
             Source::Decimal(value) => Some(value.clone()),
             Source::None | Source::Drawn(_) => None,
@@ -60,7 +60,7 @@ impl Input {
     }
 
     /// The exact value in SI units.
-    pub(in crate::problem) fn exact(&self, domain: Option<&Domain>) -> Option<Exact> {
+    pub(crate) fn exact(&self, domain: Option<&Domain>) -> Option<Exact> {
         let decimal = match &self.source {
             Source::Decimal(value) => value.clone(),
             Source::Drawn(index) => domain?.value(*index),

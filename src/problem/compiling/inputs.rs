@@ -1,7 +1,7 @@
 //! The inputs of a form's programs before anything is drawn.
 
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
 
 use super::super::language::known::Origin;
 use super::input::Input;
@@ -9,7 +9,7 @@ use super::planned::Form;
 use super::planned::Problem;
 
 /// The inputs of a form by symbol: fixed values are in place, drawn ones follow with each seed.
-pub(in crate::problem) fn inputs(problem: &Problem, form: &Form) -> Vec<Input> {
+pub(crate) fn inputs(problem: &Problem, form: &Form) -> Vec<Input> {
     let mut inputs = vec![Input::default(); problem.model().symbols.len()];
     let mut put = |index: usize, input: Input| {
         if let Some(place) = inputs.get_mut(index) {

@@ -5,18 +5,18 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-use crate::expr::Math;
-use crate::expr::Notation;
-use crate::expr::Symbol;
-use crate::expr::SymbolEntry;
-use crate::laws::Law;
-use crate::model::Instant;
-use crate::model::Model;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::quantity::Unit;
-use crate::quantity::UnitSystem;
+use momentous_expr::Math;
+use momentous_expr::Notation;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolEntry;
+use momentous_laws::Law;
+use momentous_model::Instant;
+use momentous_model::Model;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_quantity::Dimension;
+use momentous_quantity::Unit;
+use momentous_quantity::UnitSystem;
 
 use super::super::consequences::following::Followings;
 use super::super::consequences::mistake::Mistakes;
@@ -83,7 +83,7 @@ pub struct Form {
     /// Of what is told, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
     pub free: BTreeSet<Symbol>,
     /// What is given by an expression of what may be anything: the sheet prints the expression, `3m`, in place of a value.
-    pub(in crate::problem) by_formula: BTreeSet<Symbol>,
+    pub(crate) by_formula: BTreeSet<Symbol>,
     /// What is solved first and then given.
     pub reveal: Vec<Reveal>,
     /// Solves what is revealed.
@@ -91,19 +91,19 @@ pub struct Form {
     /// Solves what is asked.
     pub solver: Regimes,
     /// Solves the sides of a claim from a trial value of the quantity whose range is asked.
-    pub(in crate::problem) trials: Vec<(Symbol, Regimes)>,
+    pub(crate) trials: Vec<(Symbol, Regimes)>,
     /// Solves what weight does in short contacts, where the answers need it not.
-    pub(in crate::problem) weighed: Option<Regimes>,
+    pub(crate) weighed: Option<Regimes>,
     /// What comes of the common mistakes; planned when a wrong answer first asks for it.
-    pub(in crate::problem) mistakes: Mistakes,
+    pub(crate) mistakes: Mistakes,
     /// How answers move with the values on the way; worked out when a wrong answer first asks for it.
-    pub(in crate::problem) sensitivities: Sensitivities,
+    pub(crate) sensitivities: Sensitivities,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.
-    pub(in crate::problem) followings: Followings,
+    pub(crate) followings: Followings,
     /// The formulas of what is asked; composed when one is first wanted.
-    pub(in crate::problem) formulas: Formulas,
+    pub(crate) formulas: Formulas,
     /// Values of its givens near which formulas are compared; drawn when a formula is first marked.
-    pub(in crate::problem) samples: Samples,
+    pub(crate) samples: Samples,
     /// What all explanations of the form have in common; worked out when one is first wanted.
     pub cache: FormCache,
 }
@@ -128,17 +128,17 @@ impl Form {
     }
 
     /// Whether so many solutions are what it asks for: one, or any number where every one is asked for.
-    pub(in crate::problem) fn accepts(&self, solutions: usize) -> bool {
+    pub(crate) fn accepts(&self, solutions: usize) -> bool {
         solutions == 1 || solutions > 1 && self.question.roots.is_some()
     }
 
     /// Whether a quantity is given as one that may be anything.
-    pub(in crate::problem) fn is_any(&self, symbol: Symbol) -> bool {
+    pub(crate) fn is_any(&self, symbol: Symbol) -> bool {
         self.known.iter().any(|known| known.symbol == symbol && matches!(known.origin, Origin::Any))
     }
 
     /// Whether a quantity has a value whichever way the scene goes: it is told, or the answers or their checks find it.
-    pub(in crate::problem) fn finds(&self, symbol: Symbol) -> bool {
+    pub(crate) fn finds(&self, symbol: Symbol) -> bool {
         let by = |leaf: &Leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol));
         !self.is_any(symbol) && (self.told.contains(&symbol) || self.solver.leaves().iter().all(by))
     }

@@ -2,31 +2,31 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Model;
-use crate::model::QuantityKind;
-use crate::model::Warning;
-use crate::quantity::UnitSystem;
-use crate::quantity::coherent_unit;
-use crate::solve::Audit;
-use crate::solve::Bounded;
-use crate::solve::Cause;
-use crate::solve::Condition;
-use crate::solve::Equation;
-use crate::solve::Outcome;
-use crate::solve::Planner;
-use crate::solve::Precision;
-use crate::solve::Program;
-use crate::solve::Real;
-use crate::solve::Reason;
-use crate::solve::Step;
-use crate::solve::Stuck;
-use crate::solve::System;
-use crate::solve::Tree;
-use crate::solve::TreeWorkspace;
-use crate::solve::Verify;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Model;
+use momentous_model::QuantityKind;
+use momentous_model::Warning;
+use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
+use momentous_solve::Audit;
+use momentous_solve::Bounded;
+use momentous_solve::Cause;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Outcome;
+use momentous_solve::Planner;
+use momentous_solve::Precision;
+use momentous_solve::Program;
+use momentous_solve::Real;
+use momentous_solve::Reason;
+use momentous_solve::Step;
+use momentous_solve::Stuck;
+use momentous_solve::System;
+use momentous_solve::Tree;
+use momentous_solve::TreeWorkspace;
+use momentous_solve::Verify;
 
 use super::super::language::domain::Domain;
 use super::input::Input;
@@ -62,7 +62,7 @@ impl Regimes {
     /// Plans how to find what is wanted from what is given, in every way in which the scene can go. A way in which the
     /// question has no answer (when does it start to slide, where it does not) is left out: numbers that lead there are
     /// not drawn.
-    pub(in crate::problem) fn plan(
+    pub(crate) fn plan(
         planner: &mut Planner,
         model: &Model,
         equations: &[Equation],
@@ -72,7 +72,7 @@ impl Regimes {
         allowed: &[Warning],
     ) -> Result<Self, Fault> {
         let applies = |condition: &Condition| {
-            let warning = model.reasons.get(condition.tag).and_then(crate::model::Reason::warning);
+            let warning = model.reasons.get(condition.tag).and_then(momentous_model::Reason::warning);
             warning.is_none_or(|warning| !allowed.contains(&warning))
         };
         let inputs: Vec<Symbol> = told.iter().copied().collect();
@@ -212,7 +212,7 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Sy
 
 /// The memory of solving: kept between variants, so that a replay allocates little.
 #[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Scratch {
+pub(crate) struct Scratch {
     workspace: TreeWorkspace,
     inputs: Vec<Bounded>,
     taken: Option<usize>,
@@ -220,12 +220,12 @@ pub(in crate::problem) struct Scratch {
 
 impl Scratch {
     /// Memory for replays of that precision.
-    pub(in crate::problem) fn new(precision: Precision) -> Self {
+    pub(crate) fn new(precision: Precision) -> Self {
         Self { workspace: TreeWorkspace::new(precision), ..Self::default() }
     }
 
     /// Solves from the inputs; gives the number of admissible solutions.
-    pub(in crate::problem) fn run(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> usize {
+    pub(crate) fn run(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> usize {
         if !self.take(regimes, |symbol| inputs.get(symbol.index()).and_then(Input::bounded)) {
             return 0;
         }
@@ -242,11 +242,7 @@ impl Scratch {
     }
 
     /// The same for a limiting case, in which conditions may hold with nothing to spare, in floating point alone.
-    pub(in crate::problem) fn run_limit(
-        &mut self,
-        regimes: &Regimes,
-        input: impl Fn(&Symbol) -> Option<Bounded>,
-    ) -> usize {
+    pub(crate) fn run_limit(&mut self, regimes: &Regimes, input: impl Fn(&Symbol) -> Option<Bounded>) -> usize {
         if !self.take(regimes, input) {
             return 0;
         }
@@ -266,17 +262,17 @@ impl Scratch {
     }
 
     /// How many solutions the last run found.
-    pub(in crate::problem) fn survivors(&self, regimes: &Regimes) -> usize {
+    pub(crate) fn survivors(&self, regimes: &Regimes) -> usize {
         self.outcome(regimes).map_or(0, |outcome| outcome.survivors())
     }
 
     /// A solved quantity in SI units, with a bound on its error.
-    pub(in crate::problem) fn value(&self, regimes: &Regimes, symbol: Symbol) -> Option<Bounded> {
+    pub(crate) fn value(&self, regimes: &Regimes, symbol: Symbol) -> Option<Bounded> {
         self.outcome(regimes)?.value(symbol).copied().filter(Real::is_real)
     }
 
     /// All quantities, by symbol, in SI units; `count` symbols in all.
-    pub(in crate::problem) fn values(&self, regimes: &Regimes, count: usize) -> Vec<Option<Bounded>> {
+    pub(crate) fn values(&self, regimes: &Regimes, count: usize) -> Vec<Option<Bounded>> {
         let mut values = vec![None; count];
         let Some(outcome) = self.outcome(regimes) else { return values };
         for (symbol, value) in outcome.values() {
@@ -288,23 +284,23 @@ impl Scratch {
     }
 
     /// A quantity in each further solution.
-    pub(in crate::problem) fn other_values(&self, regimes: &Regimes, symbol: Symbol) -> Vec<Bounded> {
+    pub(crate) fn other_values(&self, regimes: &Regimes, symbol: Symbol) -> Vec<Bounded> {
         let outcome = self.outcome(regimes);
         outcome.map(|outcome| outcome.other_values(symbol).copied().collect()).unwrap_or_default()
     }
 
     /// The way that the scene goes.
-    pub(in crate::problem) fn leaf(&self) -> usize {
+    pub(crate) fn leaf(&self) -> usize {
         self.taken.unwrap_or(0)
     }
 
     /// The root taken in each step.
-    pub(in crate::problem) fn roots(&self, regimes: &Regimes) -> Vec<usize> {
+    pub(crate) fn roots(&self, regimes: &Regimes) -> Vec<usize> {
         self.outcome(regimes).map(|outcome| outcome.choices().to_vec()).unwrap_or_default()
     }
 
     /// The roots that are not solutions.
-    pub(in crate::problem) fn dead(&self, regimes: &Regimes) -> Vec<Dead> {
+    pub(crate) fn dead(&self, regimes: &Regimes) -> Vec<Dead> {
         let tried = self.taken.unwrap_or(0);
         let Some(outcome) = regimes.tree.outcome(tried, &self.workspace) else { return Vec::new() };
         let dead = outcome.dead().iter().map(|death| Dead {

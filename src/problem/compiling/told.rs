@@ -2,20 +2,20 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::geometry;
-use crate::laws::kinematics;
-use crate::model::Model;
-use crate::model::PrintedGraph;
-use crate::quantity::Decimal;
-use crate::quantity::Quantity;
-use crate::quantity::Unit;
-use crate::solve::Equation;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::geometry;
+use momentous_laws::kinematics;
+use momentous_model::Model;
+use momentous_model::PrintedGraph;
+use momentous_quantity::Decimal;
+use momentous_quantity::Quantity;
+use momentous_quantity::Unit;
+use momentous_solve::Equation;
+use momentous_solve::Statement;
 
 use super::super::language::given::Given;
 use super::super::language::known::Known;
@@ -35,7 +35,7 @@ use super::planned::Problem;
 use super::regimes::Leaf;
 
 /// The faults of one form's text.
-pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
+pub(crate) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
     let story = Path::root().key("text");
     let texts = [(story.clone(), &loaded.draft.text), (form.question.path.key("text"), &form.question.text)];
     let asked = asked(loaded, model, form);

@@ -2,19 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::fault::did_you_mean;
-use crate::laws::wrong;
-use crate::model::Model;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_fault::did_you_mean;
+use momentous_laws::wrong;
+use momentous_model::Model;
 
 use super::super::compiling::planned::Form;
 use super::super::reading::load::Loaded;
 
 /// The faults of both keys.
-pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, forms: &[Form]) -> Vec<Fault> {
+pub(crate) fn check(loaded: &Loaded, model: &Model, forms: &[Form]) -> Vec<Fault> {
     let root = Path::root();
     let feedback = loaded.draft.feedback.names().map(|name| (name, root.key("feedback").name(name)));
     let listed = loaded.draft.discriminate.iter().enumerate();

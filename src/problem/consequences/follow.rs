@@ -5,28 +5,28 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::laws::Law;
-use crate::laws::energy;
-use crate::laws::force;
-use crate::model::Model;
-use crate::model::Reason;
-use crate::model::Warning;
-use crate::solve::Bounded;
-use crate::solve::Cause;
-use crate::solve::Condition;
-use crate::solve::Equation;
-use crate::solve::Plan;
-use crate::solve::Program;
-use crate::solve::Relation;
-use crate::solve::Statement;
-use crate::solve::System;
-use crate::solve::Verify;
-use crate::solve::Workspace;
-use crate::solve::audit;
-use crate::solve::plan;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_laws::Law;
+use momentous_laws::energy;
+use momentous_laws::force;
+use momentous_model::Model;
+use momentous_model::Reason;
+use momentous_model::Warning;
+use momentous_solve::Bounded;
+use momentous_solve::Cause;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Plan;
+use momentous_solve::Program;
+use momentous_solve::Relation;
+use momentous_solve::Statement;
+use momentous_solve::System;
+use momentous_solve::Verify;
+use momentous_solve::Workspace;
+use momentous_solve::audit;
+use momentous_solve::plan;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;
@@ -285,9 +285,11 @@ fn judge(
     });
     let lost = leaf.system.equations.iter().filter_map(|equation| {
         let law = model.instances.get(equation.tag)?.law;
-        let Statement::Equal { right: crate::expr::Expr::Sum(energies), .. } = &equation.statement else { return None };
+        let Statement::Equal { right: momentous_expr::Expr::Sum(energies), .. } = &equation.statement else {
+            return None;
+        };
         let (before, after) = (energies.first()?.clone(), -energies.get(1)?.clone());
-        let left = crate::expr::Expr::ratio(ROUNDING.0, ROUNDING.1) * before;
+        let left = momentous_expr::Expr::ratio(ROUNDING.0, ROUNDING.1) * before;
         let condition = Condition { left, relation: Relation::AtLeast, right: after, tag: equation.tag };
         (*law == energy::LOSS).then_some((condition, Reason::CreatesEnergy))
     });

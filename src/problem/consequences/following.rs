@@ -5,17 +5,17 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::RwLock;
 
-use crate::expr::Symbol;
-use crate::laws::Law;
-use crate::model::Reason;
-use crate::solve::Program;
+use momentous_expr::Symbol;
+use momentous_laws::Law;
+use momentous_model::Reason;
+use momentous_solve::Program;
 
 use super::solver::Solver;
 
 /// The ways in which a form's answers follow from each other, as far as somebody has asked: by the way the scene goes, the
 /// quantity that is asked, and the earlier quantities that are known.
 #[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Followings(pub(super) Arc<RwLock<BTreeMap<Key, Arc<[Following]>>>>);
+pub(crate) struct Followings(pub(super) Arc<RwLock<BTreeMap<Key, Arc<[Following]>>>>);
 
 type Key = (usize, Symbol, BTreeSet<Symbol>);
 

@@ -3,22 +3,22 @@
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
-use crate::laws::wrong::reading::SlipOf;
-use crate::solve::Batch;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
+use momentous_laws::wrong::reading::SlipOf;
+use momentous_solve::Batch;
 
 use super::solver::Solver;
 
 /// The mistakes of a form, for each way in which its scene can go; empty until they are asked for.
 #[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Mistakes(pub(super) Arc<OnceLock<Vec<Planned>>>);
+pub(crate) struct Mistakes(pub(super) Arc<OnceLock<Vec<Planned>>>);
 
 /// The mistakes of one way in which a scene can go, with the tape of all that are made straight on.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Planned {
+pub(crate) struct Planned {
     pub(super) list: Vec<Mistake>,
-    pub(in crate::problem) inputs: Vec<Symbol>,
+    pub(crate) inputs: Vec<Symbol>,
     pub(super) batch: Batch,
     /// The quantities that are asked and whose sign is a direction.
     pub(super) directed: Vec<Symbol>,
@@ -29,7 +29,7 @@ pub(in crate::problem) struct Planned {
 pub struct Mistake {
     /// The mistake.
     pub of: &'static Misconception,
-    /// The law that is got wrong, as it is used: a position in [`crate::model::Model::instances`]; none where nothing is
+    /// The law that is got wrong, as it is used: a position in [`momentous_model::Model::instances`]; none where nothing is
     /// wrong with the laws.
     pub instance: Option<usize>,
     /// In how many places the same is got wrong: one mistake is likelier than several.
@@ -46,7 +46,7 @@ impl Mistake {
 }
 
 #[derive(Clone, Debug)]
-pub(in crate::problem) enum Made {
+pub(crate) enum Made {
     /// The system has a wrong equation.
     Solved(Vec<WrongSystem>),
     /// Some givens are taken too large or too small by a factor; at this place in the batch, where it is in there.
@@ -57,8 +57,8 @@ pub(in crate::problem) enum Made {
 
 /// How the values that come of a mistake are found.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct WrongSystem {
-    pub(in crate::problem) solver: Solver,
+pub(crate) struct WrongSystem {
+    pub(crate) solver: Solver,
     /// The place in the batch, where there is nothing to choose and nothing to judge.
     pub(super) batched: Option<usize>,
 }

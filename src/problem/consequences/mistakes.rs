@@ -4,13 +4,13 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
-use crate::laws::wrong::reading::MISREADINGS;
-use crate::laws::wrong::reading::SLIPS;
-use crate::quantity::Rational;
-use crate::quantity::Unit;
-use crate::solve::BatchWriter;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
+use momentous_laws::wrong::reading::MISREADINGS;
+use momentous_laws::wrong::reading::SLIPS;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
+use momentous_solve::BatchWriter;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;

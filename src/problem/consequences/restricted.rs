@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::solve::System;
+use momentous_solve::System;
 
 /// Some equations of a system, with all its conditions.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub(super) struct Restricted {
 }
 
 impl Restricted {
-    pub(in crate::problem) fn new(system: &System, kept: impl IntoIterator<Item = usize>) -> Self {
+    pub(crate) fn new(system: &System, kept: impl IntoIterator<Item = usize>) -> Self {
         let places: Vec<usize> = kept.into_iter().collect::<BTreeSet<_>>().into_iter().collect();
         let equations = places.iter().filter_map(|place| system.equations.get(*place).cloned()).collect();
         Self { system: system.with(equations), places }

@@ -1,14 +1,14 @@
 //! What comes of the common mistakes with the numbers of one variant.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::wrong::reading::DEGREES;
-use crate::laws::wrong::reading::SlipOf;
-use crate::model::QuantityKind;
-use crate::quantity::MOST_TOLERANCES;
-use crate::quantity::half_unit;
-use crate::solve::BatchValues;
-use crate::solve::Bounded;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::reading::DEGREES;
+use momentous_laws::wrong::reading::SlipOf;
+use momentous_model::QuantityKind;
+use momentous_quantity::MOST_TOLERANCES;
+use momentous_quantity::half_unit;
+use momentous_solve::BatchValues;
+use momentous_solve::Bounded;
 
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;

@@ -3,22 +3,22 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::quantity::Rational;
-use crate::solve::BatchWriter;
-use crate::solve::Bounded;
-use crate::solve::Plan;
-use crate::solve::Program;
-use crate::solve::System;
-use crate::solve::Verify;
-use crate::solve::Workspace;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
+use momentous_solve::BatchWriter;
+use momentous_solve::Bounded;
+use momentous_solve::Plan;
+use momentous_solve::Program;
+use momentous_solve::System;
+use momentous_solve::Verify;
+use momentous_solve::Workspace;
 
 /// A program for some of the quantities that are asked, with what chooses among its roots.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Solver {
-    pub(in crate::problem) wanted: Vec<Symbol>,
+pub(crate) struct Solver {
+    pub(crate) wanted: Vec<Symbol>,
     inputs: Vec<Symbol>,
-    pub(in crate::problem) plan: Plan,
+    pub(crate) plan: Plan,
     /// With the conditions of a true solution, where there is something to choose.
     strict: Option<Program>,
     /// Without them: a wrong value need not be a possible one.
@@ -39,10 +39,10 @@ impl Solver {
         }
     }
 
-    pub(in crate::problem) fn new(system: &System, told: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Option<Self> {
-        let plan = crate::solve::plan(system, told, wanted).ok()?;
+    pub(crate) fn new(system: &System, told: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Option<Self> {
+        let plan = momentous_solve::plan(system, told, wanted).ok()?;
         let several = plan.steps.iter().any(|step| step.roots.len() > 1);
-        let audit = crate::solve::Audit { answer_steps: plan.steps.len(), plan, checks: Vec::new() };
+        let audit = momentous_solve::Audit { answer_steps: plan.steps.len(), plan, checks: Vec::new() };
         let inputs: Vec<Symbol> = told.iter().copied().collect();
         let compile = |system: &System| Program::compile(system, &audit, &inputs, wanted, Verify::Redundant).ok();
         let strict = if several { compile(system) } else { None };
@@ -78,7 +78,7 @@ impl Solver {
     }
 
     /// What the program takes, in order.
-    pub(in crate::problem) fn inputs(&self) -> &[Symbol] {
+    pub(crate) fn inputs(&self) -> &[Symbol] {
         &self.inputs
     }
 
@@ -88,12 +88,7 @@ impl Solver {
     }
 
     /// Gives `add` the values of a quantity in every solution: those that can be, or where none can, all.
-    pub(in crate::problem) fn values(
-        &self,
-        symbol: Symbol,
-        input: &dyn Fn(Symbol) -> Option<Bounded>,
-        add: &mut dyn FnMut(f64),
-    ) {
+    pub(crate) fn values(&self, symbol: Symbol, input: &dyn Fn(Symbol) -> Option<Bounded>, add: &mut dyn FnMut(f64)) {
         if !self.possible(symbol, input, add) {
             self.roots(symbol, input, add);
         }

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
 
 use super::super::questions::choices::choice::ChoicePart;
 use super::super::questions::choices::choice::orders;
@@ -26,7 +26,7 @@ impl ChoicePart {
     }
 
     /// Why what is offered cannot be offered with the numbers of a variant.
-    pub(in crate::problem) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+    pub(crate) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
         match self {
             Self::Holds(claim) => claim.refused(worked),
             Self::Order(symbols) => incomparable(symbols, worked),

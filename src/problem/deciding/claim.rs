@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::expr::Expr;
-use crate::quantity::coherent_unit;
-use crate::solve::Bounded;
-use crate::solve::Real;
-use crate::solve::evaluate;
+use momentous_expr::Expr;
+use momentous_quantity::coherent_unit;
+use momentous_solve::Bounded;
+use momentous_solve::Real;
+use momentous_solve::evaluate;
 
 use super::super::questions::choices::claim::Claim;
 use super::super::questions::choices::decision::Decision;
@@ -18,7 +18,7 @@ const SIDE: &str = "a side of a comparison";
 
 impl Claim {
     /// Whether it holds of the numbers of a variant; `None` where a side has no value.
-    pub(in crate::problem) fn holds(&self, worked: &Worked<'_>) -> Option<bool> {
+    pub(crate) fn holds(&self, worked: &Worked<'_>) -> Option<bool> {
         exactly_compared(worked, &self.left, &self.right).map(|order| self.allows(order))
     }
 
@@ -27,7 +27,7 @@ impl Claim {
         self.holds(worked).is_none().then(|| no_value(SIDE))
     }
 
-    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+    pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let Some(order) = exactly_compared(worked, &self.left, &self.right) else {
             return Decision::yes_or_no(false, no_value(SIDE));
         };

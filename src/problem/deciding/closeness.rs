@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::Model;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
-use crate::quantity::coherent_unit;
-use crate::quantity::half_unit;
-use crate::solve::Bounded;
-use crate::solve::Real;
-use crate::solve::evaluate;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Model;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
+use momentous_quantity::coherent_unit;
+use momentous_quantity::half_unit;
+use momentous_solve::Bounded;
+use momentous_solve::Real;
+use momentous_solve::evaluate;
 
 use super::super::questions::equality::Equality;
 use super::super::questions::equality::Sides;

@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::equal_where;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::quantity::Dimension;
-use crate::quantity::Rational;
-use crate::solve::Closed;
-use crate::solve::Move;
-use crate::solve::Plan;
-use crate::solve::Step;
-use crate::solve::quadratic_formula;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::equal_where;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
+use momentous_solve::Closed;
+use momentous_solve::Move;
+use momentous_solve::Plan;
+use momentous_solve::Step;
+use momentous_solve::quadratic_formula;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::regimes::Leaf;
@@ -117,8 +117,8 @@ fn zeros(known: &[Known]) -> impl Iterator<Item = (Symbol, Expr)> {
 }
 
 /// A fault for each formula that is asked and cannot be written in what the form tells.
-pub(in crate::problem) fn check(
-    literals: &[(Symbol, crate::quantity::Quantity)],
+pub(crate) fn check(
+    literals: &[(Symbol, momentous_quantity::Quantity)],
     form: &Form,
     name: &dyn Fn(Symbol) -> String,
 ) -> Vec<Fault> {
@@ -175,7 +175,7 @@ fn unwritten(steps: &[Step], asked: Symbol, id: &str, name: &dyn Fn(Symbol) -> S
 }
 
 /// Values without a dimension that an author wrote into a term, and zeros.
-fn numbers(literals: &[(Symbol, crate::quantity::Quantity)]) -> impl Iterator<Item = (Symbol, Expr)> {
+fn numbers(literals: &[(Symbol, momentous_quantity::Quantity)]) -> impl Iterator<Item = (Symbol, Expr)> {
     let plain = literals.iter().filter(|(_, own)| own.value.is_zero() || own.unit.dimension() == Dimension::NONE);
     plain.map(|(symbol, own)| (*symbol, Expr::measured(&own.value, &own.unit)))
 }
@@ -217,7 +217,7 @@ impl Worked<'_> {
     }
 
     /// A pure number that the sheet tells without naming it: it stands in formulas as it is.
-    pub(in crate::problem) fn told_as_number(&self, known: &Known) -> Option<Expr> {
+    pub(crate) fn told_as_number(&self, known: &Known) -> Option<Expr> {
         let pure = self.problem.model().symbols.entry(known.symbol).dimension == Dimension::NONE;
         let names = [&self.problem.loaded().draft.text, &self.form.question.text].into_iter().any(|text| {
             let own = |name: &str| self.problem.model().symbol_of(name) == Some(known.symbol);
@@ -260,7 +260,7 @@ impl Worked<'_> {
     }
 
     /// A quantity in what is given by way of another plan, for each of its roots.
-    pub(in crate::problem) fn every_formula(&self, plan: &Plan, symbol: Symbol) -> Vec<Expr> {
+    pub(crate) fn every_formula(&self, plan: &Plan, symbol: Symbol) -> Vec<Expr> {
         let roots = plan.steps.iter().map(|step| step.roots.len()).max().unwrap_or(0);
         let values = self.alphabet().values;
         let composed = |root: usize| {

@@ -1,14 +1,14 @@
 //! The values for which a claim holds: the boundary is solved, the side is found by trial.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::Model;
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
-use crate::quantity::round_to_figures;
-use crate::solve::Bounded;
-use crate::solve::Relation;
-use crate::solve::Step;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Model;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
+use momentous_quantity::round_to_figures;
+use momentous_solve::Bounded;
+use momentous_solve::Relation;
+use momentous_solve::Step;
 
 use super::super::compiling::input::Input;
 use super::super::compiling::inputs::inputs;
@@ -88,7 +88,7 @@ fn between(limit: Option<(f64, bool)>, boundary: f64, away: f64) -> f64 {
 
 impl Worked<'_> {
     /// Whether every range that is asked has one boundary, with a side on which it holds.
-    pub(in crate::problem) fn has_intervals(&self) -> bool {
+    pub(crate) fn has_intervals(&self) -> bool {
         let mut ranges = self.form.parts.iter().filter_map(|part| match &part.kind {
             PartKind::Range(range) => Some(range),
             _ => None,

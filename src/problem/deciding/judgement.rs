@@ -34,7 +34,7 @@ impl Judgement {
         self.equalities().any(|own| own.closeness(worked) == Closeness::WithinData)
     }
 
-    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+    pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let mut passed: Vec<&Test> = Vec::new();
         for case in self.cases.iter().filter(|case| case.is_open(worked)) {
             let failing: Vec<&Test> = case.tests.iter().filter(|test| !test.holds(worked)).collect();

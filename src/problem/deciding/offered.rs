@@ -1,8 +1,8 @@
 //! Options of the author's own for a variant: which of them is right, in which order they are offered, and what is said of each.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Model;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Model;
 
 use super::super::compiling::planned::Form;
 use super::super::language::text::Text;
@@ -29,7 +29,7 @@ impl Offer {
     }
 
     /// Why the options cannot be offered with the numbers of a variant.
-    pub(in crate::problem) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+    pub(crate) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
         let texts: Vec<String> = self.options.iter().map(|option| filled(&option.text, worked)).collect();
         let same = |(place, text): &(usize, &String)| texts.iter().take(*place).any(|other| alike(other, text));
         if let Some((_, text)) = texts.iter().enumerate().find(same) {
@@ -45,7 +45,7 @@ impl Offer {
         }
     }
 
-    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+    pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let order = self.order(worked);
         let own = || order.iter().filter_map(|place| self.options.get(*place));
         let right = self.right_for(worked).first().copied();
@@ -107,7 +107,7 @@ impl Offered {
 }
 
 /// A fault for each option that prints what neither the answers nor their checks find.
-pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
+pub(crate) fn check(model: &Model, form: &Form) -> Vec<Fault> {
     let lost = |(index, part): (usize, &Part)| {
         let PartKind::Choice(ChoicePart::Offered(offer)) = &part.kind else { return None };
         let symbol = offer.printed.iter().find(|symbol| !form.finds(**symbol))?;

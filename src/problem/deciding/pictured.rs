@@ -1,10 +1,10 @@
 //! The pictures that a variant offers: the right one, and those that usual mistakes lead to.
 
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
-use crate::quantity::Dimension;
-use crate::quantity::Unit;
-use crate::quantity::coherent_unit;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
+use momentous_quantity::Dimension;
+use momentous_quantity::Unit;
+use momentous_quantity::coherent_unit;
 
 use super::super::questions::choices::decision::Decision;
 use super::super::questions::choices::decision::OptionFeedback;
@@ -92,7 +92,7 @@ impl Pictured {
     }
 
     /// Why the pictures cannot be offered with the numbers of a variant.
-    pub(in crate::problem) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+    pub(crate) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
         let found = self.found(worked);
         let [_, least] = OFFERED;
         let noun = self.subject.noun();
@@ -103,7 +103,7 @@ impl Pictured {
         (found.len() < least || !is_drawn).then(|| format!("the {noun}s of usual mistakes look like the right one"))
     }
 
-    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+    pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let pictures = self.pictures(worked);
         Decision {
             right: pictures.iter().take_while(|own| own.mistake.is_some()).count(),

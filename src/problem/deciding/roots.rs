@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Reason;
-use crate::solve::Bounded;
-use crate::solve::Cause;
-use crate::solve::Closed;
-use crate::solve::Real;
-use crate::solve::Step;
-use crate::solve::evaluate;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Reason;
+use momentous_solve::Bounded;
+use momentous_solve::Cause;
+use momentous_solve::Closed;
+use momentous_solve::Real;
+use momentous_solve::Step;
+use momentous_solve::evaluate;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::regimes::Dead;
@@ -31,7 +31,7 @@ fn step_of(leaf: &Leaf, symbol: Symbol) -> Option<(usize, &Step)> {
 }
 
 /// A fault for each question about the roots of an equation that has one.
-pub(in crate::problem) fn check(form: &Form) -> Vec<Fault> {
+pub(crate) fn check(form: &Form) -> Vec<Fault> {
     let mut faults = Vec::new();
     for (index, part) in form.parts.iter().enumerate() {
         let symbol = match &part.kind {

@@ -1,10 +1,10 @@
 //! What a form is meant to do although something speaks against it: the names under `allow`.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::did_you_mean;
-use crate::model::Builder;
-use crate::model::Warning;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::did_you_mean;
+use momentous_model::Builder;
+use momentous_model::Warning;
 
 use super::form::Question;
 
@@ -27,7 +27,7 @@ impl Meant {
 
 /// What an author allows a form.
 #[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Allowed {
+pub(crate) struct Allowed {
     /// Of what is unphysical about solutions.
     pub warnings: Vec<Warning>,
     /// Of what `momentous check` looks for.
@@ -36,7 +36,7 @@ pub(in crate::problem) struct Allowed {
 
 impl Allowed {
     /// What stands under `allow`; every warning where the form is meant to end in something impossible.
-    pub(in crate::problem) fn read(question: &Question, builder: &mut Builder<'_>) -> Self {
+    pub(crate) fn read(question: &Question, builder: &mut Builder<'_>) -> Self {
         let mut allowed = Self::default();
         if question.expect.is_some() {
             allowed.warnings.extend(Warning::NAMES.iter().map(|(_, warning)| *warning));

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Axis, Term};
+use momentous_scene::{Axis, Term};
 
 /// One part of a question. Its first key says which kind it is.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

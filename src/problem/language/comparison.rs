@@ -1,6 +1,6 @@
 //! Comparisons as authors write them: `v_A1 > v_B1`.
 
-use crate::solve::Relation;
+use momentous_solve::Relation;
 
 /// Signs of comparison, longest first.
 const RELATIONS: &[(&str, Relation)] = &[

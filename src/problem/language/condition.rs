@@ -1,25 +1,20 @@
 //! Conditions as authors write them: two terms of one dimension, and how they compare.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::Reason;
-use crate::quantity::UnitSystem;
-use crate::quantity::coherent_unit;
-use crate::quantity::dimension_name;
-use crate::solve::Condition;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::Reason;
+use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
+use momentous_quantity::dimension_name;
+use momentous_solve::Condition;
 
 use super::comparison::split_relation;
 
 /// Reads `v_A1 > v_B1`; a fault is noted where it cannot be read.
-pub(in crate::problem) fn condition(
-    builder: &mut Builder<'_>,
-    text: &str,
-    reason: Reason,
-    path: &Path,
-) -> Option<Condition> {
+pub(crate) fn condition(builder: &mut Builder<'_>, text: &str, reason: Reason, path: &Path) -> Option<Condition> {
     let Some((left, relation, right)) = split_relation(text) else {
         let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
         let help = match text.split_once('=') {
@@ -39,12 +34,7 @@ pub(in crate::problem) fn condition(
 }
 
 /// Whether two terms can be compared: each has a dimension, and both the same one; a fault is noted where they cannot.
-pub(in crate::problem) fn are_comparable(
-    builder: &mut Builder<'_>,
-    text: &str,
-    sides: [&Expr; 2],
-    path: &Path,
-) -> bool {
+pub(crate) fn are_comparable(builder: &mut Builder<'_>, text: &str, sides: [&Expr; 2], path: &Path) -> bool {
     let symbols = builder.symbols();
     let [left, right] = sides.map(|side| side.dimension(symbols));
     let message = match (left, right) {

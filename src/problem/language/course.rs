@@ -4,10 +4,10 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::expr::Notation;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
+use momentous_expr::Notation;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
 
 use super::text::is_name;
 
@@ -45,7 +45,7 @@ impl CourseSymbols {
 
     /// These letters, and those of `other` for the rest.
     #[must_use]
-    pub(in crate::problem) fn or(&self, other: &Self) -> Self {
+    pub(crate) fn or(&self, other: &Self) -> Self {
         let either = |own: &Option<String>, other: &Option<String>| own.as_ref().or(other.as_ref()).cloned();
         Self {
             momentum: either(&self.momentum, &other.momentum),
@@ -59,7 +59,7 @@ impl CourseSymbols {
     ///
     /// # Errors
     /// A letter that is none, or that stands for something else.
-    pub(in crate::problem) fn notation(&self) -> Result<Notation, Vec<Fault>> {
+    pub(crate) fn notation(&self) -> Result<Notation, Vec<Fault>> {
         let mut faults = Vec::new();
         for (key, usual, own) in self.rows() {
             let Some(own) = own else { continue };

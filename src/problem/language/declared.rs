@@ -2,21 +2,21 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Names;
-use crate::expr::Symbol;
-use crate::expr::SymbolEntry;
-use crate::expr::SymbolTable;
-use crate::expr::parse;
-use crate::quantity::Dimension;
-use crate::quantity::Quantity;
-use crate::quantity::Unit;
+use momentous_expr::Names;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolEntry;
+use momentous_expr::SymbolTable;
+use momentous_expr::parse;
+use momentous_quantity::Dimension;
+use momentous_quantity::Quantity;
+use momentous_quantity::Unit;
 
 use super::super::reading::load::Loaded;
 use super::ask::Ask;
 use super::given::Given;
 
 /// Every name whose dimension the file says, with its dimension.
-pub(in crate::problem) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
+pub(crate) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
     let mut known: Vec<(String, Dimension)> = loaded.given.iter().filter_map(of_given).chain(sought(loaded)).collect();
     // One may be given by another that is given by a third.
     loop {
@@ -85,7 +85,7 @@ fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> + '_ {
 }
 
 /// The same, where no unit says what they are: as their formulas are asked.
-pub(in crate::problem) fn unmeasured(loaded: &Loaded) -> BTreeSet<String> {
+pub(crate) fn unmeasured(loaded: &Loaded) -> BTreeSet<String> {
     let asked = loaded.questions.iter().flat_map(|question| &question.ask);
     let names = asked.filter_map(|ask| match ask {
         Ask::Find(find) if find.unit.as_deref().is_none_or(|unit| Unit::parse(unit).is_err()) => Some(&find.find),

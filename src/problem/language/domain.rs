@@ -1,8 +1,8 @@
 //! The values that a drawn given can take, exact as decimals.
 
-use crate::fault::{Code, Fault};
-use crate::quantity::Decimal;
-use crate::quantity::unit_of_place;
+use momentous_fault::{Code, Fault};
+use momentous_quantity::Decimal;
+use momentous_quantity::unit_of_place;
 
 /// The most values that a given may have.
 const MOST_VALUES: u64 = 1 << 40;

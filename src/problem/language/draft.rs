@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::quantity::UnitSystem;
-use crate::scene::{Scene, Term};
+use momentous_quantity::UnitSystem;
+use momentous_scene::{Scene, Term};
 
 use super::ask::Ask;
 use super::course::CourseSymbols;
@@ -120,7 +120,7 @@ impl Draft {
 
     /// The points of a part, which may say its own.
     #[must_use]
-    pub(in crate::problem) fn points_of(&self, own: Option<u32>) -> u32 {
+    pub(crate) fn points_of(&self, own: Option<u32>) -> u32 {
         own.or(self.points).unwrap_or(1)
     }
 }

@@ -1,15 +1,15 @@
 //! An expression of several quantities that is asked under a name of its own: `v_B2 - v_A2` as `gap`.
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
 
 use super::ask::Find;
 
 /// The quantity for which the name stands; its equation becomes part of the model.
-pub(in crate::problem) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Path) -> Option<Symbol> {
+pub(crate) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Path) -> Option<Symbol> {
     if let Some((key, _)) =
         [("from", find.from.is_some()), ("sense", find.sense.is_some())].into_iter().find(|own| own.1)
     {
@@ -21,7 +21,7 @@ pub(in crate::problem) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>
 }
 
 /// The fault of an expression without a name; none where what is asked cannot be read as one.
-pub(in crate::problem) fn without_id(find: &Find, builder: &mut Builder<'_>) -> Option<Fault> {
+pub(crate) fn without_id(find: &Find, builder: &mut Builder<'_>) -> Option<Fault> {
     let message = format!("`{}` is an expression, which needs a name for its answer", find.find);
     let help = "add `id: gap`, or another name that the scene does not use; a `label` says in words what it is";
     builder.is_term(&find.find).then(|| Fault::new(Code::MissingKey, message).help(help))

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::fault::Path;
+use momentous_fault::Path;
 
 use super::ask::Ask;
 use super::draft::{Draft, Expect, Form, Roots};
@@ -42,12 +42,12 @@ pub struct Question {
 
 impl Question {
     /// The name of the random stream from which the order of what the part of that letter offers comes.
-    pub(in crate::problem) fn stream(&self, letter: &str) -> String {
+    pub(crate) fn stream(&self, letter: &str) -> String {
         format!("{}/{letter}", self.name.as_deref().unwrap_or_default())
     }
 
     /// The forms of a draft, in the order of the file; never empty for a draft that was loaded.
-    pub(in crate::problem) fn all(draft: &Draft) -> Vec<Self> {
+    pub(crate) fn all(draft: &Draft) -> Vec<Self> {
         let root = Path::root();
         if draft.forms.is_empty() {
             let form = Form {

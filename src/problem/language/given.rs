@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::fault::{Code, Fault, Path};
-use crate::quantity::{Decimal, Rational, Unit};
-use crate::scene::Term;
+use momentous_fault::{Code, Fault, Path};
+use momentous_quantity::{Decimal, Rational, Unit};
+use momentous_scene::Term;
 
 use super::domain::{Domain, Grid};
 use super::literal::{Literal, number, unit_fault};
@@ -130,15 +130,15 @@ impl Given {
 
 /// A fraction of two decimals as it is written, with the unit of the whole: `1/2`, `10/3 kg`.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::problem) struct Fraction {
+pub(crate) struct Fraction {
     above: Decimal,
     below: Decimal,
     /// Its unit.
-    pub(in crate::problem) unit: Unit,
+    pub(crate) unit: Unit,
 }
 
 impl Fraction {
-    pub(in crate::problem) fn read(text: &str) -> Option<Self> {
+    pub(crate) fn read(text: &str) -> Option<Self> {
         let (above, rest) = text.split_once('/')?;
         let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(rest.len());
         let (below, unit) = rest.split_at(end);
@@ -147,7 +147,7 @@ impl Fraction {
     }
 
     /// Its value, where a decimal gives it exactly.
-    pub(in crate::problem) fn decimal(&self) -> Option<Decimal> {
+    pub(crate) fn decimal(&self) -> Option<Decimal> {
         let value = self.above.to_rational() / self.below.to_rational();
         let digits = f64::try_from(value.clone()).ok()?.to_string();
         Decimal::parse(&digits).ok().filter(|decimal| decimal.to_rational() == value)
@@ -164,7 +164,7 @@ impl Fraction {
     }
 
     /// The same as an expression, in which a unit belongs to the number before it alone.
-    pub(in crate::problem) fn expression(&self) -> String {
+    pub(crate) fn expression(&self) -> String {
         let Self { above, below, unit } = self;
         if unit.is_none() { format!("{above}/{below}") } else { format!("{above}/{below}*(1 {unit})") }
     }

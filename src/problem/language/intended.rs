@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::fault::Path;
-use crate::model::Reason;
+use momentous_fault::Path;
+use momentous_model::Reason;
 
 /// A condition that holds in the intended solution only.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -28,7 +28,7 @@ pub struct Explained {
 
 impl Intended {
     /// The condition as it is written.
-    pub(crate) fn text(&self) -> &str {
+    pub fn text(&self) -> &str {
         match self {
             Self::Condition(condition) => condition,
             Self::Explained(explained) => &explained.condition,
@@ -36,7 +36,7 @@ impl Intended {
     }
 
     /// Where the condition is written, from the place of the whole.
-    pub(in crate::problem) fn place(&self, path: &Path) -> Path {
+    pub(crate) fn place(&self, path: &Path) -> Path {
         match self {
             Self::Condition(_) => path.clone(),
             Self::Explained(_) => path.key("condition"),
@@ -44,7 +44,7 @@ impl Intended {
     }
 
     /// Why the other solution is none.
-    pub(in crate::problem) fn reason(&self) -> Reason {
+    pub(crate) fn reason(&self) -> Reason {
         match self {
             Self::Condition(_) => Reason::OtherSolutionAsked,
             Self::Explained(explained) => Reason::Otherwise(explained.otherwise.clone()),

@@ -1,8 +1,8 @@
 //! A quantity whose value is known before anything is solved.
 
-use crate::expr::Symbol;
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
+use momentous_expr::Symbol;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
 
 use super::domain::Domain;
 

@@ -1,7 +1,7 @@
 //! Numbers and values with units, as an author writes them.
 
-use crate::fault::{Code, Fault, Span};
-use crate::quantity::{Decimal, DecimalFault, Unit, UnitFault};
+use momentous_fault::{Code, Fault, Span};
+use momentous_quantity::{Decimal, DecimalFault, Unit, UnitFault};
 
 /// One or more components in one unit: `3 kg`, `0.7`, `(2, -3) m`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ impl Literal {
     /// A value that is written wrongly (`1_000`, `3,5 m`, `3 kgg`), with its place within the text.
     ///
     /// ```
-    /// use momentous::problem::Literal;
+    /// use momentous_problem::Literal;
     /// let place = Literal::read("(2, -3.0) m").unwrap().unwrap();
     /// assert_eq!((place.components[1].to_string(), place.unit.to_string()), ("-3.0".into(), "m".into()));
     /// assert_eq!(Literal::read("2*m_A"), Ok(None));
@@ -107,7 +107,7 @@ fn unit(text: &str, end: usize) -> Result<Option<Unit>, Fault> {
 }
 
 /// The fault of a unit that begins at that byte of a value of the file.
-pub(in crate::problem) fn unit_fault(fault: UnitFault, start: usize) -> Fault {
+pub(crate) fn unit_fault(fault: UnitFault, start: usize) -> Fault {
     let within = Span { start: start + fault.span.start, end: start + fault.span.end };
     let mut fault = Fault::from(fault);
     fault.span = None;

@@ -1,9 +1,9 @@
 //! Other values that a form has for what its file gives: "now it is held tightly".
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Builder;
-use crate::quantity::dimension_name;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Builder;
+use momentous_quantity::dimension_name;
 
 use super::super::reading::load::Loaded;
 use super::super::reading::turning;
@@ -14,12 +14,7 @@ use super::known::Known;
 use super::known::Origin;
 
 /// What is known in a form, in the order of the file; faults are noted in the builder.
-pub(in crate::problem) fn known_in(
-    loaded: &Loaded,
-    question: &Question,
-    known: &[Known],
-    builder: &mut Builder<'_>,
-) -> Vec<Known> {
+pub(crate) fn known_in(loaded: &Loaded, question: &Question, known: &[Known], builder: &mut Builder<'_>) -> Vec<Known> {
     let mut own = known.to_vec();
     for (name, given) in question.given.iter() {
         let fault = match (own.iter_mut().find(|known| known.name == name), value(given)) {
@@ -50,7 +45,7 @@ pub(in crate::problem) fn known_in(
 }
 
 /// A value, or those from which one is drawn; none where it is given in another way.
-fn value(given: &Given) -> Option<(Origin, crate::quantity::Unit)> {
+fn value(given: &Given) -> Option<(Origin, momentous_quantity::Unit)> {
     match given {
         Given::Drawn { domain, unit } => Some((Origin::Drawn(domain.clone()), unit.clone())),
         Given::Literal(literal) => match &literal.components[..] {
@@ -62,7 +57,7 @@ fn value(given: &Given) -> Option<(Origin, crate::quantity::Unit)> {
 }
 
 /// The fault of a value that is of another kind than the file's own, or may be negative where that is always positive.
-fn unlike(known: &Known, origin: &Origin, dimension: crate::quantity::Dimension) -> Option<Fault> {
+fn unlike(known: &Known, origin: &Origin, dimension: momentous_quantity::Dimension) -> Option<Fault> {
     let Known { name, unit, .. } = known;
     if dimension != unit.dimension() {
         let [expected, found] = [unit.dimension(), dimension].map(dimension_name);

@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::quantity::Decimal;
-use crate::quantity::Rational;
-use crate::scene::Term;
+use momentous_quantity::Decimal;
+use momentous_quantity::Rational;
+use momentous_scene::Term;
 
 /// What a partly right answer is worth, and what attempts and hints cost. Fractions are written `50 %`, `0.5` or `1/2`.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]

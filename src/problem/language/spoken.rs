@@ -8,14 +8,14 @@ use super::text::is_name;
 
 /// The words of a file's scene and relations: those within longer texts, and those that stand alone.
 #[derive(Clone, Debug, Default)]
-pub(in crate::problem) struct Spoken {
+pub(crate) struct Spoken {
     within: BTreeSet<String>,
     alone: BTreeSet<String>,
 }
 
 impl Spoken {
     /// Those of a file.
-    pub(in crate::problem) fn of(root: &Node) -> Self {
+    pub(crate) fn of(root: &Node) -> Self {
         let mut spoken = Self::default();
         for entry in ["scene", "relations"].into_iter().filter_map(|key| root.entry(key)) {
             spoken.listen(&entry.value);

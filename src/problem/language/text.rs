@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use serde::Deserialize;
 
-use crate::fault::{Code, Fault, Span, did_you_mean};
+use momentous_fault::{Code, Fault, Span, did_you_mean};
 
 /// A text with its placeholders, read by a grammar of our own.
 ///
 /// ```
-/// use momentous::problem::Text;
+/// use momentous_problem::Text;
 /// let text = Text::read("Cart A ({{ m_A }}) moves {{ v_A1 | motion }}.").unwrap();
 /// let filled = text.fill(&|placeholder| format!("<{}>", placeholder.name));
 /// assert_eq!(filled, "Cart A (<m_A>) moves <v_A1>.");
@@ -72,17 +72,17 @@ impl Filter {
 
     /// Whether the reader learns how large the quantity is, without a word on its direction.
     #[must_use]
-    pub(in crate::problem) fn tells_size(self) -> bool {
+    pub(crate) fn tells_size(self) -> bool {
         matches!(self, Self::Quantity | Self::Value | Self::Magnitude | Self::Named)
     }
 
     /// Whether what it says follows from the value.
-    pub(in crate::problem) fn needs_value(self) -> bool {
+    pub(crate) fn needs_value(self) -> bool {
         !matches!(self, Self::Symbol | Self::Unit)
     }
 
     /// Whether a formula may stand in place of the value that it says.
-    pub(in crate::problem) fn takes_formula(self) -> bool {
+    pub(crate) fn takes_formula(self) -> bool {
         matches!(self, Self::Quantity | Self::Named)
     }
 
@@ -158,7 +158,7 @@ impl Text {
 
     /// This text and another one behind it. The places of the other's placeholders are those of the other.
     #[must_use]
-    pub(in crate::problem) fn followed_by(&self, mut other: Self) -> Self {
+    pub(crate) fn followed_by(&self, mut other: Self) -> Self {
         let mut pieces = self.pieces.clone();
         pieces.append(&mut other.pieces);
         Self { pieces }
@@ -179,7 +179,7 @@ impl Text {
     }
 
     /// The names whose values it prints.
-    pub(in crate::problem) fn printed_names(&self) -> BTreeSet<String> {
+    pub(crate) fn printed_names(&self) -> BTreeSet<String> {
         let told = self.placeholders().filter(|placeholder| placeholder.filter.tells());
         told.map(|placeholder| placeholder.name.clone()).collect()
     }

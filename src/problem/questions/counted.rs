@@ -1,15 +1,15 @@
 //! Counting: the first or the last whole number for which a condition holds.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Because;
-use crate::model::Builder;
-use crate::quantity::Decimal;
-use crate::quantity::Tolerance;
-use crate::quantity::Unit;
-use crate::solve::Equation;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Because;
+use momentous_model::Builder;
+use momentous_quantity::Decimal;
+use momentous_quantity::Tolerance;
+use momentous_quantity::Unit;
+use momentous_solve::Equation;
 
 use super::super::language::ask::Count;
 use super::super::language::comparison::split_relation;
@@ -26,7 +26,7 @@ enum End {
 }
 
 /// Reads `first n with h_n < h_min`, `last n with x_n < d`.
-pub(in crate::problem) fn counted(
+pub(crate) fn counted(
     count: &Count,
     builder: &mut Builder<'_>,
     path: &Path,

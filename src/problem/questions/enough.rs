@@ -3,21 +3,21 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::wrong::concept;
-use crate::model::Builder;
-use crate::model::Model;
-use crate::model::PrintedGraph;
-use crate::solve::Condition;
-use crate::solve::Equation;
-use crate::solve::Plan;
-use crate::solve::Planner;
-use crate::solve::Reason;
-use crate::solve::System;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::wrong::concept;
+use momentous_model::Builder;
+use momentous_model::Model;
+use momentous_model::PrintedGraph;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Plan;
+use momentous_solve::Planner;
+use momentous_solve::Reason;
+use momentous_solve::System;
 
 use super::super::language::ask;
 use super::super::language::form::Question;
@@ -34,7 +34,7 @@ const TOLD: usize = 2;
 
 /// A question about a quantity that the planner has not answered yet.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Sought {
+pub(crate) struct Sought {
     /// Its place among the parts.
     pub at: usize,
     pub id: String,
@@ -46,7 +46,7 @@ pub(in crate::problem) struct Sought {
 
 /// The planner's answers to the questions of a form.
 #[derive(Default)]
-pub(in crate::problem) struct Answered {
+pub(crate) struct Answered {
     /// The parts, each with its place among all.
     pub parts: Vec<(usize, Part)>,
     /// What can be found: the worked solution shows how.
@@ -54,7 +54,7 @@ pub(in crate::problem) struct Answered {
 }
 
 /// Reads which quantity is meant.
-pub(in crate::problem) fn read(
+pub(crate) fn read(
     ask: &ask::Enough,
     at: usize,
     (id, points): (&str, u32),
@@ -76,7 +76,7 @@ pub(in crate::problem) fn read(
 }
 
 /// The quantities whose values the text of a sheet prints, or the graph on it.
-pub(in crate::problem) fn printed(loaded: &Loaded, question: &Question, model: &Model) -> BTreeSet<Symbol> {
+pub(crate) fn printed(loaded: &Loaded, question: &Question, model: &Model) -> BTreeSet<Symbol> {
     [&loaded.draft.text, &question.text]
         .into_iter()
         .flat_map(Text::printed_names)
@@ -86,7 +86,7 @@ pub(in crate::problem) fn printed(loaded: &Loaded, question: &Question, model: &
 }
 
 /// What the words and numbers of a sheet tell: what is drawn and not printed is not known, nor is what may be anything.
-pub(in crate::problem) fn on_the_sheet(
+pub(crate) fn on_the_sheet(
     question: &Question,
     printed: &BTreeSet<Symbol>,
     known: &[Known],
@@ -101,7 +101,7 @@ pub(in crate::problem) fn on_the_sheet(
 }
 
 /// Answers the questions of a form from what its sheet tells.
-pub(in crate::problem) fn answered(
+pub(crate) fn answered(
     planner: &mut Planner,
     model: &Model,
     sought: &[Sought],

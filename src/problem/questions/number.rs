@@ -1,20 +1,20 @@
 //! How a number is asked: in which unit, to how many figures, and how closely.
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::model::VectorName;
-use crate::quantity::Decimal;
-use crate::quantity::Dimension;
-use crate::quantity::Tolerance;
-use crate::quantity::Unit;
-use crate::quantity::coherent_unit;
-use crate::quantity::dimension_name;
-use crate::scene::Term;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_model::VectorName;
+use momentous_quantity::Decimal;
+use momentous_quantity::Dimension;
+use momentous_quantity::Tolerance;
+use momentous_quantity::Unit;
+use momentous_quantity::coherent_unit;
+use momentous_quantity::dimension_name;
+use momentous_scene::Term;
 
 use super::super::language::ask::Ask;
 use super::super::language::ask::Find;
@@ -99,7 +99,7 @@ fn no_unit(text: &str, fault: Fault, builder: &mut Builder<'_>) -> Fault {
 }
 
 /// The unit in which a quantity is asked where the file does not say: that in which it is given, else the system's own.
-pub(in crate::problem) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Unit {
+pub(crate) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Unit {
     let given = match loaded.given.get(name) {
         Some(Given::Drawn { unit, .. }) => Some(unit.clone()),
         Some(Given::Literal(literal)) => Some(literal.unit.clone()),
@@ -163,7 +163,7 @@ fn read_tolerance(term: &Term, dimension: Dimension) -> Option<Tolerance> {
         let scale = u32::try_from(percent.scale()).ok()?;
         return Some(Tolerance::Relative(Decimal::from_scaled(percent.to_scaled(scale)?, scale + 2)));
     }
-    let quantity = crate::quantity::Quantity::parse(text).ok()?;
+    let quantity = momentous_quantity::Quantity::parse(text).ok()?;
     let bare = quantity.unit.is_none() && dimension == Dimension::NONE;
     (bare || quantity.unit.dimension() == dimension).then_some(Tolerance::Absolute(quantity.value))
 }

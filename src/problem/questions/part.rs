@@ -1,9 +1,9 @@
 //! One part of a question, compiled: what is asked, how it is answered and judged.
 
-use crate::expr::Symbol;
-use crate::model::component_name;
-use crate::quantity::Tolerance;
-use crate::quantity::Unit;
+use momentous_expr::Symbol;
+use momentous_model::component_name;
+use momentous_quantity::Tolerance;
+use momentous_quantity::Unit;
 
 use super::choices::choice::ChoicePart;
 use super::choices::claim::Claim;
@@ -92,10 +92,10 @@ pub struct RangePart {
 }
 
 /// The label and the kind of a part.
-pub(in crate::problem) type Question = (String, PartKind);
+pub(crate) type Question = (String, PartKind);
 
 /// The name of a part in answers, its label and its kind.
-pub(in crate::problem) type Named = (String, String, PartKind);
+pub(crate) type Named = (String, String, PartKind);
 
 impl Part {
     /// The numbers in its answer, each with its name: one, the components of a vector, or none.
@@ -147,7 +147,7 @@ impl PartKind {
 
 impl AskedUnit {
     /// The size in SI units of a unit; one, where there is none.
-    pub(in crate::problem) fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         match self {
             Self::Unit(unit) | Self::InTermsOf(_, unit) => unit.factor().to_f64(),
         }

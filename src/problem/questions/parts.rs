@@ -1,15 +1,15 @@
 //! Reading what is asked: each entry of `ask` becomes a part.
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::QuantityKind;
-use crate::quantity::Unit;
-use crate::quantity::with_minus_signs;
-use crate::solve::Condition;
-use crate::solve::Equation;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::QuantityKind;
+use momentous_quantity::Unit;
+use momentous_quantity::with_minus_signs;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
 
 use super::super::language::ask::Answered;
 use super::super::language::ask::Ask;
@@ -39,7 +39,7 @@ use super::vector;
 
 /// What reading the parts of a form gives.
 #[derive(Default)]
-pub(in crate::problem) struct Read {
+pub(crate) struct Read {
     pub parts: Vec<Part>,
     /// The quantities to be solved.
     pub wanted: Vec<Symbol>,
@@ -52,7 +52,7 @@ pub(in crate::problem) struct Read {
 }
 
 /// Reads the parts of a form; faults are noted in the builder.
-pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
+pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
     let mut read = Read::default();
     check_rubric(loaded, builder);
     for ((index, ask), letter) in question.ask.iter().enumerate().zip(('a'..='z').cycle()) {

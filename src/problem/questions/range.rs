@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::Model;
-use crate::model::Warning;
-use crate::solve::Equation;
-use crate::solve::Planner;
-use crate::solve::Relation;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::Model;
+use momentous_model::Warning;
+use momentous_solve::Equation;
+use momentous_solve::Planner;
+use momentous_solve::Relation;
 
 use super::super::compiling::regimes::Regimes;
 use super::super::language::ask::Answered;
@@ -25,7 +25,7 @@ use super::part::PartKind;
 use super::part::RangePart;
 
 /// Reads the question: the label, the kind, and the equation of the boundary.
-pub(in crate::problem) fn read(
+pub(crate) fn read(
     loaded: &Loaded,
     ask: &Range,
     builder: &mut Builder<'_>,
@@ -67,7 +67,7 @@ pub(in crate::problem) fn read(
 }
 
 /// Plans that give the sides of each claim from a value of the quantity whose range is asked, by that quantity.
-pub(in crate::problem) fn trials(
+pub(crate) fn trials(
     planner: &mut Planner,
     model: &Model,
     parts: &[Part],

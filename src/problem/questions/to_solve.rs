@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::model::Builder;
-use crate::model::QuantityKind;
+use momentous_expr::Symbol;
+use momentous_model::Builder;
+use momentous_model::QuantityKind;
 
 use super::super::language::form;
 use super::super::reading::load::Loaded;

@@ -1,11 +1,11 @@
 //! A vector that is asked: all its components at once.
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::component_name;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::component_name;
 
 use super::super::language::ask::Find;
 use super::super::reading::load::Loaded;
@@ -15,14 +15,14 @@ use super::part::PartKind;
 use super::part::VectorPart;
 
 /// The components of a name that is no quantity itself.
-pub(in crate::problem) fn components(vector: &str, builder: &mut Builder<'_>) -> Option<Vec<Symbol>> {
+pub(crate) fn components(vector: &str, builder: &mut Builder<'_>) -> Option<Vec<Symbol>> {
     let axes = builder.axis_letters();
     let mut symbols = || axes.iter().map(|axis| builder.mention(&component_name(vector, axis))).collect();
     if axes.len() > 1 { symbols() } else { None }
 }
 
 /// Asks for these components at once: the id, the label and the kind of the part.
-pub(in crate::problem) fn read(
+pub(crate) fn read(
     loaded: &Loaded,
     find: &Find,
     symbols: &[Symbol],

@@ -6,14 +6,14 @@ use std::ops::RangeInclusive;
 
 use serde_yaml::{Mapping, Number, Value};
 
-use crate::fault::{Code, Fault, Path, did_you_mean};
+use momentous_fault::{Code, Fault, Path, did_you_mean};
 
 use super::document::{Entry, Kind, Node, Scalar, Style, usual_key};
 use super::shape::{Form, Keys, Place, Shapes};
 
 /// Reads a document by a schema. A scalar becomes a number or a truth value only where the schema allows no text,
 /// so that a decimal stays as it was written. What is faulty is left out of the value.
-pub(in crate::problem) fn check(root: &Node, shapes: &Shapes) -> (Value, Vec<Fault>) {
+pub(crate) fn check(root: &Node, shapes: &Shapes) -> (Value, Vec<Fault>) {
     let mut checker = Checker { shapes, faults: Vec::new() };
     let value = checker.value(root, &shapes.root, &Path::root(), What::File);
     (value.unwrap_or_default(), checker.faults)

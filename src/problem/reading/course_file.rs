@@ -1,7 +1,7 @@
 //! From the text of `course.yaml` to the settings of a course, or to all its faults.
 
-use crate::fault::Faults;
-use crate::fault::Source;
+use momentous_fault::Faults;
+use momentous_fault::Source;
 
 use super::super::language::settings::Course;
 use super::check::check;

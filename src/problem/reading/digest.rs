@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
 
-use crate::fault::Source;
+use momentous_fault::Source;
 
 use super::document::{Entry, Kind, Node};
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use saphyr_parser::{Event, Parser, ScalarStyle, StrInput};
 
-use crate::fault::{Code, Fault, Source, Span};
+use momentous_fault::{Code, Fault, Source, Span};
 
 use super::syntax::way_out;
 

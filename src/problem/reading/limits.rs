@@ -2,7 +2,7 @@
 
 use serde_yaml::Value;
 
-use crate::fault::{Code, Fault, Path, Source, Span};
+use momentous_fault::{Code, Fault, Path, Source, Span};
 
 /// The longest file in bytes: a hundred times what the longest of the bank has.
 pub const LONGEST_FILE: usize = 256 * 1024;

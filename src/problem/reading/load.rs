@@ -5,7 +5,7 @@ use std::borrow::Borrow;
 use serde::de::DeserializeOwned;
 use serde_yaml::{Value, with::singleton_map_recursive};
 
-use crate::fault::{Code, Fault, Faults, Path, Source};
+use momentous_fault::{Code, Fault, Faults, Path, Source};
 
 use super::super::language::draft::Draft;
 use super::super::language::entries::Entries;
@@ -36,12 +36,12 @@ pub struct Loaded {
     /// The forms in which the problem is asked, each complete; at least one.
     pub questions: Vec<Question>,
     /// The words of its scene and relations.
-    pub(in crate::problem) spoken: Spoken,
+    pub(crate) spoken: Spoken,
 }
 
 impl Loaded {
     /// The same with other values of some givens.
-    pub(in crate::problem) fn with(&self, values: &Entries<Given>) -> Self {
+    pub(crate) fn with(&self, values: &Entries<Given>) -> Self {
         let given = self.given.iter().map(|(name, own)| (name.to_owned(), values.get(name).unwrap_or(own).clone()));
         Self { given: given.collect(), ..self.clone() }
     }
@@ -60,9 +60,9 @@ impl Loaded {
 /// givens and of placeholders.
 ///
 /// ```
-/// use momentous::fault::Source;
+/// use momentous_fault::Source;
 /// let file = "ask: [{ find: v_A1 }]\nid: a\ntitle: A\nlevel: intro\nscene: { axes: { x: east }, bodies: { A: { nam: cart A } } }\ntext: What?\n";
-/// let faults = momentous::problem::load(Source::new("a.yaml", file)).unwrap_err();
+/// let faults = momentous_problem::load(Source::new("a.yaml", file)).unwrap_err();
 /// assert_eq!(faults.list[0].help.as_deref(), Some("did you mean `name`? Other keys here: `mass`, `inertia` and `guide`."));
 /// ```
 pub fn load(source: Source) -> Result<Loaded, Faults> {

@@ -1,11 +1,11 @@
 //! What the texts of a problem refer to: every placeholder names a quantity of which its filter has something to say.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::quantity::Dimension;
-use crate::quantity::dimension_name;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_quantity::Dimension;
+use momentous_quantity::dimension_name;
 
 use super::super::language::text::Filter;
 use super::super::language::text::Placeholder;
@@ -16,7 +16,7 @@ const DIRECTED: &[Dimension] =
     &[Dimension::LENGTH, Dimension::VELOCITY, Dimension::ACCELERATION, Dimension::FORCE, Dimension::MOMENTUM];
 
 /// Every placeholder names a quantity.
-pub(in crate::problem) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
+pub(crate) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
     let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
     let hints = loaded.questions.iter().flat_map(|question| &question.hints).map(|(path, hint)| (path.clone(), hint));
     for (path, text) in std::iter::once((Path::root().key("text"), &loaded.draft.text)).chain(forms).chain(hints) {
@@ -29,7 +29,7 @@ pub(in crate::problem) fn mention_in_texts(loaded: &Loaded, builder: &mut Builde
 }
 
 /// The fault of a placeholder that names nothing, or of whose quantity its filter has nothing to say.
-pub(in crate::problem) fn unsayable(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Option<Fault> {
+pub(crate) fn unsayable(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Option<Fault> {
     if builder.mention(&placeholder.name).is_some() {
         return without_direction(placeholder, builder);
     }

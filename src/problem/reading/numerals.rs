@@ -2,8 +2,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
 
 /// Numbers that are written as words, each with its value.
 const WORDS: &[(&str, f64)] = &[
@@ -41,13 +41,13 @@ const WORDS: &[(&str, f64)] = &[
 const SAME: f64 = 1e-9;
 
 /// Values that a story tells without a number: zero (at rest, at the origin) and right angles.
-pub(in crate::problem) fn goes_without_saying(value: &Decimal, unit: &Unit) -> bool {
+pub(crate) fn goes_without_saying(value: &Decimal, unit: &Unit) -> bool {
     let quarters = value.to_f64() * unit.factor().to_f64() / FRAC_PI_2;
     value.is_zero() || unit.has_pi() && (quarters - libm::round(quarters)).abs() < SAME
 }
 
 /// Whether a text tells a value by a number of its own, in the unit of the value or in another; signs are told by words.
-pub(in crate::problem) fn tells(text: &str, value: &Decimal, unit: &Unit) -> bool {
+pub(crate) fn tells(text: &str, value: &Decimal, unit: &Unit) -> bool {
     let own = value.to_f64().abs();
     let same = |one: f64, other: f64| (one - other).abs() <= SAME * other;
     let by_word = || {
@@ -123,7 +123,7 @@ fn unit_at(text: &str) -> Option<Unit> {
 const MOST_WORDS: usize = 4;
 
 /// Whether two texts read the same, however many figures their numbers have.
-pub(in crate::problem) fn alike(one: &str, other: &str) -> bool {
+pub(crate) fn alike(one: &str, other: &str) -> bool {
     let plain = |text: &str| {
         let word = |word: &str| match Decimal::parse(&word.replace('−', "-")) {
             Ok(number) => number.to_f64().to_string(),

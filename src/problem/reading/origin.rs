@@ -1,7 +1,7 @@
 //! From a place in what a sheet says back to the place in the problem file where it was written.
 
-use crate::fault::Path;
-use crate::fault::Span;
+use momentous_fault::Path;
+use momentous_fault::Span;
 
 use super::super::compiling::planned::Problem;
 use super::super::language::text::Piece;

@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::fault::{Fault, Faults, Path, Segment, Source, Span};
+use momentous_fault::{Fault, Faults, Path, Segment, Source, Span};
 
 use super::document::{Document, Kind, Node, Scalar, Style};
 
 /// The places of a document. It is made from the text only when there is a fault to show.
 ///
 /// ```
-/// use momentous::fault::{Path, Source};
-/// use momentous::problem::Index;
+/// use momentous_fault::{Path, Source};
+/// use momentous_problem::Index;
 /// let source = Source::new("a.yaml", "given:\n  e: 0.7\n");
 /// let index = Index::of(&source);
 /// let span = index.place(&Path::root().key("given").key("e")).unwrap();
@@ -160,7 +160,7 @@ impl Way {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fault::Code;
+    use momentous_fault::Code;
 
     const TEXT: &str = "id: a\nscene:\n  bodies:\n    A: { mass: 'm''_A + x' }\ngiven:\n  e: m_A + zz\ntext: >\n  One {{ a }}\n  two {{ zz }}\n  three.\nempty:\n";
 

@@ -41,7 +41,7 @@ fn schema_of<T: JsonSchema>(title: &str) -> Value {
 /// The JSON Schema (draft 2020-12) of a problem file, with a description for every key: an editor completes and checks by it.
 ///
 /// ```
-/// let schema = momentous::problem::json_schema();
+/// let schema = momentous_problem::json_schema();
 /// assert_eq!(schema["properties"]["title"]["description"], "The title on the sheet.");
 /// ```
 #[must_use]

@@ -10,25 +10,25 @@ type Written<'s> = &'s Map<String, Json>;
 
 /// What a schema says.
 #[derive(Debug)]
-pub(in crate::problem) struct Shapes<'s> {
+pub(crate) struct Shapes<'s> {
     /// The whole document.
-    pub(in crate::problem) root: Place<'s>,
+    pub(crate) root: Place<'s>,
     /// Every form that may stand anywhere.
     forms: Vec<Form<'s>>,
 }
 
 /// A place, and what may stand there.
 #[derive(Debug)]
-pub(in crate::problem) struct Place<'s> {
+pub(crate) struct Place<'s> {
     /// What the schema says of the place.
-    pub(in crate::problem) about: Option<&'s str>,
+    pub(crate) about: Option<&'s str>,
     /// Positions of the forms among all forms.
     forms: Vec<usize>,
 }
 
 /// One form that a value may take.
 #[derive(Debug)]
-pub(in crate::problem) enum Form<'s> {
+pub(crate) enum Form<'s> {
     /// That word and no other.
     Word(&'s str),
     /// Any text.
@@ -47,20 +47,20 @@ pub(in crate::problem) enum Form<'s> {
 
 /// The keys of a mapping.
 #[derive(Debug)]
-pub(in crate::problem) struct Keys<'s> {
+pub(crate) struct Keys<'s> {
     /// The keys that the schema names, with what each holds.
     named: Vec<(&'s str, Place<'s>)>,
     /// Those that may not be missing.
-    pub(in crate::problem) required: Vec<&'s str>,
+    pub(crate) required: Vec<&'s str>,
     /// What any other key holds, where others may stand here.
     others: Option<Place<'s>>,
     /// The only names that others may have.
-    pub(in crate::problem) listed: Option<Vec<&'s str>>,
+    pub(crate) listed: Option<Vec<&'s str>>,
 }
 
 impl<'s> Shapes<'s> {
     /// Reads a schema.
-    pub(in crate::problem) fn of(schema: &'s Json) -> Self {
+    pub(crate) fn of(schema: &'s Json) -> Self {
         let mut reader = Reader {
             definitions: schema.get("$defs").and_then(Json::as_object),
             met: Vec::new(),
@@ -76,37 +76,37 @@ impl<'s> Shapes<'s> {
     }
 
     /// The forms of a place.
-    pub(in crate::problem) fn forms<'a>(&'a self, place: &'a Place<'s>) -> impl Iterator<Item = &'a Form<'s>> + Clone {
+    pub(crate) fn forms<'a>(&'a self, place: &'a Place<'s>) -> impl Iterator<Item = &'a Form<'s>> + Clone {
         place.forms.iter().filter_map(|form| self.forms.get(*form))
     }
 
     /// The words of which one may stand in a place.
-    pub(in crate::problem) fn words(&self, place: &Place<'s>) -> Vec<&'s str> {
+    pub(crate) fn words(&self, place: &Place<'s>) -> Vec<&'s str> {
         self.forms(place).filter_map(Form::word).collect()
     }
 }
 
 impl<'s> Form<'s> {
     /// The word that it is.
-    pub(in crate::problem) fn word(&self) -> Option<&'s str> {
+    pub(crate) fn word(&self) -> Option<&'s str> {
         if let Self::Word(word) = self { Some(word) } else { None }
     }
 }
 
 impl<'s> Keys<'s> {
     /// What a key holds, where the schema names it.
-    pub(in crate::problem) fn named(&self, key: &str) -> Option<&Place<'s>> {
+    pub(crate) fn named(&self, key: &str) -> Option<&Place<'s>> {
         self.named.iter().find(|(own, _)| *own == key).map(|(_, place)| place)
     }
 
     /// What a key holds, where it may stand here.
-    pub(in crate::problem) fn place(&self, key: &str) -> Option<&Place<'s>> {
+    pub(crate) fn place(&self, key: &str) -> Option<&Place<'s>> {
         let is_listed = || self.listed.as_ref().is_none_or(|listed| listed.contains(&key));
         self.named(key).or_else(|| self.others.as_ref().filter(|_| is_listed()))
     }
 
     /// The keys that the schema names, in its order.
-    pub(in crate::problem) fn names(&self) -> impl Iterator<Item = &'s str> {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'s str> {
         self.named.iter().map(|(name, _)| *name)
     }
 }

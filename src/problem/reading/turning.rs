@@ -1,18 +1,18 @@
 //! Units of givens that turn: an angle without a unit, and an angular velocity in hertz.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Model;
-use crate::model::QuantityKind;
-use crate::model::angle_without_unit;
-use crate::quantity::Unit;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Model;
+use momentous_model::QuantityKind;
+use momentous_model::angle_without_unit;
+use momentous_quantity::Unit;
 
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
 
 /// The fault of a given whose kind is told by its name.
-pub(in crate::problem) fn unclear(kind: &QuantityKind, name: &str, origin: &Origin, unit: &Unit) -> Option<Fault> {
+pub(crate) fn unclear(kind: &QuantityKind, name: &str, origin: &Origin, unit: &Unit) -> Option<Fault> {
     if *kind == QuantityKind::AngularVelocity && unit.counts_events() {
         let message = format!("`{name}` is an angular velocity, and {unit} may mean revolutions or radians a second");
         return Some(Fault::new(Code::Dimension, message).help("write the unit as `rev/s`, `rpm` or `rad/s`"));
@@ -21,7 +21,7 @@ pub(in crate::problem) fn unclear(kind: &QuantityKind, name: &str, origin: &Orig
 }
 
 /// The faults of what equations take as an angle, whatever its name.
-pub(in crate::problem) fn angles_by_use(model: &Model, known: &[Known]) -> Vec<Fault> {
+pub(crate) fn angles_by_use(model: &Model, known: &[Known]) -> Vec<Fault> {
     let angles = model.angles();
     let used = known.iter().filter(|known| angles.contains(&known.symbol));
     let fault = |known: &Known| {

@@ -3,19 +3,19 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::quantity::Dimension;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_quantity::Dimension;
 
 use super::super::language::given::Given;
 use super::super::language::known::Origin;
 use super::load::Loaded;
 
 /// A fault for each given that is an expression of itself, at once or by way of others.
-pub(in crate::problem) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
+pub(crate) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
     let mut speaks_of: BTreeMap<Symbol, BTreeSet<Symbol>> = BTreeMap::new();
     let mut places = Vec::new();
     for (name, given) in loaded.given.iter() {
@@ -40,12 +40,7 @@ pub(in crate::problem) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
 }
 
 /// A fault where a mass, a duration or a length may be drawn that is none.
-pub(in crate::problem) fn too_small(
-    builder: &Builder<'_>,
-    name: &str,
-    symbol: Symbol,
-    origin: &Origin,
-) -> Option<Fault> {
+pub(crate) fn too_small(builder: &Builder<'_>, name: &str, symbol: Symbol, origin: &Origin) -> Option<Fault> {
     if matches!(origin, Origin::Any) || origin.is_positive() || !builder.is_positive(symbol) {
         return None;
     }

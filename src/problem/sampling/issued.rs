@@ -1,8 +1,8 @@
 //! A sheet that was handed out: the variant with the numbers that stand on it, whatever the problem draws now.
 
-use crate::expr::Symbol;
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
+use momentous_expr::Symbol;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
 
 use super::super::language::known::Origin;
 use super::super::questions::part::PartKind;

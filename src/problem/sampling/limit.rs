@@ -1,9 +1,9 @@
 //! A limiting case of a variant: one of its givens at the end of what it can be.
 
-use crate::expr::Symbol;
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
-use crate::solve::Bounded;
+use momentous_expr::Symbol;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
+use momentous_solve::Bounded;
 
 use super::super::compiling::input::Input;
 use super::super::compiling::regimes::Scratch;

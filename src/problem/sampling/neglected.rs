@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::model::ContactWeight;
-use crate::model::Model;
-use crate::model::Warning;
-use crate::solve::Condition;
-use crate::solve::Planner;
+use momentous_expr::Symbol;
+use momentous_model::ContactWeight;
+use momentous_model::Model;
+use momentous_model::Warning;
+use momentous_solve::Condition;
+use momentous_solve::Planner;
 
 use super::super::compiling::regimes::Leaf;
 use super::super::compiling::regimes::Regimes;
@@ -17,7 +17,7 @@ use super::variant::Worked;
 const WORTH_SAYING: f64 = 0.01;
 
 /// A plan of what weight does in short contacts from what a form tells; none where the form's own plan finds it, or nothing does.
-pub(in crate::problem) fn weighed(
+pub(crate) fn weighed(
     planner: &mut Planner,
     model: &Model,
     conditions: &[Condition],

@@ -1,8 +1,8 @@
 //! Why a seed has no variant, or values have none.
 
-use crate::model::Reason;
-use crate::model::Warning;
-use crate::quantity::MOST_TOLERANCES;
+use momentous_model::Reason;
+use momentous_model::Warning;
+use momentous_quantity::MOST_TOLERANCES;
 
 /// Tries for one seed before the problem is given up as one that cannot be drawn.
 pub const MOST_ATTEMPTS: u64 = 256;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::Passage;
-use crate::model::Reason;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Passage;
+use momentous_model::Reason;
 
 use super::sampler::Sampler;
 

@@ -1,10 +1,10 @@
 //! Why numbers are refused: they have no solution, or several, or one in which what is asked has no meaning.
 
-use crate::expr::Symbol;
-use crate::model::Reason;
-use crate::scene::Stage;
-use crate::solve::Bounded;
-use crate::solve::Cause;
+use momentous_expr::Symbol;
+use momentous_model::Reason;
+use momentous_scene::Stage;
+use momentous_solve::Bounded;
+use momentous_solve::Cause;
 
 use super::super::questions::choices::choice::ChoicePart;
 use super::super::questions::part::PartKind;

@@ -1,13 +1,13 @@
 //! How far honest rounding can move an answer, whether an answer is nothing, and the size against which that is judged.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Dimension;
-use crate::quantity::MOST_TOLERANCES;
-use crate::quantity::first_place;
-use crate::quantity::half_unit;
-use crate::quantity::unit_of_place;
-use crate::solve::Sensitivity;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Dimension;
+use momentous_quantity::MOST_TOLERANCES;
+use momentous_quantity::first_place;
+use momentous_quantity::half_unit;
+use momentous_quantity::unit_of_place;
+use momentous_solve::Sensitivity;
 
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
@@ -136,7 +136,7 @@ impl Worked<'_> {
     fn approach(&self) -> f64 {
         let condition = self.leaf().system.conditions.iter().find(|condition| {
             let reason = self.problem.model().reasons.get(condition.tag);
-            reason.is_some_and(|reason| reason.warning() == Some(crate::model::Warning::NoImpact))
+            reason.is_some_and(|reason| reason.warning() == Some(momentous_model::Warning::NoImpact))
         });
         condition.map_or(0.0, |condition| {
             let side = |side: &Expr| side.evaluate(&|own| self.value(own));

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Symbol;
-use crate::model::QuantityKind;
-use crate::quantity::Decimal;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
-use crate::solve::Bounded;
-use crate::solve::Precision;
-use crate::solve::Real;
+use momentous_expr::Symbol;
+use momentous_model::QuantityKind;
+use momentous_quantity::Decimal;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
+use momentous_solve::Bounded;
+use momentous_solve::Precision;
+use momentous_solve::Real;
 
 use super::super::compiling::input::Input;
 use super::super::compiling::inputs::inputs;

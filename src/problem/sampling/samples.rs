@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::compiling::on_demand::Sample;
 use super::super::language::known::Origin;

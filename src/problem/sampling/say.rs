@@ -1,18 +1,18 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
-use crate::expr::Leaf;
-use crate::expr::LeafKind;
-use crate::expr::Symbol;
-use crate::model::PrintedGraph;
-use crate::model::QuantityKind;
-use crate::quantity::Decimal;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
-use crate::quantity::with_minus_signs;
-use crate::scene::Axis;
-use crate::scene::Scene;
-use crate::scene::Senses;
-use crate::scene::Stage;
+use momentous_expr::Leaf;
+use momentous_expr::LeafKind;
+use momentous_expr::Symbol;
+use momentous_model::PrintedGraph;
+use momentous_model::QuantityKind;
+use momentous_quantity::Decimal;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
+use momentous_quantity::with_minus_signs;
+use momentous_scene::Axis;
+use momentous_scene::Scene;
+use momentous_scene::Senses;
+use momentous_scene::Stage;
 
 use super::super::compiling::planned::Problem;
 use super::super::language::given::Given;
@@ -66,12 +66,12 @@ const PLURALS: &[&str] = &["they", "both", "together", "two", "three"];
 const CONJUNCTIONS: &[&str] = &["and", "but", "or", "then"];
 
 /// The text with every placeholder said for this variant.
-pub(in crate::problem) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String {
+pub(crate) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String {
     fill_and_mark(text, problem, variant).0
 }
 
 /// The same, with the place at which each piece of the text ends in it.
-pub(in crate::problem) fn fill_and_mark(text: &Text, problem: &Problem, variant: &Variant) -> (String, Vec<usize>) {
+pub(crate) fn fill_and_mark(text: &Text, problem: &Problem, variant: &Variant) -> (String, Vec<usize>) {
     let mut filled = String::new();
     let mut ends = Vec::with_capacity(text.pieces().len());
     for piece in text.pieces() {

@@ -25,7 +25,7 @@ const REPEATED: usize = 3;
 /// The mark of a secret: the same for the same secret, and no help to find it.
 ///
 /// ```
-/// use momentous::problem::secret_mark;
+/// use momentous_problem::secret_mark;
 /// let mark = secret_mark(b"course 2026");
 /// assert_eq!((mark.len(), mark == secret_mark(b"course 2027")), (6, false));
 /// ```
@@ -39,7 +39,7 @@ pub fn secret_mark(secret: &[u8]) -> String {
 }
 
 /// A letter for a byte.
-pub(in crate::problem) fn letter(byte: u8) -> char {
+pub(crate) fn letter(byte: u8) -> char {
     char::from(LETTERS[usize::from(byte % 16)])
 }
 
@@ -47,7 +47,7 @@ pub(in crate::problem) fn letter(byte: u8) -> char {
 /// secret of less than 13 bytes is.
 ///
 /// ```
-/// use momentous::problem::is_guessable;
+/// use momentous_problem::is_guessable;
 /// assert!(is_guessable(b"some words that nobody guesses"));
 /// assert!(!is_guessable(b"8f14e45fceea167a5a36dedd4bea2543"));
 /// ```
@@ -59,7 +59,7 @@ pub fn is_guessable(secret: &[u8]) -> bool {
 /// After how many tries a text is found by somebody who thinks as people do, as a power of two: words, simple rows and repetitions first.
 ///
 /// ```
-/// use momentous::problem::guesses;
+/// use momentous_problem::guesses;
 /// assert!(guesses(b"aaaaaaaaaa") < 10.0);
 /// assert!(guesses(b"a few short words") > 30.0);
 /// ```

@@ -1,10 +1,10 @@
 //! What the sign of a quantity says, so that an answer with the wrong one is not taken for a magnitude.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
-use crate::scene::Senses;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::QuantityKind;
+use momentous_quantity::Dimension;
+use momentous_scene::Senses;
 
 use super::super::compiling::planned::Problem;
 use super::say::senses_of;
@@ -25,8 +25,8 @@ impl Problem {
     /// where something in it has one.
     ///
     /// ```
-    /// use momentous::bank::Bank;
-    /// use momentous::problem::{Sign, compile, load};
+    /// use momentous_bank::Bank;
+    /// use momentous_problem::{Sign, compile, load};
     ///
     /// let problem = compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?;
     /// let sign = |name| problem.model().symbol_of(name).map(|symbol| problem.sign(symbol));

@@ -69,7 +69,7 @@ const BLOCK: usize = 8;
 /// removed and the others stay.
 ///
 /// ```
-/// use momentous::problem::Streams;
+/// use momentous_problem::Streams;
 /// let mut two = Streams::new("impact/two-carts", None, ["m_A", "m_B"]).words();
 /// let mut one = Streams::new("impact/two-carts", None, ["m_B"]).words();
 /// assert_eq!(two.word(1, 7, 0), one.word(0, 7, 0));
@@ -79,7 +79,7 @@ pub struct Streams {
     key: [u8; 32],
     ids: Vec<u64>,
     /// The mark of the secret; nothing where there is none.
-    pub(in crate::problem) mark: Option<String>,
+    pub(crate) mark: Option<String>,
 }
 
 /// The letters of a code: among a hundred thousand, two are the same once in fifty thousand courses.
@@ -97,13 +97,13 @@ impl Streams {
 
     /// Letters by which something of this problem is known, and nothing of it can be read; in a course with a secret, nobody
     /// else finds them.
-    pub(in crate::problem) fn code(&self, of: &[&[u8]]) -> String {
+    pub(crate) fn code(&self, of: &[&[u8]]) -> String {
         let key = digest(&self.key, &[b"code"]);
         digest(&key, of).iter().take(CODE).map(|byte| letter(*byte)).collect()
     }
 
     /// The random word of a seed under a name that nothing given has, for what is not drawn again and again.
-    pub(in crate::problem) fn word_of(&self, name: &str, seed: u64) -> u64 {
+    pub(crate) fn word_of(&self, name: &str, seed: u64) -> u64 {
         first_word(digest(&self.key, &[b"order", name.as_bytes(), &seed.to_le_bytes()]))
     }
 

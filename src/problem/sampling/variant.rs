@@ -2,12 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::expr::Symbol;
-use crate::model::QuantityKind;
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
-use crate::solve::Bounded;
-use crate::solve::Real;
+use momentous_expr::Symbol;
+use momentous_model::QuantityKind;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
+use momentous_solve::Bounded;
+use momentous_solve::Real;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;
@@ -22,17 +22,17 @@ use super::stream::Scheme;
 /// one admissible solution belongs to them.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    pub(in crate::problem) form: usize,
-    pub(in crate::problem) seed: Option<u64>,
-    pub(in crate::problem) scheme: Scheme,
-    pub(in crate::problem) given: Vec<(Symbol, Decimal, Unit)>,
-    pub(in crate::problem) values: Vec<Option<Bounded>>,
-    pub(in crate::problem) forward: Vec<Option<Bounded>>,
-    pub(in crate::problem) weighed: Vec<Option<Bounded>>,
-    pub(in crate::problem) others: Vec<(Symbol, Vec<Bounded>)>,
-    pub(in crate::problem) leaf: usize,
-    pub(in crate::problem) roots: Vec<usize>,
-    pub(in crate::problem) dead: Vec<Dead>,
+    pub(crate) form: usize,
+    pub(crate) seed: Option<u64>,
+    pub(crate) scheme: Scheme,
+    pub(crate) given: Vec<(Symbol, Decimal, Unit)>,
+    pub(crate) values: Vec<Option<Bounded>>,
+    pub(crate) forward: Vec<Option<Bounded>>,
+    pub(crate) weighed: Vec<Option<Bounded>>,
+    pub(crate) others: Vec<(Symbol, Vec<Bounded>)>,
+    pub(crate) leaf: usize,
+    pub(crate) roots: Vec<usize>,
+    pub(crate) dead: Vec<Dead>,
 }
 
 impl Variant {
@@ -121,12 +121,12 @@ impl Variant {
         let figures = problem.loaded().draft.significant_figures();
         let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten())?;
         let size = factor(self.unit(problem, symbol).factor().to_f64());
-        crate::quantity::round_to_figures(solved.div(&size).for_print(), figures)
+        momentous_quantity::round_to_figures(solved.div(&size).for_print(), figures)
     }
 }
 
 /// The size of a unit in SI units: the nearest double, with a bound on its error.
-pub(in crate::problem) fn factor(value: f64) -> Bounded {
+pub(crate) fn factor(value: f64) -> Bounded {
     let exact = value.fract() == 0.0 && value < 9e15;
     Bounded { value, error: if exact { 0.0 } else { value * f64::EPSILON / 2.0 } }
 }

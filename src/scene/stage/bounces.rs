@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A body bounces on a smooth floor, again and again. Where a fall came before, the body was dropped from rest; otherwise it arrives
 /// with the velocity that it then has.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A particle moves from one place to another under a force that always points to, or away from, a fixed point.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

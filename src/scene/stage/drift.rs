@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// Nothing acts on the bodies along the axes: they go on evenly, for a time or until something holds.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

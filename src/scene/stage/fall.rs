@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A body moves freely down through a height. Needs a vertical plane.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

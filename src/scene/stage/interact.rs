@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// Bodies act on each other, whatever the forces, for a while, and nothing acts on them from outside along the axes.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Strength;
+use crate::Strength;
 
 use super::During;
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Axis, Components, Term};
+use crate::{Axis, Components, Term};
 
 use super::During;
 

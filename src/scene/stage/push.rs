@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Force, Strength, Term};
+use crate::{Force, Strength, Term};
 
 use super::{Gain, Loss, MassChange, Resistance, Until};
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// Air or a liquid resists the motion of a body: `{ linear: b }`, or along a line `{ quadratic: k }`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Strength, Term};
+use crate::{Strength, Term};
 
 use super::During;
 

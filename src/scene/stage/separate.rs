@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Strength, Term};
+use crate::{Strength, Term};
 
 /// A body comes apart, or bodies that moved together part: an explosion, a recoil, a jump, a shot, a spring that is let go.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

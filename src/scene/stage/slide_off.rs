@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A body slides from rest down a smooth body that can move along its guide: a block on a wedge with wheels, a bead in a bowl on ice.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A steady stream meets a body that is at rest or moves at constant velocity, and exerts a force on it. How much arrives is given by `flow`, or by
 /// `density` and `area`, or by `per_length`. Without `turned`, `restitution` or `stays` it spreads sideways over the body.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A body strikes a light arm that turns about a fixed point and carries particles, or a body that turns about it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A slack, light, inextensible string between two bodies goes taut with a jerk.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A body is driven by mass that it expels steadily. Several stages of a rocket are several stages of this kind, each with its
 /// own masses.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::Term;
 
 /// A body walks along another that is free to move, from rest to rest: a person along a boat.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -13,7 +13,7 @@ impl BounceTrain {
     /// what must be exact. For `e = 0.999999` pass `1e-6`.
     ///
     /// ```
-    /// use momentous::simulate::BounceTrain;
+    /// use momentous_simulate::BounceTrain;
     /// let train = BounceTrain::new(4.0, 9.81, 1e-6);
     /// assert!((train.height_after(1_000_000) - 0.541340591605).abs() < 1e-12);
     /// ```

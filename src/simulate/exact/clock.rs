@@ -18,7 +18,7 @@ impl Clock {
     /// The time that is this much later.
     ///
     /// ```
-    /// use momentous::simulate::Clock;
+    /// use momentous_simulate::Clock;
     /// let late = Clock::at(1e6);
     /// assert_eq!(late.after(1e-20).since(late), 1e-20);
     /// ```

@@ -1,6 +1,6 @@
 //! Motion about a fixed centre of gravity by the universal variable, which is as good near a parabola as on a circle.
 
-use crate::simulate::state::Vector;
+use crate::state::Vector;
 
 /// An orbit about a fixed centre.
 #[derive(Clone, Debug, PartialEq)]

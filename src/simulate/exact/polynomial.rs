@@ -8,7 +8,7 @@ pub const HIGHEST_DEGREE: usize = 16;
 /// negative. One that is zero or negative at 0 and falling falls at 0; one that only touches zero does not fall.
 ///
 /// ```
-/// use momentous::simulate::first_fall;
+/// use momentous_simulate::first_fall;
 /// // y = 10 t - 9.81 t^2 / 2 under a ceiling at 5 m: the gap 5 - y is open, and closes before it opens again.
 /// let t = first_fall(&[5.0, -10.0, 9.81 / 2.0], 2.0).unwrap();
 /// assert!((t - 0.878857810886).abs() < 1e-12);
@@ -37,7 +37,7 @@ pub fn first_fall(coefficients: &[f64], horizon: f64) -> Option<f64> {
 }
 
 /// The same polynomial in the time since `origin`.
-pub(in crate::simulate) fn shifted(coefficients: &[f64], origin: f64) -> Vec<f64> {
+pub(crate) fn shifted(coefficients: &[f64], origin: f64) -> Vec<f64> {
     let mut local = coefficients.to_vec();
     if origin != 0.0 {
         for done in 0..local.len() {

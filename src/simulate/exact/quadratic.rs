@@ -15,7 +15,7 @@ pub struct Meeting {
 /// The small root is `2 gap / (-rate + sqrt(disc))`, never the textbook's difference, and the rate then is `-sqrt(disc)`.
 ///
 /// ```
-/// use momentous::simulate::first_contact;
+/// use momentous_simulate::first_contact;
 /// let meeting = first_contact(1e-12, -3.0, 9.81).unwrap();
 /// assert!((meeting.after * 3.0 / 1e-12 - 1.0).abs() < 1e-11);
 /// assert_eq!(first_contact(1.0, 1.0, 0.0), None);

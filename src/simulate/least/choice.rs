@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::simulate::methods::MethodKind;
+use crate::methods::MethodKind;
 
 use super::class::{Class, Classified};
 use super::costs::{Cost, costs};
@@ -63,7 +63,7 @@ pub enum NoChoice {
 /// accurate one within it. Where there is a closed form, it is taken.
 ///
 /// ```
-/// use momentous::simulate::least::{Classified, Request, choose};
+/// use momentous_simulate::least::{Classified, Request, choose};
 /// let swing = Classified::integrated("swing");
 /// let choice = choose(&swing, &Request { accuracy: Some(1e-6), ..Request::default() }).unwrap();
 /// assert!(choice.cost.as_ref().unwrap().error <= 1e-6);

@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-use crate::simulate::budget::{Budget, Keep};
-use crate::simulate::force::Force;
-use crate::simulate::method::Method;
-use crate::simulate::methods::{ClosedForm, EventDriven, MethodKind};
-use crate::simulate::refusal::Refusal;
-use crate::simulate::world::World;
+use crate::budget::{Budget, Keep};
+use crate::force::Force;
+use crate::method::Method;
+use crate::methods::{ClosedForm, EventDriven, MethodKind};
+use crate::refusal::Refusal;
+use crate::world::World;
 
 /// What a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,8 +75,8 @@ impl fmt::Display for Classified {
 /// The least class that treats a scene for as long as the budget says.
 ///
 /// ```
-/// use momentous::simulate::least::{Class, classify};
-/// use momentous::simulate::{Budget, ON_A_LINE};
+/// use momentous_simulate::least::{Class, classify};
+/// use momentous_simulate::{Budget, ON_A_LINE};
 ///
 /// let drag = (ON_A_LINE[1].jittered)(0.0);
 /// let found = classify(&drag.world, &drag.budget).unwrap();
@@ -124,8 +124,8 @@ pub fn classify<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Cla
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::simulate::task::{IN_THE_PLANE, ON_A_LINE};
-    use crate::simulate::world::Body;
+    use crate::task::{IN_THE_PLANE, ON_A_LINE};
+    use crate::world::Body;
 
     #[test]
     fn the_reference_tasks_have_their_classes() {

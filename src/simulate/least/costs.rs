@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use crate::simulate::methods::MethodKind;
+use crate::methods::MethodKind;
 
 use super::class::Class;
 

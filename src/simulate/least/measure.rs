@@ -1,8 +1,8 @@
 //! The table of costs, made anew.
 
-use crate::simulate::methods::{MethodKind, Setting};
-use crate::simulate::sweep::{Point, jittered_cases, measured};
-use crate::simulate::task::{IN_THE_PLANE, ON_A_LINE, Task};
+use crate::methods::{MethodKind, Setting};
+use crate::sweep::{Point, jittered_cases, measured};
+use crate::task::{IN_THE_PLANE, ON_A_LINE, Task};
 
 use super::class::{Class, classify};
 use super::costs::Cost;

@@ -3,11 +3,11 @@
 mod choice;
 mod class;
 mod costs;
-#[cfg(feature = "cli")] // it reads the clock
+#[cfg(feature = "clock")] // it reads the clock
 mod measure;
 
 pub use choice::{Choice, DEFAULT_ACCURACY, NoChoice, Request, choose};
 pub use class::{Class, Classified, classify};
 pub use costs::{Cost, costs};
-#[cfg(feature = "cli")]
+#[cfg(feature = "clock")]
 pub use measure::measure_costs;

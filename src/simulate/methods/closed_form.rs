@@ -1,13 +1,13 @@
 //! The closed form: a motion without impacts, and a ball that bounces on a level floor, by their formulas.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::exact::first_contact;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::Vector;
-use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::exact::first_contact;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::Vector;
+use crate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
+use crate::world::World;
 
 use super::EventDriven;
 
@@ -129,7 +129,7 @@ const FLOOR: Contact = Contact::Wall { wall: 0, body: 0 };
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::simulate::world::{Body, Wall};
+    use crate::world::{Body, Wall};
 
     fn thrown(height: f64, velocity: f64, restitution: f64) -> World<1> {
         let mut world = World::new(restitution);

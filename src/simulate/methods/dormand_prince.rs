@@ -1,13 +1,13 @@
 //! One step of the pair of Dormand and Prince (1980), with the error and the interpolant of order 4 (Hairer, Nørsett, Wanner).
 
-use crate::simulate::state::{State, Vector};
-use crate::simulate::world::World;
+use crate::state::{State, Vector};
+use crate::world::World;
 
 /// The times of the stages, as parts of the step.
-pub(in crate::simulate) const NODES: [f64; 7] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
+pub(crate) const NODES: [f64; 7] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
 
 /// The weights of the slopes before each stage; the last stage is the step of order 5.
-pub(in crate::simulate) const STAGES: [&[f64]; 7] = [
+pub(crate) const STAGES: [&[f64]; 7] = [
     &[],
     &[1.0 / 5.0],
     &[3.0 / 40.0, 9.0 / 40.0],
@@ -18,7 +18,7 @@ pub(in crate::simulate) const STAGES: [&[f64]; 7] = [
 ];
 
 /// The difference of the weights of order 5 and 4.
-pub(in crate::simulate) const ERROR: [f64; 7] =
+pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
 /// The weights of the interpolant's last term.

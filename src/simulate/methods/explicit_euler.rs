@@ -1,12 +1,12 @@
 //! Explicit Euler: position and velocity move on by what held at the start of the step. Order 1, and energy grows on orbits.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Impact, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::{State, Vector};
+use crate::trajectory::{Impact, Trajectory};
+use crate::world::World;
 
 use super::marching::{Step, march, strike_once};
 

@@ -1,7 +1,7 @@
 //! The methods by name, so that a table or a user can choose one.
 
-use crate::fault::did_you_mean;
-use crate::simulate::method::Method;
+use crate::method::Method;
+use momentous_fault::did_you_mean;
 
 use super::{
     ClosedForm, EventDriven, ExplicitEuler, LinearSolve, MoreauJean, Penalty, RungeKutta, SequentialImpulses,
@@ -76,7 +76,7 @@ impl MethodKind {
     /// The method of that name.
     ///
     /// ```
-    /// use momentous::simulate::MethodKind;
+    /// use momentous_simulate::MethodKind;
     /// assert_eq!(MethodKind::named("Runge_Kutta"), Ok(MethodKind::RungeKutta));
     /// ```
     ///
@@ -145,7 +145,7 @@ impl MethodKind {
     /// The method with a step in s, or a tolerance; what has no setting leaves it aside.
     ///
     /// ```
-    /// use momentous::simulate::{Method, MethodKind};
+    /// use momentous_simulate::{Method, MethodKind};
     /// assert_eq!(Method::<2>::name(MethodKind::Penalty.with(1e-3).as_ref()), "penalty");
     /// ```
     #[must_use]

@@ -1,10 +1,10 @@
 //! The linear solve: the impact of bodies that touch, as one system of equations. No motion, no time.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::trajectory::{Ending, Trajectory};
+use crate::world::World;
 
 /// Solves the impact that happens at time 0 between bodies that touch; several at once where the laws determine them.
 #[derive(Clone, Copy, Debug, Default)]

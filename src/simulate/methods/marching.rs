@@ -1,12 +1,12 @@
 //! What all methods of fixed step share: the loop over steps, and impulses at contacts that are found closed.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::simultaneous::Struck;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::refusal::Refusal;
+use crate::simultaneous::Struck;
+use crate::state::{State, Vector};
+use crate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
+use crate::world::World;
 
 /// One step of a method: it moves the state on by the step and returns the impacts.
 pub(super) trait Step<const D: usize> {

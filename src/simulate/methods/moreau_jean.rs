@@ -1,12 +1,12 @@
 //! Time stepping after Moreau and Jean: contacts are conditions on the velocity at the end of a step, found closed at its middle.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Impact, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::{State, Vector};
+use crate::trajectory::{Impact, Trajectory};
+use crate::world::World;
 
 use super::marching::{Step, closed, march, push_apart};
 

@@ -1,12 +1,12 @@
 //! Penalty contact: a spring and a dashpot that push while the bodies overlap, calibrated so that an impact returns e.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Impact, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::{State, Vector};
+use crate::trajectory::{Impact, Trajectory};
+use crate::world::World;
 
 use super::marching::{Step, march};
 
@@ -54,7 +54,7 @@ impl<const D: usize> Method<D> for Penalty {
 /// `None` for `e = 0`, which needs an infinite one.
 ///
 /// ```
-/// use momentous::simulate::damping_ratio;
+/// use momentous_simulate::damping_ratio;
 /// assert_eq!(damping_ratio(1.0), Some(0.0));
 /// assert!((damping_ratio((-2.0_f64).exp()).unwrap() - 1.0).abs() < 1e-9);
 /// assert_eq!(damping_ratio(0.0), None);

@@ -8,13 +8,13 @@ use rapier2d_f64::prelude::{
     SharedShape, Vector as Pair,
 };
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Impact, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::{State, Vector};
+use crate::trajectory::{Impact, Trajectory};
+use crate::world::World;
 
 use super::marching::{Step, march};
 
@@ -192,7 +192,7 @@ impl<const D: usize> Step<D> for Engine<D> {
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::simulate::world::{Body, Wall};
+    use crate::world::{Body, Wall};
 
     /// The peer is used rightly: what it finds comes near the truth as its step goes down.
     #[test]
@@ -212,7 +212,7 @@ mod tests {
         let run = Rapier { step: 1e-4 }.run(&meeting, &Budget::until(1.0)).unwrap();
         assert_eq!(run.impact_count, 1);
         assert!((run.last.velocities[0].x - -0.4).abs() < 1e-2, "{:?}", run.last);
-        let oblique = &(crate::simulate::task::IN_THE_PLANE[0].jittered)(0.0);
+        let oblique = &(crate::task::IN_THE_PLANE[0].jittered)(0.0);
         let run = Rapier { step: 1e-4 }.run(&oblique.world, &oblique.budget).unwrap();
         assert!((run.last.velocities[1].norm() - 2.16).abs() < 0.02, "{:?}", run.last);
     }

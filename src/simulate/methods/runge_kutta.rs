@@ -4,15 +4,15 @@
 //! gaps are polynomials too, and all their roots are found. No impact hides between two samples. The step is then taken
 //! again to the impact, until the gap itself is closed there, and a gap that does not close is a breakdown, never a guess.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::contact::Contact;
-use crate::simulate::exact::first_fall;
-use crate::simulate::gap::gap_polynomial;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Ending, Motion, Segment, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::contact::Contact;
+use crate::exact::first_fall;
+use crate::gap::gap_polynomial;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::{State, Vector};
+use crate::trajectory::{Ending, Motion, Segment, Trajectory};
+use crate::world::World;
 
 use super::dormand_prince::{Trial, trial};
 
@@ -195,7 +195,7 @@ impl<const D: usize> Run<'_, D> {
         }
         let mut group = self.world.touching(&self.contacts, state);
         if group.iter().all(|struck| struck.contact != contact) {
-            group.push(crate::simulate::simultaneous::Struck { contact, normal: geometry.normal, rate });
+            group.push(crate::simultaneous::Struck { contact, normal: geometry.normal, rate });
         }
         for mut impact in self.world.collide(&group, &mut state.velocities)? {
             impact.time = time;

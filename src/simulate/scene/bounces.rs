@@ -1,12 +1,12 @@
 //! Bounces on a smooth floor, level or sloping, of a body that was dropped or that arrives somehow.
 
-use crate::scene::stage::Bounces;
-use crate::scene::{Axis, Stage};
-use crate::simulate::budget::Budget;
-use crate::simulate::method::Method;
-use crate::simulate::methods::EventDriven;
-use crate::simulate::state::Vector;
-use crate::simulate::world::{Body, Wall, World};
+use crate::budget::Budget;
+use crate::method::Method;
+use crate::methods::EventDriven;
+use crate::state::Vector;
+use crate::world::{Body, Wall, World};
+use momentous_scene::stage::Bounces;
+use momentous_scene::{Axis, Stage};
 
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;

@@ -1,6 +1,6 @@
 //! The components of positions and velocities, and where each points on a page.
 
-use crate::scene::{Axis, Plane, Scene};
+use momentous_scene::{Axis, Plane, Scene};
 
 use super::values::Values;
 use super::vector::{Vector, part};
@@ -43,8 +43,8 @@ impl Component {
     /// The component along an axis of a scene.
     ///
     /// ```
-    /// use momentous::scene::{Axis, Scene};
-    /// use momentous::simulate::scene::Component;
+    /// use momentous_scene::{Axis, Scene};
+    /// use momentous_simulate::scene::Component;
     ///
     /// let scene: Scene = serde_json::from_str(r#"{
     ///     "axes": { "x": "to the left", "y": "towards the net" }, "bodies": { "A": { "name": "the ball" } }

@@ -1,6 +1,6 @@
 //! Directions in words, as unit vectors.
 
-use crate::scene::{Axis, Term};
+use momentous_scene::{Axis, Term};
 
 use super::nothing::NothingToSimulate;
 use super::values::Values;

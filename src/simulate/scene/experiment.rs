@@ -1,12 +1,12 @@
 //! Worlds that simulate a stage, and what is read off them at the end.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::method::Method;
-use crate::simulate::methods::{EventDriven, RungeKutta};
-use crate::simulate::refusal::Refusal;
-use crate::simulate::shown::Shown;
-use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::method::Method;
+use crate::methods::{EventDriven, RungeKutta};
+use crate::refusal::Refusal;
+use crate::shown::Shown;
+use crate::trajectory::{Ending, Trajectory};
+use crate::world::World;
 
 /// The tolerances of the two runs whose difference is the estimate of the error where a motion is integrated.
 const TOLERANCES: [f64; 2] = [1e-10, 1e-12];

@@ -1,6 +1,6 @@
 //! How a motion that is integrated is watched: its bodies at common instants, and what acts on them meanwhile.
 
-use crate::simulate::record::{GAUSS, Moment, Pivot, Record, Recorded};
+use crate::record::{GAUSS, Moment, Pivot, Record, Recorded};
 
 use super::component::Component;
 use super::integrate::{Integrator, Slope};

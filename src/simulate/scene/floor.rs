@@ -8,7 +8,7 @@ use super::stage_run::StageRun;
 use super::system::System;
 use super::values::Values;
 use super::vector::{Vector, dot, part};
-use crate::scene::{Axis, Term};
+use momentous_scene::{Axis, Term};
 
 /// A slope against the level.
 #[derive(Clone, Copy, Debug, PartialEq)]

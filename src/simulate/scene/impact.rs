@@ -1,9 +1,9 @@
 //! Impacts: bodies that touch, and are run over the one impact.
 
-use crate::scene::Axis;
-use crate::scene::stage::{Impact, Partners};
-use crate::simulate::budget::Budget;
-use crate::simulate::world::{Body, Wall, World};
+use crate::budget::Budget;
+use crate::world::{Body, Wall, World};
+use momentous_scene::Axis;
+use momentous_scene::stage::{Impact, Partners};
 
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;

@@ -1,8 +1,8 @@
 //! Whether a force is impulsive: whether its impulse stays what it is when the contact becomes ever shorter.
 
-use crate::scene::Scene;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
+use momentous_scene::Scene;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
 
 use super::stage_run::StageRun;
 use super::values::Values;

@@ -3,7 +3,7 @@
 //! The step adapts to a tolerance; the event that ends a run is found by shortening the last step until the event's own
 //! function is zero there. The error of a run is what a second run with a finer tolerance changes.
 
-use crate::simulate::methods::dormand_prince::{ERROR, NODES, STAGES};
+use crate::methods::dormand_prince::{ERROR, NODES, STAGES};
 
 use super::nothing::NothingToSimulate;
 

@@ -1,6 +1,6 @@
 //! What is measured on bodies at an instant: speeds, directions, energies, the centre of mass, moments.
 
-use crate::scene::{Axis, Scene};
+use momentous_scene::{Axis, Scene};
 
 use super::nothing::NothingToSimulate;
 use super::stage_run::kinetic;

@@ -30,7 +30,7 @@ mod values;
 mod vector;
 mod watch;
 
-use crate::scene::Scene;
+use momentous_scene::Scene;
 
 pub use component::Component;
 pub use experiment::{Experiment, Reached, Reading, Staged};
@@ -50,8 +50,8 @@ use vector::{cross, dot};
 /// tolerance, which a second run with another tolerance makes known. `value` gives the quantities of the scene as for [`translate`].
 ///
 /// ```
-/// use momentous::scene::Scene;
-/// use momentous::simulate::scene::observe;
+/// use momentous_scene::Scene;
+/// use momentous_simulate::scene::observe;
 ///
 /// let scene: Scene = serde_json::from_str(r#"{
 ///     "axes": { "x": "towards the quay" },
@@ -98,8 +98,8 @@ pub fn observe_at(
 /// quantities of the scene as for [`translate`].
 ///
 /// ```
-/// use momentous::scene::Scene;
-/// use momentous::simulate::scene::follow;
+/// use momentous_scene::Scene;
+/// use momentous_simulate::scene::follow;
 ///
 /// let scene: Scene = serde_json::from_str(r#"{
 ///     "axes": { "x": "to the right" },
@@ -153,8 +153,8 @@ pub fn part_along(scene: &Scene, direction: &str, vector: Vector, value: &dyn Fn
 /// names: masses `m_A`, velocities `v_A1.x` just before the stage, coefficients, times.
 ///
 /// ```
-/// use momentous::scene::Scene;
-/// use momentous::simulate::scene::translate;
+/// use momentous_scene::Scene;
+/// use momentous_simulate::scene::translate;
 ///
 /// let scene: Scene = serde_json::from_str(r#"{
 ///     "axes": { "x": "to the right" },

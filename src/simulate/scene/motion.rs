@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::scene::stage::{During, Fall, Flight, Push};
-use crate::scene::{Axis, Force as Acting, Pull, Strength as Told};
-use crate::simulate::budget::Budget;
-use crate::simulate::force::{Force, Piece, Strength};
-use crate::simulate::state::Vector;
-use crate::simulate::world::{Body, Wall, World};
+use crate::budget::Budget;
+use crate::force::{Force, Piece, Strength};
+use crate::state::Vector;
+use crate::world::{Body, Wall, World};
+use momentous_scene::stage::{During, Fall, Flight, Push};
+use momentous_scene::{Axis, Force as Acting, Pull, Strength as Told};
 
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;

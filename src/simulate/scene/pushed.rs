@@ -1,6 +1,6 @@
 //! What a short push does to bodies.
 
-use crate::scene::Term;
+use momentous_scene::Term;
 
 use super::particles::Particle;
 use super::stage_run::StageRun;

@@ -1,6 +1,6 @@
 //! What is seen of a motion that is watched.
 
-use crate::simulate::record::Record;
+use crate::record::Record;
 
 use super::component::Component;
 

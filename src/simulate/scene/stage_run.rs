@@ -2,8 +2,8 @@
 
 use core::cell::Cell;
 
-use crate::scene::Term;
-use crate::scene::stage::Included;
+use momentous_scene::Term;
+use momentous_scene::stage::Included;
 
 use super::experiment::{Reached, Staged};
 use super::integrate::Integrator;

@@ -1,6 +1,6 @@
 //! Where bodies are and how they move when a stage starts.
 
-use crate::scene::Axis;
+use momentous_scene::Axis;
 
 use super::nothing::NothingToSimulate;
 use super::particles::Particle;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::scene::Strength as Told;
-use crate::simulate::exact::shifted;
-use crate::simulate::force::{HIGHEST_POWER, Piece};
+use crate::exact::shifted;
+use crate::force::{HIGHEST_POWER, Piece};
+use momentous_scene::Strength as Told;
 
 use super::nothing::NothingToSimulate;
 use super::values::{OfTime, Values};

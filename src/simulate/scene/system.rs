@@ -171,7 +171,7 @@ impl Frame {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simulate::scene::particles::Surface;
+    use crate::scene::particles::Surface;
 
     /// At rest on a cone of 45°, half of the weight is felt along the wall: the acceleration is that of a slope.
     #[test]

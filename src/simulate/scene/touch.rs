@@ -92,9 +92,9 @@ impl<'a> Touch<'a> {
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::scene::Scene;
-    use crate::simulate::scene::values::Values;
-    use crate::simulate::scene::vector::ZERO;
+    use crate::scene::values::Values;
+    use crate::scene::vector::ZERO;
+    use momentous_scene::Scene;
 
     fn parted<'a>(touch: &Touch<'a>) -> Parted<'a> {
         let scene: Scene = serde_json::from_str(r#"{ "axes": { "x": "east" }, "bodies": {} }"#).unwrap();

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::expr::{Expr, Names, Symbol, SymbolEntry, SymbolTable, parse};
-use crate::quantity::{Dimension, Quantity};
-use crate::scene::stage::StageMass;
-use crate::scene::{Axis, Plane, Scene, Term};
+use momentous_expr::{Expr, Names, Symbol, SymbolEntry, SymbolTable, parse};
+use momentous_quantity::{Dimension, Quantity};
+use momentous_scene::stage::StageMass;
+use momentous_scene::{Axis, Plane, Scene, Term};
 
 use super::nothing::NothingToSimulate;
 
@@ -243,7 +243,7 @@ impl Values<'_> {
     /// What the names of this stage's own quantities end with: `[hit]`, `[2]`; nothing where it is the only stage.
     pub(super) fn suffix(&self) -> String {
         let stages = &self.scene.stages;
-        match stages.get(self.index).and_then(crate::scene::Stage::name) {
+        match stages.get(self.index).and_then(momentous_scene::Stage::name) {
             Some(name) if stages.len() > 1 => format!("[{name}]"),
             _ if stages.len() > 1 => format!("[{}]", self.index + 1),
             _ => String::new(),

@@ -1,6 +1,6 @@
 //! Vectors along the axes of a scene: those that it has not are zero.
 
-use crate::scene::Axis;
+use momentous_scene::Axis;
 
 /// Components along x, y and z.
 pub type Vector = [f64; 3];

@@ -1,6 +1,6 @@
 //! A scene in which nothing happens: its bodies are watched for a while in free motion.
 
-use crate::scene::Scene;
+use momentous_scene::Scene;
 
 use super::measure::{Asked, along, centre, energy, mean, of_centre, place, sum, turning, velocity};
 use super::stage_run::kinetic;

@@ -1,8 +1,8 @@
 //! Impacts at a point with friction. What they need turns, which the bodies of the methods do not: the laws of restitution stand in
 //! their place.
 
-use crate::simulate::point_impact::{PointImpact, PointOutcome, RestitutionLaw};
-use crate::simulate::refusal::Refusal;
+use crate::point_impact::{PointImpact, PointOutcome, RestitutionLaw};
+use crate::refusal::Refusal;
 
 use super::{Row, Verdict};
 

@@ -1,10 +1,10 @@
 //! The scenes of the suite. Expected values are exact fractions, or come from closed forms in 30 digits and more.
 
-use crate::simulate::budget::Budget;
-use crate::simulate::force::Force;
-use crate::simulate::state::Vector;
-use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::simulate::world::{Body, Wall, World};
+use crate::budget::Budget;
+use crate::force::Force;
+use crate::state::Vector;
+use crate::trajectory::{Ending, Trajectory};
+use crate::world::{Body, Wall, World};
 
 use super::{Row, Trial, points, run_trial};
 

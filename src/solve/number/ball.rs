@@ -5,7 +5,7 @@ use dashu::float::round::mode::{HalfEven, Up};
 use dashu::float::{Context, FBig};
 use dashu::integer::IBig;
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 /// The numbers of a ball's middle.
 pub(super) type Float = FBig<HalfEven, 2>;
@@ -19,7 +19,7 @@ pub(super) const RADIUS_BITS: usize = 32;
 /// A middle and a radius.
 #[derive(Clone, Debug)]
 pub struct Ball {
-    pub(in crate::solve) middle: Float,
+    pub(crate) middle: Float,
     pub(super) radius: Radius,
 }
 
@@ -31,7 +31,7 @@ pub(super) fn radius_of(value: &Float) -> Radius {
     value.clone().abs().with_rounding::<Up>().with_precision(RADIUS_BITS).value()
 }
 
-pub(in crate::solve) fn small(value: i32) -> Radius {
+pub(crate) fn small(value: i32) -> Radius {
     Radius::from(value).with_precision(RADIUS_BITS).value()
 }
 
@@ -41,7 +41,7 @@ pub(super) fn float(value: i32) -> Float {
 
 impl Ball {
     /// A computed middle: its rounding, of a few units in its last place, joins the radius.
-    pub(in crate::solve) fn rounded(middle: Float, radius: Radius) -> Self {
+    pub(crate) fn rounded(middle: Float, radius: Radius) -> Self {
         // A zero that a function returns, ln 1, carries no precision, and the next function refuses it.
         let middle = middle.with_precision(BITS).value();
         if middle.repr().significand().is_zero() {
@@ -57,7 +57,7 @@ impl Ball {
         Self::rounded(above / below, small(0))
     }
 
-    pub(in crate::solve) fn pi() -> Self {
+    pub(crate) fn pi() -> Self {
         Self::rounded(context().pi::<2>(None).value(), small(0))
     }
 
@@ -71,12 +71,12 @@ impl Ball {
         Self::rounded(self.middle * other.middle, spread + self.radius * other.radius)
     }
 
-    pub(in crate::solve) fn size(&self) -> Radius {
+    pub(crate) fn size(&self) -> Radius {
         radius_of(&self.middle)
     }
 
     /// The least size that the true value may have, rounded down; zero or less where zero is among its values.
-    pub(in crate::solve) fn least(&self) -> Float {
+    pub(crate) fn least(&self) -> Float {
         let size = self.middle.clone().abs() - self.radius.clone().with_rounding::<HalfEven>();
         let share = Float::ONE - (float(2)).powi((-40).into());
         size * share
@@ -86,13 +86,13 @@ impl Ball {
         self.least() <= Float::ZERO
     }
 
-    pub(in crate::solve) fn is_negative(&self) -> bool {
+    pub(crate) fn is_negative(&self) -> bool {
         self.middle < Float::ZERO
     }
 }
 
 /// The radius as a divisor: rounded down.
-pub(in crate::solve) fn divisor(value: Float) -> Radius {
+pub(crate) fn divisor(value: Float) -> Radius {
     let shrunk = value * (Float::ONE - float(2).powi((-20).into()));
     shrunk.with_rounding::<Up>().with_precision(RADIUS_BITS).value()
 }

@@ -7,7 +7,7 @@
 /// functions are allowed two units in the last place.
 ///
 /// ```
-/// use momentous::solve::{Bounded, Real};
+/// use momentous_solve::{Bounded, Real};
 /// let tenth = Bounded { value: 0.1, error: 1e-17 };
 /// let product = tenth.mul(&tenth);
 /// assert!((product.value - 0.01).abs() < product.error && product.error < 1e-17);
@@ -34,7 +34,7 @@ impl Bounded {
     }
 
     /// The value nearest to one within `error` of the true value.
-    pub(in crate::solve) fn rounded(value: f64, error: f64) -> Self {
+    pub(crate) fn rounded(value: f64, error: f64) -> Self {
         let rounding = if value.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { value.abs() * f64::EPSILON };
         let error = (error + rounding) * (1.0 + f64::EPSILON);
         if value.is_finite() { Self { value, error } } else { Self::UNBOUNDED }
@@ -44,7 +44,7 @@ impl Bounded {
     /// may have missed by a hair, is rounded away from zero as it should be; zero where the bound does not tell it from zero.
     ///
     /// ```
-    /// use momentous::solve::Bounded;
+    /// use momentous_solve::Bounded;
     /// let printed = |value, error| Bounded { value, error }.for_print();
     /// assert_eq!((printed(2e-16, 3e-16), printed(0.125, 1e-17)), (0.0, 0.125 + 1e-17));
     /// ```

@@ -1,6 +1,6 @@
 //! A given as it was written: a decimal, or an angle in degrees, without any rounding.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 /// The number `rational * pi^pi_power`. 30 degrees is `1/6 pi`, 0.7 is `7/10`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,6 +1,6 @@
 //! Plain doubles as numbers of a tape: for what is only looked for, and needs no bound on its error.
 
-use crate::expr::Function;
+use momentous_expr::Function;
 
 use super::super::Exact;
 use super::bounded::Bounded;

@@ -3,8 +3,8 @@
 use dashu::base::{Abs, Approximation, BitTest, Sign as Parity, SquareRoot};
 use dashu::float::round::mode::HalfEven;
 
-use crate::expr::Function;
-use crate::quantity::Rational;
+use momentous_expr::Function;
+use momentous_quantity::Rational;
 
 use super::super::Exact;
 use super::ball::{BITS, Ball, Float, RADIUS_BITS, Radius, divisor, float, radius_of, small};

@@ -1,6 +1,6 @@
 //! What a tape computes with: numbers that know how far from the truth they may be.
 
-use crate::expr::Function;
+use momentous_expr::Function;
 
 use super::super::Exact;
 use super::bounded::Bounded;

@@ -1,7 +1,7 @@
 //! The angles whose sine is a rational number: by Niven's theorem, among the rational multiples of pi, those at which it is
 //! 0, 1/2, 1 or the opposite of these.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 /// The sine of that multiple of pi, where it is rational.
 pub(super) fn rational_sine(multiple: &Rational) -> Option<Rational> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::expr::Function;
+use momentous_expr::Function;
 
 use super::super::Exact;
 use super::bounded::{Bounded, GROWTH, UNIT};

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::{Plan, Statement, Step, System, Tactic};
 use super::tactics::{Attempts, Block, close, isolate};

@@ -26,7 +26,7 @@ struct ChosenRows {
 
 impl<'a> Choice<'a> {
     /// Chooses by the derivatives of each row; `cheapest` is for each column the cost of the cheapest row that finds it.
-    pub(in crate::solve) fn new(structure: &'a Structure, gradients: &'a [Vec<f64>], cheapest: &[u64]) -> Self {
+    pub(crate) fn new(structure: &'a Structure, gradients: &'a [Vec<f64>], cheapest: &[u64]) -> Self {
         let direct = cheapest.iter().enumerate().map(|(column, cheapest)| {
             let alone = structure.rows.iter().enumerate().filter(|(_, row)| row.unknowns.len() == 1);
             let alone = alone.filter(|(_, row)| row.finds.contains(column));
@@ -38,7 +38,7 @@ impl<'a> Choice<'a> {
 
     /// Every choice that determines the columns at this cost, with a row that is direct wherever there is one; and what the
     /// next dearer ones cost at least. Each step takes one from what is `left`; where nothing is, some may be missing.
-    pub(in crate::solve) fn rows(&self, columns: &Bits, most: u64, left: &mut usize) -> (Vec<Bits>, Option<u64>) {
+    pub(crate) fn rows(&self, columns: &Bits, most: u64, left: &mut usize) -> (Vec<Bits>, Option<u64>) {
         let mut ways =
             vec![ChosenRows { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), span: Span::default() }];
         for direct in columns.iter().map(|column| &self.direct[column]).filter(|direct| !direct.is_empty()) {

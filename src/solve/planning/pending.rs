@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
 
 use super::super::replay::tape::Register;
 use super::super::replay::writer::Writer;
@@ -22,14 +22,14 @@ pub enum Verify {
 
 /// What is tested: a difference of sides.
 #[derive(Clone, Debug)]
-pub(in crate::solve) struct Test {
-    pub(in crate::solve) what: Tested,
-    pub(in crate::solve) difference: Register,
+pub(crate) struct Test {
+    pub(crate) what: Tested,
+    pub(crate) difference: Register,
 }
 
 /// What a test belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::solve) enum Tested {
+pub(crate) enum Tested {
     /// A condition of the system, by position.
     Condition(usize, Relation),
     /// An equation of the system, by position.
@@ -37,7 +37,7 @@ pub(in crate::solve) enum Tested {
 }
 
 /// The conditions and equations that are still to be tested, each as soon as its symbols are found.
-pub(in crate::solve) struct Pending<'a> {
+pub(crate) struct Pending<'a> {
     waiting: Vec<Waiting<'a>>,
 }
 
@@ -50,7 +50,7 @@ struct Waiting<'a> {
 }
 
 impl<'a> Pending<'a> {
-    pub(in crate::solve) fn new(system: &'a System, audit: &Audit, verify: Verify) -> Self {
+    pub(crate) fn new(system: &'a System, audit: &Audit, verify: Verify) -> Self {
         let conditions = system.conditions.iter().enumerate().map(|(place, condition)| {
             (Tested::Condition(place, condition.relation), &condition.left, &condition.right)
         });
@@ -82,7 +82,7 @@ impl<'a> Pending<'a> {
     }
 
     /// Writes the tests whose symbols are found.
-    pub(in crate::solve) fn ready(&mut self, writer: &mut Writer) -> Vec<Test> {
+    pub(crate) fn ready(&mut self, writer: &mut Writer) -> Vec<Test> {
         let mut tests = Vec::new();
         self.waiting.retain_mut(|Waiting { what, left, right, open }| {
             while open.pop_if(|symbol| writer.symbols.holds(*symbol)).is_some() {}
@@ -97,7 +97,7 @@ impl<'a> Pending<'a> {
     }
 
     /// The conditions that are left.
-    pub(in crate::solve) fn conditions(&self) -> Vec<usize> {
+    pub(crate) fn conditions(&self) -> Vec<usize> {
         let place = |tested: &Tested| if let Tested::Condition(place, _) = tested { Some(*place) } else { None };
         self.waiting.iter().filter_map(|waiting| place(&waiting.what)).collect()
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::{Expr, Symbol};
+use momentous_expr::{Expr, Symbol};
 
 /// Steps in the order in which they are solved. Each step uses only what is known or was solved before it.
 #[derive(Clone, Debug, Default)]

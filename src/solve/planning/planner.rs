@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::structure::bits::Bits;
 use super::super::structure::blocks::blocks;
@@ -28,9 +28,9 @@ use super::tactics::{Attempts, Block, Refusal, close};
 ///
 /// ```
 /// use std::collections::BTreeSet;
-/// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-/// use momentous::quantity::Dimension;
-/// use momentous::solve::{Equation, Statement, System, plan};
+/// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+/// use momentous_quantity::Dimension;
+/// use momentous_solve::{Equation, Statement, System, plan};
 ///
 /// let mut table = SymbolTable::default();
 /// let [m, v, p] = ["m", "v", "p"].map(|name| {

@@ -74,7 +74,7 @@ struct Restriction {
 
 impl<'a> Search<'a> {
     /// A search for sets that determine the columns `wanted`; `gradients` are the derivatives of each row.
-    pub(in crate::solve) fn new(structure: &'a Structure, gradients: &'a [Vec<f64>], wanted: &Bits) -> Self {
+    pub(crate) fn new(structure: &'a Structure, gradients: &'a [Vec<f64>], wanted: &Bits) -> Self {
         let columns = 0..structure.unknowns.len();
         let cost = |row: &usize| u64::from(structure.rows[*row].cost);
         let finding = |column| (0..structure.rows.len()).filter(move |row| structure.rows[*row].finds.contains(column));

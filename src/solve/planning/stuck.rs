@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::structure::bits::Bits;
 use super::super::structure::freedom::Freedom;

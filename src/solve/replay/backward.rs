@@ -5,11 +5,7 @@ use super::tape::{Instruction, Operation};
 
 /// Runs instructions backwards, as they come: the last one first. Before, a register's share is the derivative by it of some number,
 /// as far as what comes after them tells; after, what they make of the register is in it too. Values are those of the run forwards.
-pub(in crate::solve) fn run_back<'t>(
-    backwards: impl Iterator<Item = &'t Instruction>,
-    values: &[f64],
-    shares: &mut [f64],
-) {
+pub(crate) fn run_back<'t>(backwards: impl Iterator<Item = &'t Instruction>, values: &[f64], shares: &mut [f64]) {
     for instruction in backwards {
         pass_back(instruction, values, shares);
     }

@@ -2,9 +2,9 @@
 
 use std::cell::RefCell;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::super::number::real::Real;
 use super::super::{Closed, Plan, System};

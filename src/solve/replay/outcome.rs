@@ -1,6 +1,6 @@
 //! What a replay found.
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::Program;
 use super::workspace::{Death, Workspace};
@@ -8,9 +8,9 @@ use super::workspace::{Death, Workspace};
 /// The solutions of one variant, and why other branches are none. It reads the workspace of its replay.
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome<'a, R> {
-    pub(in crate::solve) program: &'a Program,
-    pub(in crate::solve) workspace: &'a Workspace<R>,
-    pub(in crate::solve) exact: bool,
+    pub(crate) program: &'a Program,
+    pub(crate) workspace: &'a Workspace<R>,
+    pub(crate) exact: bool,
 }
 
 impl<'a, R> Outcome<'a, R> {

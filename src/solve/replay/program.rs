@@ -1,7 +1,7 @@
 //! A plan as a program: compiled once, replayed for every variant.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
 
 use super::super::number::bounded::Bounded;
 use super::super::number::precise::Precise;
@@ -14,13 +14,13 @@ use super::writer::Writer;
 /// A plan, its checks and its conditions, flattened onto a tape.
 #[derive(Clone, Debug)]
 pub struct Program {
-    pub(in crate::solve) tape: Vec<Instruction>,
+    pub(crate) tape: Vec<Instruction>,
     pub(super) stages: Vec<Stage>,
-    pub(in crate::solve) inputs: Vec<Register>,
-    pub(in crate::solve) symbols: Vec<(Symbol, Register)>,
-    pub(in crate::solve) wanted: Vec<Symbol>,
+    pub(crate) inputs: Vec<Register>,
+    pub(crate) symbols: Vec<(Symbol, Register)>,
+    pub(crate) wanted: Vec<Symbol>,
     pub(super) fast: Constants<Bounded>,
-    pub(in crate::solve) precise: Constants<Precise>,
+    pub(crate) precise: Constants<Precise>,
     pub(super) unchecked: Vec<usize>,
     /// Whether there is no choice of roots and no search: everything on the tape is computed once.
     pub(super) is_computed: bool,
@@ -38,17 +38,17 @@ pub struct UnknownSymbol {
 #[derive(Clone, Debug)]
 pub(super) struct Stage {
     /// The position of the step in the plan.
-    pub(in crate::solve) step: Option<usize>,
+    pub(crate) step: Option<usize>,
     /// What all roots share.
     pub(super) prelude: Stretch,
     /// The roots.
-    pub(in crate::solve) roots: Vec<Branch>,
+    pub(crate) roots: Vec<Branch>,
     /// The registers of the step's unknowns, and whether the unknown is positive.
-    pub(in crate::solve) unknowns: Vec<(Register, bool)>,
+    pub(crate) unknowns: Vec<(Register, bool)>,
     /// What the tests need.
     pub(super) tests_code: Stretch,
     /// What must hold, as far as it can be told once the step is done.
-    pub(in crate::solve) tests: Vec<Test>,
+    pub(crate) tests: Vec<Test>,
 }
 
 /// One root of a step on the tape.
@@ -136,7 +136,7 @@ impl Program {
     }
 
     /// The register of a symbol that the program finds or is given.
-    pub(in crate::solve) fn register(&self, symbol: Symbol) -> Option<Register> {
+    pub(crate) fn register(&self, symbol: Symbol) -> Option<Register> {
         let place = self.symbols.binary_search_by_key(&symbol, |(own, _)| *own).ok()?;
         self.symbols.get(place).map(|(_, register)| *register)
     }

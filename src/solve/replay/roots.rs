@@ -1,6 +1,6 @@
 //! Replaying a program: every root is followed until it breaks something.
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::number::bounded::Bounded;
 use super::super::number::precise::Precise;

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
-use crate::expr::{Expr, Symbol};
+use momentous_expr::{Expr, Symbol};
 
 use super::super::{Closed, Step};
 use super::backward::run_back;
@@ -14,9 +14,9 @@ use super::writer::Writer;
 /// The formulas of a plan's steps on a tape, for the derivatives of one value by those that it was made from.
 ///
 /// ```
-/// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-/// use momentous::quantity::Dimension;
-/// use momentous::solve::{Equation, Sensitivity, Statement, System, plan};
+/// use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+/// use momentous_quantity::Dimension;
+/// use momentous_solve::{Equation, Sensitivity, Statement, System, plan};
 ///
 /// let mut table = SymbolTable::default();
 /// let [m, v, p, energy] = ["m", "v", "p", "T"].map(|name| {

@@ -1,35 +1,35 @@
 //! Which register holds which symbol.
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::tape::Register;
 
 /// The registers of symbols, by the position of each symbol in its table.
 #[derive(Clone, Debug, Default)]
-pub(in crate::solve) struct SymbolRegisters(Vec<Option<(Symbol, Register)>>);
+pub(crate) struct SymbolRegisters(Vec<Option<(Symbol, Register)>>);
 
 impl SymbolRegisters {
     /// The register of a symbol, where it has one.
     #[inline]
-    pub(in crate::solve) fn get(&self, symbol: Symbol) -> Option<Register> {
+    pub(crate) fn get(&self, symbol: Symbol) -> Option<Register> {
         self.0.get(symbol.index()).copied().flatten().map(|(_, register)| register)
     }
 
     /// Whether a symbol has a register.
     #[inline]
-    pub(in crate::solve) fn holds(&self, symbol: Symbol) -> bool {
+    pub(crate) fn holds(&self, symbol: Symbol) -> bool {
         self.get(symbol).is_some()
     }
 
     /// Gives a symbol its register, in place of any that it had.
-    pub(in crate::solve) fn insert(&mut self, symbol: Symbol, register: Register) {
+    pub(crate) fn insert(&mut self, symbol: Symbol, register: Register) {
         let place = symbol.index();
         self.0.resize(self.0.len().max(place + 1), None);
         self.0[place] = Some((symbol, register));
     }
 
     /// The symbols with their registers, in the order of their table.
-    pub(in crate::solve) fn iter(&self) -> impl Iterator<Item = (Symbol, Register)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (Symbol, Register)> {
         self.0.iter().flatten().copied()
     }
 }

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use crate::expr::Function;
+use momentous_expr::Function;
 
 use super::super::number::real::{Real, Sign};
 
 /// Where a number is kept.
-pub(in crate::solve) type Register = u32;
+pub(crate) type Register = u32;
 
 /// A stretch of the tape.
 pub(super) type Stretch = Range<usize>;
@@ -43,10 +43,10 @@ pub(super) enum Operation {
 
 /// One instruction; operands that it does not need are register 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::solve) struct Instruction {
+pub(crate) struct Instruction {
     pub(super) operation: Operation,
-    pub(in crate::solve) operands: [Register; 3],
-    pub(in crate::solve) to: Register,
+    pub(crate) operands: [Register; 3],
+    pub(crate) to: Register,
 }
 
 impl Instruction {
@@ -90,7 +90,7 @@ fn either<R: Real>(one: &R, other: &R) -> R {
 
 /// Runs a stretch of the tape.
 #[inline]
-pub(in crate::solve) fn run<R: Real>(tape: &[Instruction], stretch: &Stretch, registers: &mut [R]) {
+pub(crate) fn run<R: Real>(tape: &[Instruction], stretch: &Stretch, registers: &mut [R]) {
     for instruction in &tape[stretch.clone()] {
         instruction.execute(registers);
     }

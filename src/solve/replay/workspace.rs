@@ -6,13 +6,13 @@ use super::writer::Writer;
 
 /// The numbers of a program, as one kind of real.
 #[derive(Clone, Debug)]
-pub(in crate::solve) struct Constants<R> {
+pub(crate) struct Constants<R> {
     numbers: Vec<(Register, R)>,
     registers: usize,
 }
 
 impl<R: Real> Constants<R> {
-    pub(in crate::solve) fn new(writer: &Writer) -> Self {
+    pub(crate) fn new(writer: &Writer) -> Self {
         let numbers = writer.constants.iter().map(|(value, register)| (*register, R::from_exact(value)));
         Self { numbers: numbers.collect(), registers: writer.registers as usize }
     }
@@ -21,23 +21,23 @@ impl<R: Real> Constants<R> {
 /// Registers, and what a replay found. It may be used with one program after another.
 #[derive(Clone, Debug)]
 pub struct Workspace<R> {
-    pub(in crate::solve) registers: Vec<R>,
+    pub(crate) registers: Vec<R>,
     /// The registers of the first surviving branch.
-    pub(in crate::solve) chosen: Vec<R>,
+    pub(crate) chosen: Vec<R>,
     /// The registers of the surviving branches that differ from it and from each other.
-    pub(in crate::solve) others: Vec<Vec<R>>,
+    pub(crate) others: Vec<Vec<R>>,
     /// The root of each stage on the branch that is being followed.
-    pub(in crate::solve) path: Vec<usize>,
+    pub(crate) path: Vec<usize>,
     /// The root of each stage on the first surviving branch.
-    pub(in crate::solve) choices: Vec<usize>,
+    pub(crate) choices: Vec<usize>,
     pub(super) deaths: Vec<Death>,
     /// The values of the unknowns of the steps at which branches died.
     pub(super) death_values: Vec<R>,
     /// The roots taken on the way to each death.
     pub(super) death_paths: Vec<usize>,
-    pub(in crate::solve) survivors: usize,
-    pub(in crate::solve) decided: bool,
-    pub(in crate::solve) branches: usize,
+    pub(crate) survivors: usize,
+    pub(crate) decided: bool,
+    pub(crate) branches: usize,
 }
 
 impl<R> Default for Workspace<R> {
@@ -60,7 +60,7 @@ impl<R> Default for Workspace<R> {
 
 impl<R: Real> Workspace<R> {
     /// Ready for a replay: constants and inputs in their registers. An input that is missing is not real.
-    pub(in crate::solve) fn prepare<'i>(
+    pub(crate) fn prepare<'i>(
         &mut self,
         constants: &Constants<R>,
         places: &[Register],
@@ -114,8 +114,8 @@ pub struct Death {
     pub root: usize,
     /// Why.
     pub cause: Cause,
-    pub(in crate::solve) values: (usize, usize),
-    pub(in crate::solve) path: (usize, usize),
+    pub(crate) values: (usize, usize),
+    pub(crate) path: (usize, usize),
 }
 
 /// When a variant is replayed exactly.
@@ -131,9 +131,9 @@ pub enum Precision {
 /// The memory of [`super::super::Program::solve`]: a replay in floating point, and an exact one where it is needed.
 #[derive(Clone, Debug, Default)]
 pub struct Workspaces {
-    pub(in crate::solve) precision: Precision,
+    pub(crate) precision: Precision,
     pub(super) fast: Workspace<super::super::Bounded>,
-    pub(in crate::solve) precise: Workspace<super::super::Precise>,
+    pub(crate) precise: Workspace<super::super::Precise>,
     pub(super) replayed: bool,
 }
 

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Piecewise;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Piecewise;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::super::Exact;
 use super::symbol_registers::SymbolRegisters;
@@ -16,15 +16,15 @@ use super::tape::{Instruction, Operation, Register, Stretch};
 
 /// Writes a tape. Constants and symbols have their registers; what is computed once is found again.
 #[derive(Clone, Debug, Default)]
-pub(in crate::solve) struct Writer {
+pub(crate) struct Writer {
     /// The tape so far.
-    pub(in crate::solve) tape: Vec<Instruction>,
+    pub(crate) tape: Vec<Instruction>,
     /// The registers that hold numbers.
     pub(super) constants: BTreeMap<Exact, Register>,
     /// The registers that hold symbols.
-    pub(in crate::solve) symbols: SymbolRegisters,
+    pub(crate) symbols: SymbolRegisters,
     /// How many registers there are.
-    pub(in crate::solve) registers: Register,
+    pub(crate) registers: Register,
     computed: FxHashMap<Computation, Register>,
     /// What is computed, in the order in which it was written.
     history: Vec<Computation>,
@@ -38,13 +38,13 @@ pub(super) struct Mark(usize);
 
 impl Writer {
     /// A register that nothing else uses.
-    pub(in crate::solve) fn register(&mut self) -> Register {
+    pub(crate) fn register(&mut self) -> Register {
         self.registers += 1;
         self.registers - 1
     }
 
     /// The register of a symbol whose value comes from outside, made if need be.
-    pub(in crate::solve) fn input(&mut self, symbol: Symbol) -> Register {
+    pub(crate) fn input(&mut self, symbol: Symbol) -> Register {
         self.symbols.get(symbol).unwrap_or_else(|| {
             let register = self.register();
             self.symbols.insert(symbol, register);
@@ -72,13 +72,13 @@ impl Writer {
     }
 
     /// Copies a register.
-    pub(in crate::solve) fn copy(&mut self, from: Register, to: Register) {
+    pub(crate) fn copy(&mut self, from: Register, to: Register) {
         self.tape.push(Instruction { operation: Operation::Copy, operands: [from, 0, 0], to });
     }
 
     /// The register that holds the term's value; `None` where a symbol has no register.
     /// Recursion is as deep as the term, whose depth the parser bounds.
-    pub(in crate::solve) fn expr(&mut self, expr: &Expr) -> Option<Register> {
+    pub(crate) fn expr(&mut self, expr: &Expr) -> Option<Register> {
         match expr {
             Expr::Number(value) => Some(self.constant(value.clone().into())),
             Expr::Pi => Some(self.constant(Exact { rational: Rational::ONE, pi_power: 1 })),
@@ -100,7 +100,7 @@ impl Writer {
     }
 
     /// The register of `left - right`.
-    pub(in crate::solve) fn difference(&mut self, left: &Expr, right: &Expr) -> Option<Register> {
+    pub(crate) fn difference(&mut self, left: &Expr, right: &Expr) -> Option<Register> {
         let (left, right) = (self.expr(left)?, if right.is_zero() { None } else { Some(self.expr(right)?) });
         Some(right.map_or(left, |right| self.compute(Operation::Subtract, [left, right, 0])))
     }

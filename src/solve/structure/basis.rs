@@ -7,7 +7,7 @@ const NEGLIGIBLE: f64 = 1e-7;
 
 /// Independent derivatives: each has a pivot, a column in which it is 1 and all later ones are 0.
 #[derive(Debug, Default)]
-pub(in crate::solve) struct Span {
+pub(crate) struct Span {
     pivots: Vec<usize>,
     /// The derivatives, one after the other.
     entries: Vec<f64>,
@@ -31,12 +31,12 @@ impl Clone for Span {
 
 impl Span {
     /// How many equations are in it.
-    pub(in crate::solve) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.pivots.len()
     }
 
     /// Adds an equation; `false` where it says nothing new.
-    pub(in crate::solve) fn add(&mut self, gradient: &[f64]) -> bool {
+    pub(crate) fn add(&mut self, gradient: &[f64]) -> bool {
         self.width = gradient.len();
         let end = self.entries.len();
         self.entries.extend_from_slice(gradient);
@@ -61,21 +61,21 @@ impl Span {
 
 /// The same in reduced form: in the pivot of each, all others are 0.
 #[derive(Clone, Debug, Default)]
-pub(in crate::solve) struct Basis(Span);
+pub(crate) struct Basis(Span);
 
 impl Basis {
     /// How many equations are in it.
-    pub(in crate::solve) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// How many numbers it holds.
-    pub(in crate::solve) fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         self.0.entries.len()
     }
 
     /// Adds an equation; `false` where it says nothing new.
-    pub(in crate::solve) fn add(&mut self, gradient: &[f64]) -> bool {
+    pub(crate) fn add(&mut self, gradient: &[f64]) -> bool {
         let end = self.0.entries.len();
         let is_new = self.0.add(gradient);
         let (rows, rest) = self.0.entries.split_at_mut(end);
@@ -87,12 +87,12 @@ impl Basis {
 
     /// The columns among these that can change while every equation holds and no column but these and the pivots changes: every
     /// change is made up of one for each of them.
-    pub(in crate::solve) fn free(&self, columns: &Bits) -> impl Iterator<Item = usize> {
+    pub(crate) fn free(&self, columns: &Bits) -> impl Iterator<Item = usize> {
         columns.iter().filter(|column| !self.0.pivots.contains(column))
     }
 
     /// What changes together with a free column, itself first.
-    pub(in crate::solve) fn together(&self, free: usize) -> impl Iterator<Item = usize> {
+    pub(crate) fn together(&self, free: usize) -> impl Iterator<Item = usize> {
         let rows = self.0.pivots.iter().zip(self.0.entries.chunks_exact(self.0.width.max(1)));
         let moves = rows.filter(move |(_, row)| row.get(free).is_some_and(|entry| entry.abs() > NEGLIGIBLE));
         std::iter::once(free).chain(moves.map(|(pivot, _)| *pivot))

@@ -6,7 +6,7 @@ const NEAR: usize = 2;
 /// A set of indexes below a capacity that is fixed when it is made. The search makes very many of them, so the words of the
 /// usual capacity stand in the set itself, and only those of a larger one are allocated.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(in crate::solve) struct Bits {
+pub(crate) struct Bits {
     near: [u64; NEAR],
     /// None where the capacity needs no more.
     far: Option<Box<[u64]>>,
@@ -14,7 +14,7 @@ pub(in crate::solve) struct Bits {
 
 impl Bits {
     /// The empty set, for indexes below `capacity`.
-    pub(in crate::solve) fn empty(capacity: usize) -> Self {
+    pub(crate) fn empty(capacity: usize) -> Self {
         let beyond = capacity.div_ceil(64).saturating_sub(NEAR);
         Self { near: [0; NEAR], far: (beyond > 0).then(|| vec![0; beyond].into()) }
     }
@@ -46,7 +46,7 @@ impl Bits {
     }
 
     /// The set of these indexes, each below `capacity`.
-    pub(in crate::solve) fn of(capacity: usize, indexes: impl IntoIterator<Item = usize>) -> Self {
+    pub(crate) fn of(capacity: usize, indexes: impl IntoIterator<Item = usize>) -> Self {
         let mut set = Self::empty(capacity);
         for index in indexes {
             set.insert(index);
@@ -55,20 +55,20 @@ impl Bits {
     }
 
     /// Puts an index in; one that is beyond the capacity is ignored.
-    pub(in crate::solve) fn insert(&mut self, index: usize) {
+    pub(crate) fn insert(&mut self, index: usize) {
         if let Some(word) = self.word_mut(index / 64) {
             *word |= 1 << (index % 64);
         }
     }
 
     /// Whether the index is in the set.
-    pub(in crate::solve) fn contains(&self, index: usize) -> bool {
+    pub(crate) fn contains(&self, index: usize) -> bool {
         self.word(index / 64).is_some_and(|word| word & (1 << (index % 64)) != 0)
     }
 
     /// The indexes, ascending.
     #[inline]
-    pub(in crate::solve) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
         let (mut place, mut rest) = (0, self.near[0]);
         std::iter::from_fn(move || {
             while rest == 0 {
@@ -83,41 +83,41 @@ impl Bits {
 
     /// Everything of the other set is put in.
     #[inline]
-    pub(in crate::solve) fn join(&mut self, other: &Self) {
+    pub(crate) fn join(&mut self, other: &Self) {
         self.zip(other, |own, other| own | other);
     }
 
     /// Everything of the other set is taken out.
     #[inline]
-    pub(in crate::solve) fn subtract(&mut self, other: &Self) {
+    pub(crate) fn subtract(&mut self, other: &Self) {
         self.zip(other, |own, other| own & !other);
     }
 
     /// Everything that is not in the other set is taken out.
     #[inline]
-    pub(in crate::solve) fn keep(&mut self, other: &Self) {
+    pub(crate) fn keep(&mut self, other: &Self) {
         self.zip(other, |own, other| own & other);
     }
 
     /// Whether the sets share an index.
     #[inline]
-    pub(in crate::solve) fn meets(&self, other: &Self) -> bool {
+    pub(crate) fn meets(&self, other: &Self) -> bool {
         self.any(other, |own, other| own & other != 0)
     }
 
     /// Whether everything of the other set is in this one.
     #[inline]
-    pub(in crate::solve) fn covers(&self, other: &Self) -> bool {
+    pub(crate) fn covers(&self, other: &Self) -> bool {
         !self.any(other, |own, other| other & !own != 0)
     }
 
     /// Whether nothing is in the set.
-    pub(in crate::solve) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.near == [0; NEAR] && self.far.iter().flatten().all(|word| *word == 0)
     }
 
     /// How many indexes are in the set.
-    pub(in crate::solve) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         let count = |words: &[u64]| words.iter().map(|word| word.count_ones() as usize).sum::<usize>();
         count(&self.near) + self.far.as_deref().map_or(0, count)
     }

@@ -8,7 +8,7 @@ use super::matching::Matching;
 /// determine their columns, or where a count would have to be solved together with other equations.
 ///
 /// They are the strongly connected components of "row r contains the unknown that row s finds", in Tarjan's order.
-pub(in crate::solve) fn blocks(structure: &Structure, rows: &[usize]) -> Option<Vec<Vec<usize>>> {
+pub(crate) fn blocks(structure: &Structure, rows: &[usize]) -> Option<Vec<Vec<usize>>> {
     let matching = Matching::new(structure, rows, &Bits::empty(structure.unknowns.len()));
     if rows.iter().any(|row| matching.found_by(*row).is_none()) {
         return None;

@@ -7,7 +7,7 @@ use super::matching::Matching;
 impl Structure {
     /// The columns that the equations determine, counting equations only: everything outside the under-determined
     /// part of the Dulmage-Mendelsohn decomposition. `known` columns count as known.
-    pub(in crate::solve) fn determined(&self, known: &Bits) -> Bits {
+    pub(crate) fn determined(&self, known: &Bits) -> Bits {
         let mut usable: Vec<usize> = (0..self.rows.len()).collect();
         loop {
             let matching = Matching::new(self, &usable, known);
@@ -38,7 +38,7 @@ impl Structure {
     /// Some rows that determine the wanted columns, the cheap ones preferred, though not the cheapest set; found
     /// without any search. They are what the wanted columns depend on in one maximum matching of the rows not `avoided`; `known`
     /// columns count as known.
-    pub(in crate::solve) fn sufficient(&self, wanted: &Bits, known: &Bits, avoided: &Bits) -> Option<Vec<usize>> {
+    pub(crate) fn sufficient(&self, wanted: &Bits, known: &Bits, avoided: &Bits) -> Option<Vec<usize>> {
         let mut rows: Vec<usize> = (0..self.rows.len()).filter(|row| !avoided.contains(*row)).collect();
         rows.sort_by_key(|row| (self.rows[*row].cost, self.rows[*row].unknowns.len()));
         let matching = Matching::new(self, &rows, known);

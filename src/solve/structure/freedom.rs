@@ -10,11 +10,11 @@ const NEGLIGIBLE: f64 = 1e-7;
 
 /// The directions in which the unknowns may move while every equation holds: for each column, its entry in each direction.
 #[derive(Clone, Debug)]
-pub(in crate::solve) struct Freedom(Vec<Vec<f64>>);
+pub(crate) struct Freedom(Vec<Vec<f64>>);
 
 impl Freedom {
     /// The null space of the system's Jacobian.
-    pub(in crate::solve) fn new(system: &System, structure: &Structure) -> Self {
+    pub(crate) fn new(system: &System, structure: &Structure) -> Self {
         let width = structure.unknowns.len();
         let mut rows = gradients(system, structure, &mut Samples::default());
         let mut pivots: Vec<usize> = Vec::new();
@@ -46,7 +46,7 @@ impl Freedom {
 
     /// Whether a column is fixed, once the columns `given` are given: whether its directions are a combination of
     /// those of the given ones.
-    pub(in crate::solve) fn fixes(&self, column: usize, given: &[usize]) -> bool {
+    pub(crate) fn fixes(&self, column: usize, given: &[usize]) -> bool {
         let mut basis: Vec<Vec<f64>> = Vec::new();
         for column in given {
             let rest = reduced(self.0[*column].clone(), &basis);
@@ -70,7 +70,7 @@ fn reduced(mut vector: Vec<f64>, basis: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// The derivatives of every equation, each in every unknown, where all of them hold.
-pub(in crate::solve) fn gradients(system: &System, structure: &Structure, samples: &mut Samples) -> Vec<Vec<f64>> {
+pub(crate) fn gradients(system: &System, structure: &Structure, samples: &mut Samples) -> Vec<Vec<f64>> {
     let sample = &samples.of(system, structure);
     structure.rows.iter().map(|row| gradient(system, structure, row, sample)).collect()
 }

@@ -2,38 +2,38 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::{Expr, Symbol};
+use momentous_expr::{Expr, Symbol};
 
 use super::super::{Equation, Statement, System};
 use super::bits::Bits;
 
 /// The incidence of equations (rows) and unknowns (columns).
 #[derive(Clone, Debug)]
-pub(in crate::solve) struct Structure {
+pub(crate) struct Structure {
     /// The unknown of each column.
-    pub(in crate::solve) unknowns: Vec<Symbol>,
+    pub(crate) unknowns: Vec<Symbol>,
     /// The equations that contain an unknown.
-    pub(in crate::solve) rows: Vec<Row>,
+    pub(crate) rows: Vec<Row>,
 }
 
 /// One equation, as the choice of equations sees it.
 #[derive(Clone, Debug)]
-pub(in crate::solve) struct Row {
+pub(crate) struct Row {
     /// Its position in the system.
-    pub(in crate::solve) equation: usize,
+    pub(crate) equation: usize,
     /// What using it costs.
-    pub(in crate::solve) cost: u32,
+    pub(crate) cost: u32,
     /// The columns that it contains.
-    pub(in crate::solve) unknowns: Bits,
+    pub(crate) unknowns: Bits,
     /// The columns that it may be solved for: one only where the equation is a count.
-    pub(in crate::solve) finds: Bits,
+    pub(crate) finds: Bits,
     /// The column that stands alone on one side, and not on the other: it is found without any algebra.
-    pub(in crate::solve) alone: Option<usize>,
+    pub(crate) alone: Option<usize>,
 }
 
 impl Structure {
     /// The incidence of a system, once `known` is known.
-    pub(in crate::solve) fn new(system: &System, known: &BTreeSet<Symbol>) -> Self {
+    pub(crate) fn new(system: &System, known: &BTreeSet<Symbol>) -> Self {
         let contents: Vec<Vec<Symbol>> = system.equations.iter().map(|equation| equation.unknowns(known)).collect();
         let unknowns = distinct(contents.iter().flatten().copied().collect());
         let columns: BTreeMap<Symbol, usize> = unknowns.iter().copied().zip(0..).collect();
@@ -50,17 +50,17 @@ impl Structure {
     }
 
     /// The columns that any of these rows contains.
-    pub(in crate::solve) fn columns(&self, rows: &[usize]) -> Bits {
+    pub(crate) fn columns(&self, rows: &[usize]) -> Bits {
         Bits::of(self.unknowns.len(), rows.iter().flat_map(|row| self.rows[*row].unknowns.iter()))
     }
 
     /// The column of a symbol, where it is an unknown.
-    pub(in crate::solve) fn column(&self, symbol: Symbol) -> Option<usize> {
+    pub(crate) fn column(&self, symbol: Symbol) -> Option<usize> {
         self.unknowns.binary_search(&symbol).ok()
     }
 
     /// Whether what is wanted depends on each of these blocks, which stand in the order in which they are solved.
-    pub(in crate::solve) fn needs_all(&self, blocks: &[Vec<usize>], wanted: &Bits) -> bool {
+    pub(crate) fn needs_all(&self, blocks: &[Vec<usize>], wanted: &Bits) -> bool {
         let mut found = Bits::empty(self.unknowns.len());
         let new = |rows: &Vec<usize>| {
             let all = self.columns(rows);
@@ -79,7 +79,7 @@ impl Structure {
     }
 
     /// How many of these blocks take algebra: all but single equations with their unknown alone on one side.
-    pub(in crate::solve) fn rearranged(&self, blocks: &[Vec<usize>]) -> usize {
+    pub(crate) fn rearranged(&self, blocks: &[Vec<usize>]) -> usize {
         let mut found = Bits::empty(self.unknowns.len());
         let mut count = 0;
         for rows in blocks {
@@ -95,7 +95,7 @@ impl Structure {
 
     /// Drops the rows that cannot serve: those with a column that is not determined, and (again and again) those
     /// with a column that stands nowhere else and is not wanted.
-    pub(in crate::solve) fn prune(&mut self, determined: &Bits, wanted: &Bits) {
+    pub(crate) fn prune(&mut self, determined: &Bits, wanted: &Bits) {
         self.rows.retain(|row| determined.covers(&row.unknowns));
         loop {
             let mut count = vec![0_usize; self.unknowns.len()];
@@ -111,7 +111,7 @@ impl Structure {
     }
 
     /// Drops the columns that no row contains and that are not wanted; gives the wanted ones by their new places.
-    pub(in crate::solve) fn narrow(&mut self, wanted: &Bits) -> Bits {
+    pub(crate) fn narrow(&mut self, wanted: &Bits) -> Bits {
         let mut kept = wanted.clone();
         self.rows.iter().for_each(|row| kept.join(&row.unknowns));
         let places: BTreeMap<usize, usize> = kept.iter().zip(0..).collect();
@@ -127,7 +127,7 @@ impl Structure {
 }
 
 /// Every symbol of some terms, ascending, each once.
-pub(in crate::solve) fn ascending<'e>(terms: impl IntoIterator<Item = &'e Expr>) -> Vec<Symbol> {
+pub(crate) fn ascending<'e>(terms: impl IntoIterator<Item = &'e Expr>) -> Vec<Symbol> {
     let mut symbols = Vec::new();
     terms.into_iter().for_each(|term| term.add_symbols(&mut symbols));
     distinct(symbols)
@@ -148,7 +148,7 @@ impl Equation {
     }
 
     /// Every symbol that the equation contains and that is not known, ascending.
-    pub(in crate::solve) fn unknowns(&self, known: &BTreeSet<Symbol>) -> Vec<Symbol> {
+    pub(crate) fn unknowns(&self, known: &BTreeSet<Symbol>) -> Vec<Symbol> {
         let (Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. }) = &self.statement;
         let count = self.counts().map(Expr::from);
         let mut unknowns = ascending([left, right].into_iter().chain(&count));

@@ -12,7 +12,7 @@ pub(super) struct Matching {
 
 impl Matching {
     /// A maximum matching of these rows; `known` columns are left out.
-    pub(in crate::solve) fn new(structure: &Structure, rows: &[usize], known: &Bits) -> Self {
+    pub(crate) fn new(structure: &Structure, rows: &[usize], known: &Bits) -> Self {
         let mut matching =
             Self { by_column: vec![None; structure.unknowns.len()], by_row: vec![None; structure.rows.len()] };
         for row in rows {
@@ -40,7 +40,7 @@ impl Matching {
     }
 
     /// Whether some row finds the column.
-    pub(in crate::solve) fn finds(&self, column: usize) -> bool {
+    pub(crate) fn finds(&self, column: usize) -> bool {
         self.by_column[column].is_some()
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::expr::Expr;
+use momentous_expr::Expr;
 
 use super::basis::Span;
 use super::bits::Bits;
@@ -13,7 +13,7 @@ use super::sample::generic;
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// Whether a square matrix of terms is singular wherever it is looked at.
-pub(in crate::solve) fn singular(matrix: &[Vec<Expr>]) -> bool {
+pub(crate) fn singular(matrix: &[Vec<Expr>]) -> bool {
     let size = matrix.len();
     (0..2).all(|salt| {
         let value = |row: usize, column: usize| {
@@ -25,7 +25,7 @@ pub(in crate::solve) fn singular(matrix: &[Vec<Expr>]) -> bool {
 
 /// The rows of the block, where they depend on each other whatever else is known: a set that no plan can use together.
 /// `gradients` are the derivatives of each row of the structure in every unknown.
-pub(in crate::solve) fn dependent(structure: &Structure, gradients: &[Vec<f64>], rows: &[usize]) -> Option<Bits> {
+pub(crate) fn dependent(structure: &Structure, gradients: &[Vec<f64>], rows: &[usize]) -> Option<Bits> {
     let mut span = Span::default();
     let independent = rows.iter().all(|row| span.add(&gradients[*row]));
     (!independent).then(|| Bits::of(structure.rows.len(), rows.iter().copied()))

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::expr::{Expr, Symbol};
+use momentous_expr::{Expr, Symbol};
 
 use super::super::Statement;
 use super::super::replay::backward::run_back;
@@ -21,7 +21,7 @@ pub(super) struct Residuals {
     tape: Vec<Instruction>,
     constants: Constants<f64>,
     /// The symbols that are sought.
-    pub(in crate::solve) free: Vec<Symbol>,
+    pub(crate) free: Vec<Symbol>,
     /// Their registers.
     inputs: Vec<Register>,
     /// Every symbol.
@@ -31,7 +31,7 @@ pub(super) struct Residuals {
 
 impl Residuals {
     /// The residuals of these equations; counts have none.
-    pub(in crate::solve) fn of<'s>(stated: &[&'s Statement]) -> Self {
+    pub(crate) fn of<'s>(stated: &[&'s Statement]) -> Self {
         let mut definitions = Definitions::of(stated);
         let (mut writer, mut free) = (Writer::default(), Vec::new());
         let sides = |statement: &&'s Statement| match statement {
@@ -59,7 +59,7 @@ impl Residuals {
     }
 
     /// Everything that is computed from values of the free symbols.
-    pub(in crate::solve) fn at(&self, place: &[f64]) -> Values {
+    pub(crate) fn at(&self, place: &[f64]) -> Values {
         let mut workspace = Workspace::default();
         workspace.prepare(&self.constants, &self.inputs, place.iter());
         run(&self.tape, &(0..self.tape.len()), &mut workspace.registers);
@@ -67,7 +67,7 @@ impl Residuals {
     }
 
     /// The value of each symbol.
-    pub(in crate::solve) fn symbols<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = (Symbol, f64)> + 'a {
+    pub(crate) fn symbols<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = (Symbol, f64)> + 'a {
         self.symbols.iter().map(|(symbol, register)| (symbol, values.get(register)))
     }
 
@@ -78,7 +78,7 @@ impl Residuals {
     }
 
     /// The derivatives of each residual, a column, in the free symbols: by one backward run of the tape for each.
-    pub(in crate::solve) fn slopes(&self, values: &Values) -> DMatrix<f64> {
+    pub(crate) fn slopes(&self, values: &Values) -> DMatrix<f64> {
         let mut slopes = DMatrix::zeros(self.free.len(), self.zeros.len());
         let mut shares = vec![0.0; values.0.len()];
         for (zero, mut column) in self.zeros.iter().zip(slopes.column_iter_mut()) {
@@ -118,7 +118,7 @@ impl Zero {
 
 /// The value in each register after a run.
 #[derive(Clone, Debug)]
-pub(in crate::solve) struct Values(Vec<f64>);
+pub(crate) struct Values(Vec<f64>);
 
 impl Values {
     fn get(&self, register: Register) -> f64 {

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::expr::{Expr, Symbol};
+use momentous_expr::{Expr, Symbol};
 
 use super::super::{Statement, System};
 use super::incidence::{Structure, ascending};
@@ -36,7 +36,7 @@ const DAMPING: (f64, f64) = (1e-2, 1e-10);
 
 /// Places at which systems hold in which the same symbols are positive, each found once.
 #[derive(Clone, Debug, Default)]
-pub(in crate::solve) struct Samples(Vec<(Vec<Statement>, Sample)>);
+pub(crate) struct Samples(Vec<(Vec<Statement>, Sample)>);
 
 impl Samples {
     /// The place for the rows of a system.
@@ -91,7 +91,7 @@ impl Sample {
     }
 
     /// The value of a symbol.
-    pub(in crate::solve) fn value(&self, symbol: Symbol) -> f64 {
+    pub(crate) fn value(&self, symbol: Symbol) -> f64 {
         self.0.get(symbol.index()).copied().unwrap_or(1.0)
     }
 
@@ -101,7 +101,7 @@ impl Sample {
 
     /// Gives `add` the derivatives of left side minus right side, in parts: one for each place at which a symbol stands. `None` for a
     /// count, which has none.
-    pub(in crate::solve) fn slopes(&self, statement: &Statement, add: &mut dyn FnMut(Symbol, f64)) -> Option<()> {
+    pub(crate) fn slopes(&self, statement: &Statement, add: &mut dyn FnMut(Symbol, f64)) -> Option<()> {
         let Statement::Equal { left, right } = statement else { return None };
         for (side, sign) in [(left, 1.0), (right, -1.0)] {
             side.slopes(&|symbol| self.value(symbol), sign, add);
@@ -191,8 +191,8 @@ mod tests {
     use super::super::super::Equation;
     use super::super::basis::Basis;
     use super::*;
-    use crate::expr::{Names, SymbolEntry, SymbolTable, parse};
-    use crate::quantity::Dimension;
+    use momentous_expr::{Names, SymbolEntry, SymbolTable, parse};
+    use momentous_quantity::Dimension;
 
     fn system(lines: &[[&str; 2]]) -> System {
         struct All(SymbolTable);

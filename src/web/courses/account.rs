@@ -6,8 +6,8 @@ use serde::Serialize;
 use tokio::time::Instant;
 use tokio::time::sleep_until;
 
-use crate::course::Person;
-use crate::store::{Entry, Reach, TicketKind};
+use momentous_course::Person;
+use momentous_store::{Entry, Reach, TicketKind};
 
 use super::outcome::NotShown;
 use super::password;

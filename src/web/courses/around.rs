@@ -4,7 +4,7 @@ use serde::Serialize;
 
 /// What every page of a course knows besides its own.
 #[derive(Clone, Debug, Default, Serialize)]
-pub(in crate::web) struct Around {
+pub(crate) struct Around {
     pub(super) signed_in: Option<String>,
     pub(super) operator: bool,
     pub(super) course: Option<AroundCourse>,

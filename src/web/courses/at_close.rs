@@ -3,11 +3,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::course::{
-    self, Attempt, Draft, Extension, Key, Member, Refusal, Sheet, StoredReport, Unsubmitted, Window, is_due_at_close,
+use momentous_course::{
+    self as course, Attempt, Draft, Extension, Key, Member, Refusal, Sheet, StoredReport, Unsubmitted, Window,
+    is_due_at_close,
 };
-use crate::exercise::calls::Refused;
-use crate::store::{AssignmentWithItems, HandIn, HandedIn, StoreFault};
+use momentous_exercise::calls::Refused;
+use momentous_store::{AssignmentWithItems, HandIn, HandedIn, StoreFault};
 
 use super::items;
 use super::outcome::NotShown;

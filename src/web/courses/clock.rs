@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use crate::course::Moment;
+use momentous_course::Moment;
 
 /// What says which moment it is. Tests say it themselves.
 #[derive(Clone)]
@@ -16,7 +16,7 @@ impl Clock {
         Self(Arc::new(read))
     }
 
-    pub(in crate::web) fn now(&self) -> Moment {
+    pub(crate) fn now(&self) -> Moment {
         (self.0)()
     }
 }

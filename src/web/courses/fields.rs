@@ -8,7 +8,7 @@ use axum::extract::{FromRequest, Multipart, Query, Request};
 use axum::http::{HeaderMap, Method, StatusCode, Uri, header};
 use futures_util::StreamExt;
 
-use crate::exercise::calls::{Refused, RefusedKind};
+use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::super::arrival::Arrival;
 use super::super::parameters::Parameters;

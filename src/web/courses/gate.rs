@@ -1,6 +1,6 @@
 //! Who may see a page.
 
-use crate::course::Role;
+use momentous_course::Role;
 
 use super::outcome::NotShown;
 use super::visit::Visit;

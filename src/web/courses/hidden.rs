@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use lru::LruCache;
 
-use crate::bank::load_in_course;
-use crate::course::{Course, Item, Key, Kind, Moment, Solvers};
-use crate::fault::Source;
-use crate::store::{Store, StoreFault};
+use momentous_bank::load_in_course;
+use momentous_course::{Course, Item, Key, Kind, Moment, Solvers};
+use momentous_fault::Source;
+use momentous_store::{Store, StoreFault};
 
 use super::super::library::Library;
 use super::library::source;

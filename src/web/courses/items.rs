@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::bank::course_letters;
-use crate::course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet};
-use crate::exercise::calls::{Refused, RefusedKind};
-use crate::exercise::{Derivation, Exercise, SeedSource};
-use crate::problem::{CourseSymbols, Problem, digest};
-use crate::store::AssignmentWithItems;
+use momentous_bank::course_letters;
+use momentous_course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet};
+use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_exercise::{Derivation, Exercise, SeedSource};
+use momentous_problem::{CourseSymbols, Problem, digest};
+use momentous_store::AssignmentWithItems;
 
 use super::library::source;
 use super::outcome::NotShown;

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{
+use momentous_course::{
     Accounts, Attempt, Correction, Item, Key, Ledger, Member, Override, Said, Sheet, Standing, StoredReport,
 };
-use crate::grade::Points;
-use crate::store::{AssignmentWithItems, StoreFault};
+use momentous_grade::Points;
+use momentous_store::{AssignmentWithItems, StoreFault};
 
 use super::outcome::NotShown;
 use super::visit::Visit;

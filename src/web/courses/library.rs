@@ -5,11 +5,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use lru::LruCache;
 
-use crate::bank::FOLDER;
-use crate::course::{Course, Key, ProblemFile};
-use crate::fault::Faults;
-use crate::fault::Source;
-use crate::problem::{self, CourseSymbols, Problem, compile, load};
+use momentous_bank::FOLDER;
+use momentous_course::{Course, Key, ProblemFile};
+use momentous_fault::Faults;
+use momentous_fault::Source;
+use momentous_problem::{self as problem, CourseSymbols, Problem, compile, load};
 
 /// The compiled problems that are kept; each takes up to a few megabytes.
 const MOST: NonZeroUsize = NonZeroUsize::new(128).expect("not zero");

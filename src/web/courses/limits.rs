@@ -7,7 +7,7 @@ use std::num::NonZeroU32;
 use governor::{DefaultKeyedRateLimiter, Quota, RateLimiter};
 use sha2::{Digest, Sha256};
 
-use crate::course::{Key, Person};
+use momentous_course::{Key, Person};
 
 use super::super::sender::network;
 use super::outcome::NotShown;

@@ -1,14 +1,14 @@
 //! Why a page is not shown.
 
-use crate::exercise::calls::{Refused, RefusedKind};
-use crate::fault::Faults;
-use crate::store::StoreFault;
+use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_fault::Faults;
+use momentous_store::StoreFault;
 
 use super::super::workers::NotDone;
 
 /// Why a page is not shown.
 #[derive(Debug)]
-pub(in crate::web) enum NotShown {
+pub(crate) enum NotShown {
     /// Something in the request, with the way out.
     Refused(Refused),
     /// Whoever asks has to sign in first.

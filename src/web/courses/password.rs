@@ -3,7 +3,7 @@
 use argon2::Argon2;
 use argon2::password_hash::{PasswordHasher, PasswordVerifier};
 
-use crate::problem::guesses;
+use momentous_problem::guesses;
 
 /// The characters that a password has at least.
 pub(super) const SHORTEST: usize = 10;

@@ -12,8 +12,8 @@ use std::time::{Duration, Instant};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::timeout;
 
-use crate::course::{Key, Person};
-use crate::fault::Input;
+use momentous_course::{Key, Person};
+use momentous_fault::Input;
 
 /// Processes that run at the same time, for everybody together.
 const MOST: usize = 2;

@@ -9,9 +9,9 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{MethodFilter, on};
 
-use crate::course::{Course, Key, Moment};
-use crate::exercise::calls::{Refused, RefusedKind};
-use crate::store::{Membership, Store, StoreFault};
+use momentous_course::{Course, Key, Moment};
+use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_store::{Membership, Store, StoreFault};
 
 use super::super::again::Again;
 use super::super::answer;
@@ -35,7 +35,7 @@ const LONGEST_KEPT: usize = 1 << 16;
 const LONGEST_FORM: usize = 1 << 20;
 
 /// The pages of courses, beside the others.
-pub(in crate::web) fn with_courses(mut router: Router<SharedApp>, app: &SharedApp) -> Router<SharedApp> {
+pub(crate) fn with_courses(mut router: Router<SharedApp>, app: &SharedApp) -> Router<SharedApp> {
     let Some(courses) = &app.courses else { return router };
     for row in ROWS {
         let courses = Arc::clone(courses);

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use axum::http::{HeaderMap, HeaderValue, header};
 use sha2::{Digest, Sha256};
 
-use crate::course::{Key, Moment, Person};
-use crate::store::{Reach, Ticket, TicketKind};
+use momentous_course::{Key, Moment, Person};
+use momentous_store::{Reach, Ticket, TicketKind};
 
 /// How long somebody stays signed in.
 const SESSION: i64 = 14 * DAY;
@@ -28,7 +28,7 @@ pub(super) fn random<const N: usize>() -> [u8; N] {
 }
 
 /// A new random key.
-pub(in crate::web) fn key<Of>() -> Key<Of> {
+pub(crate) fn key<Of>() -> Key<Of> {
     Key::new(random())
 }
 
@@ -51,7 +51,7 @@ pub(super) fn hash(token: &str) -> String {
 }
 
 /// A new token for a person, and what is kept of it.
-pub(in crate::web) fn token(person: Key<Person>, (kind, reach): (TicketKind, Reach), now: Moment) -> (String, Ticket) {
+pub(crate) fn token(person: Key<Person>, (kind, reach): (TicketKind, Reach), now: Moment) -> (String, Ticket) {
     let token = hex(&random::<BYTES>());
     let lasts = match kind {
         TicketKind::Session => SESSION,

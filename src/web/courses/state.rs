@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::store::Store;
+use momentous_store::Store;
 
 use super::clock::Clock;
 use super::hidden::Hidden;
@@ -43,7 +43,7 @@ impl Courses {
     }
 
     /// The simulators that solve nothing at the moment, by their names.
-    pub(in crate::web) fn hidden_simulators(&self) -> Vec<&'static str> {
+    pub(crate) fn hidden_simulators(&self) -> Vec<&'static str> {
         self.hidden.simulators()
     }
 }

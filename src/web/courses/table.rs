@@ -3,7 +3,7 @@
 
 use std::pin::Pin;
 
-use crate::course::Role::{Assistant, Instructor, Student};
+use momentous_course::Role::{Assistant, Instructor, Student};
 
 use super::account;
 use super::gate::Who;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::course::{Course, Key, Moment, Person};
-use crate::store::{Entry, Membership, Store};
+use momentous_course::{Course, Key, Moment, Person};
+use momentous_store::{Entry, Membership, Store};
 
 use super::super::app::{App, SharedApp};
 use super::super::parameters::Parameters;

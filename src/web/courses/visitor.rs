@@ -2,8 +2,8 @@
 
 use axum::http::HeaderMap;
 
-use crate::course::{Course, Key, Moment, Person};
-use crate::store::{Membership, Reach, Store, StoreFault, TicketKind};
+use momentous_course::{Course, Key, Moment, Person};
+use momentous_store::{Membership, Reach, Store, StoreFault, TicketKind};
 
 use super::super::app::App;
 use super::super::workers::Lane;
@@ -11,7 +11,7 @@ use super::session;
 
 /// Somebody who has signed in.
 #[derive(Clone, Debug)]
-pub(in crate::web) struct Visitor {
+pub(crate) struct Visitor {
     pub(super) person: Person,
     /// How far the session reaches.
     pub(super) reach: Reach,
@@ -21,7 +21,7 @@ pub(in crate::web) struct Visitor {
 
 impl Visitor {
     /// Whoever sends a request; nothing where nobody has signed in, or where there are no courses.
-    pub(in crate::web) async fn of(app: &App, headers: &HeaderMap) -> Result<Option<Self>, StoreFault> {
+    pub(crate) async fn of(app: &App, headers: &HeaderMap) -> Result<Option<Self>, StoreFault> {
         match &app.courses {
             Some(courses) => Self::at(&courses.store, headers, courses.clock.now()).await,
             None => Ok(None),
@@ -53,7 +53,7 @@ impl Visitor {
     }
 
     /// Whose work is done for a visitor of practice, or for nobody who is known.
-    pub(in crate::web) fn lane(visitor: Option<&Self>) -> Lane {
+    pub(crate) fn lane(visitor: Option<&Self>) -> Lane {
         if visitor.is_some() { Lane::SignedIn } else { Lane::Anyone }
     }
 }

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::course::{Course, Key, Kind, Reserved};
-use crate::exercise::calls::{Problems, Refused, RefusedKind};
-use crate::problem::Problem;
-use crate::store::StoreFault;
+use momentous_course::{Course, Key, Kind, Reserved};
+use momentous_exercise::calls::{Problems, Refused, RefusedKind};
+use momentous_problem::Problem;
+use momentous_store::StoreFault;
 
 use super::super::app::App;
 use super::outcome::NotShown;
@@ -15,7 +15,7 @@ use super::visitor::Visitor;
 /// The problems that practice, own numbers, solutions, playing and calls refuse to a visitor: those of open assignments, unless the
 /// visitor teaches their courses.
 #[derive(Debug, Default)]
-pub(in crate::web) struct Withheld {
+pub(crate) struct Withheld {
     reserved: Reserved,
     /// The kinds of problems that are solved for nobody with numbers of their own.
     hidden: Vec<Kind>,
@@ -23,7 +23,7 @@ pub(in crate::web) struct Withheld {
 
 impl Withheld {
     /// What is withheld from a visitor, or from somebody who is not known.
-    pub(in crate::web) async fn from(app: &App, visitor: Option<&Visitor>) -> Result<Self, StoreFault> {
+    pub(crate) async fn from(app: &App, visitor: Option<&Visitor>) -> Result<Self, StoreFault> {
         let Some(courses) = &app.courses else { return Ok(Self::default()) };
         let (store, now) = (&courses.store, courses.clock.now());
         let hidden = courses.hidden.at(&app.library, store, now).await;
@@ -44,7 +44,7 @@ impl Withheld {
     }
 
     /// The same for simulators, which show every scene, without the records, too: what they must not solve.
-    pub(in crate::web) async fn of_simulators(app: &App, visitor: Option<&Visitor>) -> Self {
+    pub(crate) async fn of_simulators(app: &App, visitor: Option<&Visitor>) -> Self {
         let Some(courses) = &app.courses else { return Self::default() };
         // Simulators ask often, and as a rule nothing is hidden.
         let all = courses.hidden.at(&app.library, &courses.store, courses.clock.now()).await;
@@ -77,7 +77,7 @@ impl Withheld {
     }
 
     /// Refuses a problem that is withheld.
-    pub(in crate::web) fn check(&self, problem: &str) -> Result<(), Refused> {
+    pub(crate) fn check(&self, problem: &str) -> Result<(), Refused> {
         if !self.reserved.refuses(problem, false) {
             return Ok(());
         }
@@ -101,11 +101,11 @@ impl Withheld {
 }
 
 /// Problems without those that are withheld.
-pub(in crate::web) struct Rest<'a> {
+pub(crate) struct Rest<'a> {
     /// All of them.
-    pub(in crate::web) problems: &'a dyn Problems,
+    pub(crate) problems: &'a dyn Problems,
     /// Those that are not given.
-    pub(in crate::web) withheld: &'a Withheld,
+    pub(crate) withheld: &'a Withheld,
 }
 
 impl Problems for Rest<'_> {

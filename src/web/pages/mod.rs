@@ -14,8 +14,8 @@ pub(super) use start::start;
 
 use serde::Serialize;
 
-use crate::exercise::Exercise;
-use crate::exercise::calls::{Refused, RefusedKind, VariantRequest};
+use momentous_exercise::Exercise;
+use momentous_exercise::calls::{Refused, RefusedKind, VariantRequest};
 
 /// Which variant a page shows, and its neighbours.
 #[derive(Serialize)]

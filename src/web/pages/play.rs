@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::exercise::calls::{PlayResponse, Refused, RefusedKind, SheetResponse};
+use momentous_exercise::calls::{PlayResponse, Refused, RefusedKind, SheetResponse};
 
 use super::super::parameters::Parameters;
 use super::super::view::View;
@@ -19,7 +19,7 @@ struct PlayPage {
 }
 
 /// The scene of a variant, as an animation with plots.
-pub(in crate::web) fn play(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(crate) fn play(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let exercise = view.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;

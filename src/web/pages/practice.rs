@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse, within};
-use crate::grade::Sitting;
-use crate::render::Fragment;
+use momentous_exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse, within};
+use momentous_grade::Sitting;
+use momentous_render::Fragment;
 
 use super::super::parameters::Parameters;
 use super::super::view::View;
@@ -38,7 +38,7 @@ struct PracticePage {
 }
 
 /// The practice sheet. With answers it is marked; what was typed stays.
-pub(in crate::web) fn practice(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(crate) fn practice(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let exercise = view.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;

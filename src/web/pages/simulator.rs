@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::exercise::calls::{
+use momentous_exercise::calls::{
     COLLISION, CollisionResponse, Control, Offered, RESTITUTION, Refused, RefusedKind, RestitutionResponse,
     SimulatorRequest, USUAL_STEP,
 };
@@ -53,7 +53,7 @@ struct ControlField {
 
 /// A simulator by its name, with the values of the address.
 #[expect(clippy::needless_pass_by_value, reason = "every page of the table of routes takes its part of the address so")]
-pub(in crate::web) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> Result<String, Refused> {
+pub(crate) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> Result<String, Refused> {
     let engine = view.engine();
     match name.as_str() {
         "collision" => {

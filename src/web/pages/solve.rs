@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::exercise::calls::{GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
+use momentous_exercise::calls::{GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
 
 use super::super::parameters::Parameters;
 use super::super::view::View;
@@ -18,7 +18,7 @@ struct SolutionPage {
 }
 
 /// The worked solution of a variant; `steps` shows so many and leaves the rest to the reader.
-pub(in crate::web) fn solution(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(crate) fn solution(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let steps = fields.number("steps")?.map(|steps| usize::try_from(steps).unwrap_or(usize::MAX));
     let engine = view.engine();
@@ -49,7 +49,7 @@ struct GivenField {
 }
 
 /// The solver for values of the reader's own: `set.m_A`, and `find` with names between spaces or commas.
-pub(in crate::web) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(crate) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let engine = view.engine();
     let asked = fields.variant(problem)?;
     let drawn = VariantRequest { set: [].into(), find: Vec::new(), ..asked.clone() };

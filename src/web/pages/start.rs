@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::bank::Card;
-use crate::exercise::calls::Refused;
+use momentous_bank::Card;
+use momentous_exercise::calls::Refused;
 
 use super::super::app::App;
 use super::super::parameters::Parameters;
@@ -24,7 +24,7 @@ struct Topic<'a> {
 }
 
 /// The start page; `search` and `level` narrow the list.
-pub(in crate::web) fn start(app: &App, fields: &Parameters) -> Result<String, Refused> {
+pub(crate) fn start(app: &App, fields: &Parameters) -> Result<String, Refused> {
     let cards = app.library.cards()?;
     let search = fields.text("search");
     let level = fields.text("level");

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::quantity::Printed;
-use crate::quantity::with_minus_signs;
+use momentous_quantity::Printed;
+use momentous_quantity::with_minus_signs;
 
 /// The figures that pages show, as worked solutions do.
 const FIGURES: usize = 3;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::Trajectory;
+use momentous_simulate::Trajectory;
 
 use super::{Amount, Curve, Phase};
 

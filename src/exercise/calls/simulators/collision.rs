@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{Body, Budget, EventDriven, Method, Moment, Record, World};
+use momentous_simulate::{Body, Budget, EventDriven, Method, Moment, Record, World};
 
 use super::super::Engine;
 use super::compared::Compared;

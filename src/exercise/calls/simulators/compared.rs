@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{Budget, Ending, Keep, MethodKind, Moment, Record, Setting, World};
+use momentous_simulate::{Budget, Ending, Keep, MethodKind, Moment, Record, Setting, World};
 
 use super::{Amount, Curve, Limits, Refused, RefusedKind};
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::Serialize;
 
-use crate::fault::did_you_mean;
+use momentous_fault::did_you_mean;
 
 use super::{Refused, RefusedKind};
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::Record;
+use momentous_simulate::Record;
 
 /// Points nearer to the line between their neighbours than this share of the curve's size say nothing.
 const STRAIGHT: f64 = 1e-9;

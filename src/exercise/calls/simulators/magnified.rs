@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{Body, Budget, Method, Penalty, World};
+use momentous_simulate::{Body, Budget, Method, Penalty, World};
 
 use super::{Amount, Curve, Row};
 

@@ -11,7 +11,7 @@ mod restitution;
 
 use serde::Serialize;
 
-use crate::simulate::Refusal;
+use momentous_simulate::Refusal;
 
 use super::refused::{Refused, RefusedKind};
 use super::solve::SolveResponse;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{
+use momentous_simulate::{
     Body, BounceTrain, Budget, ClosedForm, Force, Method, Record, RungeKutta, Trajectory, Vector, Wall, World,
 };
 

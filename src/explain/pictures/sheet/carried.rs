@@ -1,19 +1,19 @@
 //! A body that rises or sinks on another one which gives way: where it starts, and in a solution where it ends, with the momenta.
 
-use crate::expr::Math;
-use crate::figure::Carried;
-use crate::figure::CarriedBy;
-use crate::figure::CarriedEnd;
-use crate::figure::Drawing;
-use crate::figure::Layout;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Situation;
-use crate::figure::Wording;
-use crate::scene::stage::Halt;
-use crate::scene::stage::Slide;
-use crate::scene::stage::Swing;
-use crate::scene::stage::UpOrDown;
+use momentous_expr::Math;
+use momentous_figure::Carried;
+use momentous_figure::CarriedBy;
+use momentous_figure::CarriedEnd;
+use momentous_figure::Drawing;
+use momentous_figure::Layout;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Situation;
+use momentous_figure::Wording;
+use momentous_scene::stage::Halt;
+use momentous_scene::stage::Slide;
+use momentous_scene::stage::Swing;
+use momentous_scene::stage::UpOrDown;
 
 use super::super::super::wording::capitalised;
 use super::super::compass::Compass;

@@ -1,20 +1,20 @@
 //! A body about a fixed point: on an arm, or under a central force.
 
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::Central;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::Moment;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Situation;
-use crate::model::QuantityKind;
-use crate::scene::stage;
-use crate::scene::stage::Arm;
-use crate::scene::stage::Rotate;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::Central;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::Moment;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Situation;
+use momentous_model::QuantityKind;
+use momentous_scene::stage;
+use momentous_scene::stage::Arm;
+use momentous_scene::stage::Rotate;
 
 use super::super::arm;
 use super::super::labels::body_math;

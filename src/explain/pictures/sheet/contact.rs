@@ -1,17 +1,17 @@
 //! The moment of contact: an impact in the plane, or one against a surface.
 
-use crate::figure::Contact;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Partner;
-use crate::figure::Situation;
-use crate::scene::Plane;
-use crate::scene::stage::Impact;
-use crate::scene::stage::Partners;
+use momentous_figure::Contact;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Partner;
+use momentous_figure::Situation;
+use momentous_scene::Plane;
+use momentous_scene::stage::Impact;
+use momentous_scene::stage::Partners;
 
 use super::super::compass::Compass;
 use super::super::labels::body_math;

@@ -2,17 +2,17 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::expr::name_math;
-use crate::figure::Drawing;
-use crate::figure::Fall;
-use crate::figure::Ground;
-use crate::figure::Height;
-use crate::figure::Layout;
-use crate::figure::Situation;
-use crate::scene::Stage;
-use crate::scene::stage;
-use crate::scene::stage::Bounces;
-use crate::scene::stage::Partners;
+use momentous_expr::name_math;
+use momentous_figure::Drawing;
+use momentous_figure::Fall;
+use momentous_figure::Ground;
+use momentous_figure::Height;
+use momentous_figure::Layout;
+use momentous_figure::Situation;
+use momentous_scene::Stage;
+use momentous_scene::stage;
+use momentous_scene::stage::Bounces;
+use momentous_scene::stage::Partners;
 
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;

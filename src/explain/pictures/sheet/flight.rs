@@ -2,20 +2,20 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::figure::Depth;
-use crate::figure::Drawing;
-use crate::figure::Launch;
-use crate::figure::Layout;
-use crate::figure::Resisted;
-use crate::figure::Situation;
-use crate::figure::Target;
-use crate::scene::Axis;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage;
-use crate::scene::stage::Resistance;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_figure::Depth;
+use momentous_figure::Drawing;
+use momentous_figure::Launch;
+use momentous_figure::Layout;
+use momentous_figure::Resisted;
+use momentous_figure::Situation;
+use momentous_figure::Target;
+use momentous_scene::Axis;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage;
+use momentous_scene::stage::Resistance;
 
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;

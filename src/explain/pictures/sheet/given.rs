@@ -2,23 +2,23 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::AngleMark;
-use crate::figure::LabelledVector;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::model::ActingForce;
-use crate::model::Direction;
-use crate::model::ForceKind;
-use crate::model::QuantityKind;
-use crate::model::VectorKind;
-use crate::scene::Force;
-use crate::scene::Pull;
-use crate::scene::Stage;
-use crate::scene::Strength;
-use crate::scene::stage::Resistance;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::AngleMark;
+use momentous_figure::LabelledVector;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_model::ActingForce;
+use momentous_model::Direction;
+use momentous_model::ForceKind;
+use momentous_model::QuantityKind;
+use momentous_model::VectorKind;
+use momentous_scene::Force;
+use momentous_scene::Pull;
+use momentous_scene::Stage;
+use momentous_scene::Strength;
+use momentous_scene::stage::Resistance;
 
 use super::super::compass::Compass;
 use super::super::labels::body_math;

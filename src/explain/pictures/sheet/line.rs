@@ -1,22 +1,22 @@
 //! Bodies along a line: on a track before an impact, or one that is pushed or struck.
 
-use crate::expr::Math;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::Grains;
-use crate::figure::Layout;
-use crate::figure::Line;
-use crate::figure::LineSpring;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Situation;
-use crate::figure::Tie;
-use crate::model::ForceKind;
-use crate::scene::Plane;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Partners;
+use momentous_expr::Math;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::Grains;
+use momentous_figure::Layout;
+use momentous_figure::Line;
+use momentous_figure::LineSpring;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Situation;
+use momentous_figure::Tie;
+use momentous_model::ForceKind;
+use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage::Ends;
+use momentous_scene::stage::Partners;
 
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;

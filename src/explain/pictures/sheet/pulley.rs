@@ -1,17 +1,17 @@
 //! Two bodies on a string over a pulley.
 
-use crate::expr::name_math;
-use crate::figure::Drawing;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::Moving;
-use crate::figure::Pulley;
-use crate::figure::PulleySide;
-use crate::figure::Rest;
-use crate::figure::Situation;
-use crate::scene::stage::Connected;
-use crate::scene::stage::Strand;
-use crate::scene::stage::Taut;
+use momentous_expr::name_math;
+use momentous_figure::Drawing;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::Moving;
+use momentous_figure::Pulley;
+use momentous_figure::PulleySide;
+use momentous_figure::Rest;
+use momentous_figure::Situation;
+use momentous_scene::stage::Connected;
+use momentous_scene::stage::Strand;
+use momentous_scene::stage::Taut;
 
 use super::super::quantities::Quantities;
 use super::super::quantities::SKETCHED;

@@ -1,13 +1,13 @@
 //! A body on a smooth ramp of any shape.
 
-use crate::figure::Drawing;
-use crate::figure::Layout;
-use crate::figure::Moving;
-use crate::figure::Ramp;
-use crate::figure::Situation;
-use crate::figure::Wording;
-use crate::scene::stage::Slide;
-use crate::scene::stage::UpOrDown;
+use momentous_figure::Drawing;
+use momentous_figure::Layout;
+use momentous_figure::Moving;
+use momentous_figure::Ramp;
+use momentous_figure::Situation;
+use momentous_figure::Wording;
+use momentous_scene::stage::Slide;
+use momentous_scene::stage::UpOrDown;
 
 use super::super::super::wording::capitalised;
 use super::super::compass::Compass;

@@ -1,17 +1,17 @@
 //! A body that goes round a vertical axis: on a cord, or inside a cone or a bowl.
 
-use crate::expr::name_math;
-use crate::figure::Across;
-use crate::figure::Bowl;
-use crate::figure::Conical;
-use crate::figure::Drawing;
-use crate::figure::Layout;
-use crate::figure::MovingBody;
-use crate::figure::Situation;
-use crate::figure::Wall;
-use crate::figure::Wording;
-use crate::scene::stage;
-use crate::scene::stage::UpOrDown;
+use momentous_expr::name_math;
+use momentous_figure::Across;
+use momentous_figure::Bowl;
+use momentous_figure::Conical;
+use momentous_figure::Drawing;
+use momentous_figure::Layout;
+use momentous_figure::MovingBody;
+use momentous_figure::Situation;
+use momentous_figure::Wall;
+use momentous_figure::Wording;
+use momentous_scene::stage;
+use momentous_scene::stage::UpOrDown;
 
 use super::super::super::wording::capitalised;
 use super::super::labels::body_math;
@@ -33,7 +33,7 @@ pub(in super::super) fn conical(quantities: &Quantities<'_>, stage: &stage::Coni
     let said = [
         length.as_ref().map(|length| format!("the cord is {} long", length.plain())),
         angle.1.as_ref().map(|angle| format!("its angle with the vertical is {}", angle.plain())),
-        velocity.as_ref().map(Across::words),
+        velocity.as_ref().map(across_in_words),
     ];
     let what = format!("{name} on the cord from {centre}, seen from the side");
     let wording = wording(&format!("{name} and {centre}"), &what, said.into_iter().flatten());
@@ -47,7 +47,7 @@ pub(in super::super) fn bowl(quantities: &Quantities<'_>, stage: &stage::Bowl) -
     let name = quantities.called(body);
     let first = format!("r_{body}1");
     let distance = quantities.named(&first);
-    let number = |term: &crate::scene::Term| quantities.evaluate(&quantities.term(term)?);
+    let number = |term: &momentous_scene::Term| quantities.evaluate(&quantities.term(term)?);
     let size = stage.sphere.as_ref().and_then(number);
     let label = distance.map(|_| name_math(&first));
     let wall = match (&stage.cone, &stage.sphere) {
@@ -84,7 +84,7 @@ pub(in super::super) fn bowl(quantities: &Quantities<'_>, stage: &stage::Bowl) -
         },
         label.as_ref().map(|label| format!("the distance of {name} from the axis is {}", label.plain())),
         rise.as_ref().map(|(_, label)| format!("the other level lies {} from it", label.plain())),
-        velocity.as_ref().map(Across::words),
+        velocity.as_ref().map(across_in_words),
     ];
     let surface = if stage.cone.is_some() { "cone" } else { "bowl" };
     let what = format!("{name} in the {surface}, cut through its axis");
@@ -112,9 +112,7 @@ fn wording(title: &str, what: &str, said: impl Iterator<Item = String>) -> Wordi
     }
 }
 
-impl Across {
-    fn words(&self) -> String {
-        let sense = if self.away { "away from" } else { "towards" };
-        format!("the velocity {} points {sense} the reader", self.label.plain())
-    }
+fn across_in_words(velocity: &Across) -> String {
+    let sense = if velocity.away { "away from" } else { "towards" };
+    format!("the velocity {} points {sense} the reader", velocity.label.plain())
 }

@@ -1,22 +1,22 @@
 //! A body on another one that gives way: a walk along a boat, a slide down a wedge on wheels.
 
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::Drawing;
-use crate::figure::Face;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::Moving;
-use crate::figure::Ride;
-use crate::figure::Role;
-use crate::figure::Situation;
-use crate::figure::Wording;
-use crate::model::above_or_below;
-use crate::model::is_reversed;
-use crate::scene::Term;
-use crate::scene::stage::Interact;
-use crate::scene::stage::SlideOff;
-use crate::scene::stage::Walk;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::Drawing;
+use momentous_figure::Face;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::Moving;
+use momentous_figure::Ride;
+use momentous_figure::Role;
+use momentous_figure::Situation;
+use momentous_figure::Wording;
+use momentous_model::above_or_below;
+use momentous_model::is_reversed;
+use momentous_scene::Term;
+use momentous_scene::stage::Interact;
+use momentous_scene::stage::SlideOff;
+use momentous_scene::stage::Walk;
 
 use super::super::super::wording::capitalised;
 use super::super::compass::Compass;

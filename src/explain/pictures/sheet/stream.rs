@@ -1,20 +1,20 @@
 //! A body that a stream meets, and a body that throws mass away.
 
-use crate::expr::Expr;
-use crate::expr::name_math;
-use crate::figure::Attach;
-use crate::figure::Drawing;
-use crate::figure::Form;
-use crate::figure::LabelledVector;
-use crate::figure::Layout;
-use crate::figure::Line;
-use crate::figure::Moving;
-use crate::figure::MovingBody;
-use crate::figure::Situation;
-use crate::figure::Wording;
-use crate::model::Direction;
-use crate::scene::stage::Stream;
-use crate::scene::stage::Thrust;
+use momentous_expr::Expr;
+use momentous_expr::name_math;
+use momentous_figure::Attach;
+use momentous_figure::Drawing;
+use momentous_figure::Form;
+use momentous_figure::LabelledVector;
+use momentous_figure::Layout;
+use momentous_figure::Line;
+use momentous_figure::Moving;
+use momentous_figure::MovingBody;
+use momentous_figure::Situation;
+use momentous_figure::Wording;
+use momentous_model::Direction;
+use momentous_scene::stage::Stream;
+use momentous_scene::stage::Thrust;
 
 use super::super::super::wording::list;
 use super::super::compass::Compass;

@@ -1,19 +1,19 @@
 //! A body on a cord: on a sheet where it is and what is given of its swing, in a solution both ends with the momenta.
 
-use crate::expr::Expr;
-use crate::expr::Math;
-use crate::expr::name_math;
-use crate::figure::Drawing;
-use crate::figure::Layout;
-use crate::figure::Moving;
-use crate::figure::Situation;
-use crate::figure::SwingBy;
-use crate::figure::SwingEnd;
-use crate::figure::Wording;
-use crate::scene::Stage;
-use crate::scene::Term;
-use crate::scene::stage::Place;
-use crate::scene::stage::Swing;
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::name_math;
+use momentous_figure::Drawing;
+use momentous_figure::Layout;
+use momentous_figure::Moving;
+use momentous_figure::Situation;
+use momentous_figure::SwingBy;
+use momentous_figure::SwingEnd;
+use momentous_figure::Wording;
+use momentous_scene::Stage;
+use momentous_scene::Term;
+use momentous_scene::stage::Place;
+use momentous_scene::stage::Swing;
 
 use super::super::super::wording::capitalised;
 use super::super::compass::Compass;
@@ -58,7 +58,7 @@ pub(in super::super) fn drawing(
     let body = quantities.body(&stage.body, Vec::new());
     let height = height.filter(|_| shows_both);
     let by = if on_track { track(quantities, index, stage) } else { SwingBy::Cord };
-    let swing = crate::figure::Swing { body, ends, length, height, by };
+    let swing = momentous_figure::Swing { body, ends, length, height, by };
     Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
 }
 

@@ -1,8 +1,8 @@
 //! Functions, roots and fractions with their arguments. Without brackets an argument may end in more than one place: then it is
 //! asked back.
 
-use crate::expr::Expr;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_quantity::Rational;
 
 use super::super::unreadable::{At, UnreadableKind};
 use super::grammar::{Grammar, Term};

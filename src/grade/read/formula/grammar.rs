@@ -1,9 +1,9 @@
 //! Sums, products and powers, with or without signs of multiplication. What can be read in two ways is never read in silence.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::quantity::Dimension;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
 
 use super::super::super::expected::ExpectedFormula;
 use super::super::unreadable::{At, UnreadableKind};

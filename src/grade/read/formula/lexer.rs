@@ -1,6 +1,6 @@
 //! From characters to tokens: Unicode, LaTeX and plain text alike. Names are not yet told apart.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::numeral::{self, DecimalMark};
 use super::super::unreadable::{At, UnreadableKind};

@@ -14,8 +14,8 @@ mod signs;
 mod token;
 mod word;
 
-use crate::expr::Expr;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_quantity::Rational;
 
 use super::super::expected::ExpectedFormula;
 use super::answer::FormulaAnswer;

@@ -1,7 +1,7 @@
 //! The functions of a formula by name, in the functions that terms have.
 
-use crate::expr::Expr;
-use crate::expr::Function;
+use momentous_expr::Expr;
+use momentous_expr::Function;
 
 /// A function that may stand in a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

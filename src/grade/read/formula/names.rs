@@ -1,8 +1,8 @@
 //! The names that the sheet gives, in whatever spelling: `m_A`, `mA`, `m_{A}`, `μ_k`, `mu_k`.
 
-use crate::expr::Symbol;
-use crate::expr::name_math;
-use crate::fault::did_you_mean;
+use momentous_expr::Symbol;
+use momentous_expr::name_math;
+use momentous_fault::did_you_mean;
 
 use super::super::super::expected::ExpectedFormula;
 use super::super::unreadable::UnreadableKind;

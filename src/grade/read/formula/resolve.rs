@@ -1,6 +1,6 @@
 //! The names and functions in the words of a formula. Where a word can be read in two ways, both are shown, and none is taken.
 
-use crate::quantity::Rational;
+use momentous_quantity::Rational;
 
 use super::super::unreadable::{At, UnreadableKind};
 use super::named::{self, Named};

@@ -1,7 +1,7 @@
 //! What the text of a formula consists of.
 
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::named::Named;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::pictures::pictured::Pictured;
 use super::claim::Claim;
@@ -30,7 +30,7 @@ pub enum ChoicePart {
 }
 
 /// The most quantities that can be put in order: they have 24 orders.
-pub(in crate::problem) const MOST_ORDERED: usize = 4;
+pub(crate) const MOST_ORDERED: usize = 4;
 
 impl ChoicePart {
     /// Everything on which the choice depends, what is given included.
@@ -92,8 +92,8 @@ fn permute(symbols: Vec<Symbol>, from: usize, all: &mut Vec<Vec<Symbol>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::{SymbolEntry, SymbolTable};
-    use crate::quantity::Dimension;
+    use momentous_expr::{SymbolEntry, SymbolTable};
+    use momentous_quantity::Dimension;
 
     #[test]
     fn every_order_comes_once_as_in_a_dictionary() {

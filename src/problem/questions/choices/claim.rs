@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_solve::Relation;
 
 /// A claim about the numbers of a variant.
 #[derive(Clone, Debug)]
@@ -39,12 +39,12 @@ impl Claim {
     }
 
     /// Whether it holds where its sides have these values; `None` where one of them is no number.
-    pub(in crate::problem) fn holds_between(&self, left: f64, right: f64) -> Option<bool> {
+    pub(crate) fn holds_between(&self, left: f64, right: f64) -> Option<bool> {
         compared(left, right).map(|order| self.allows(order))
     }
 
     /// Whether it holds where its sides compare so.
-    pub(in crate::problem) fn allows(&self, order: Ordering) -> bool {
+    pub(crate) fn allows(&self, order: Ordering) -> bool {
         match self.relation {
             Relation::Less => order.is_lt(),
             Relation::AtMost => order.is_le(),

@@ -1,14 +1,14 @@
 //! Questions that compare quantities: whether one is greater than another, and in which order several are.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::Reason;
-use crate::quantity::dimension_name;
-use crate::solve::Relation;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::Reason;
+use momentous_quantity::dimension_name;
+use momentous_solve::Relation;
 
 use super::super::super::language::ask::Holds;
 use super::super::super::language::ask::Order;
@@ -23,23 +23,13 @@ use super::choice::MOST_ORDERED;
 use super::claim::Claim;
 
 /// Whether something holds of the numbers.
-pub(in crate::problem) fn holds(
-    loaded: &Loaded,
-    ask: &Holds,
-    builder: &mut Builder<'_>,
-    path: &Path,
-) -> Option<Question> {
+pub(crate) fn holds(loaded: &Loaded, ask: &Holds, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
     let (words, claim) = claim(loaded, &ask.holds, builder, &path.key("holds"))?;
     Some((format!("Is {words}?"), PartKind::Choice(ChoicePart::Holds(claim))))
 }
 
 /// A comparison in words, and what it claims.
-pub(in crate::problem) fn claim(
-    loaded: &Loaded,
-    text: &str,
-    builder: &mut Builder<'_>,
-    path: &Path,
-) -> Option<(String, Claim)> {
+pub(crate) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path: &Path) -> Option<(String, Claim)> {
     let condition = condition(builder, text, Reason::Asked, path)?;
     let (left, relation, right) = (condition.left, condition.relation, condition.right);
     let written = split_relation(text).map_or(["", ""], |(left, _, right)| [left, right]);
@@ -59,7 +49,7 @@ pub(in crate::problem) fn claim(
 }
 
 /// In which order some quantities are.
-pub(in crate::problem) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
+pub(crate) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
     let path = path.key("order");
     if !(2..=MOST_ORDERED).contains(&ask.order.len()) {
         let fault = Fault::new(Code::Value, format!("{} quantities cannot be put in order", ask.order.len()));

@@ -1,6 +1,6 @@
 //! The phrases of a choice, and which of them is right.
 
-use crate::laws::wrong::Misconception;
+use momentous_laws::wrong::Misconception;
 
 /// The phrases of a choice, and the right one.
 #[derive(Clone, Debug, PartialEq, Eq)]

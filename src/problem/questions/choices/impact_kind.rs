@@ -1,11 +1,11 @@
 //! Of which kind an impact is: elastic, inelastic or perfectly plastic, as its kinetic energies and velocities say.
 
-use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::scene::Stage;
+use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_scene::Stage;
 
 use super::super::super::language::ask::Classify;
 use super::super::super::reading::load::Loaded;
@@ -23,12 +23,7 @@ use super::settled::stage;
 const KINDS: [&str; 3] = ["elastic", "inelastic, but not perfectly", "perfectly plastic"];
 
 /// Of which kind an impact is.
-pub(in crate::problem) fn classify(
-    loaded: &Loaded,
-    ask: &Classify,
-    builder: &mut Builder<'_>,
-    path: &Path,
-) -> Option<Question> {
+pub(crate) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
     let index = stage(ask.stage.as_deref(), builder, path)?;
     let Some(Stage::Impact(impact)) = loaded.draft.scene.stages.get(index) else {
         let fault = Fault::new(Code::Value, format!("{} is not an impact", builder.phrase_of(index)));

@@ -1,17 +1,17 @@
 //! Whether a force is impulsive, answered from the scene.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::fault::did_you_mean;
-use crate::laws::wrong::concept;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::model::ContactWeight;
-use crate::model::Impulse;
-use crate::model::Reason;
-use crate::solve::Condition;
-use crate::solve::Relation;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_fault::did_you_mean;
+use momentous_laws::wrong::concept;
+use momentous_model::Agent;
+use momentous_model::Builder;
+use momentous_model::ContactWeight;
+use momentous_model::Impulse;
+use momentous_model::Reason;
+use momentous_solve::Condition;
+use momentous_solve::Relation;
 
 use super::super::super::language::ask::Impulsive;
 use super::super::part::Question;
@@ -29,7 +29,7 @@ const ORDINARY: &[(&str, &str)] = &[
 ];
 
 /// Whether a force is impulsive in a stage.
-pub(in crate::problem) fn impulsive(
+pub(crate) fn impulsive(
     ask: &Impulsive,
     builder: &mut Builder<'_>,
     path: &Path,

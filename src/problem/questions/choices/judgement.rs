@@ -2,25 +2,25 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
 
 use super::super::equality::Equality;
 
 /// A choice between phrases, each right in one case.
 #[derive(Clone, Debug)]
 pub struct Judgement {
-    pub(in crate::problem) options: Vec<String>,
+    pub(crate) options: Vec<String>,
     /// In order: the first of which all tests hold is right. The last has none.
-    pub(in crate::problem) cases: Vec<Case>,
-    pub(in crate::problem) behind: Option<Behind>,
+    pub(crate) cases: Vec<Case>,
+    pub(crate) behind: Option<Behind>,
     /// Whether what changes on the way has its value again at the end.
-    pub(in crate::problem) returns: Vec<Equality>,
+    pub(crate) returns: Vec<Equality>,
 }
 
 /// A phrase that may be right.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Case {
+pub(crate) struct Case {
     /// The position of the phrase.
     pub right: usize,
     /// The ways that the scene has to go: each a choice, counted from 0, and what happens there.
@@ -33,14 +33,14 @@ pub(in crate::problem) struct Case {
 
 /// Two terms that have to be equal, and what to say where they are not.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Test {
+pub(crate) struct Test {
     pub equality: Equality,
     pub otherwise: String,
 }
 
 /// The mistake behind a wrong phrase.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Behind {
+pub(crate) struct Behind {
     pub mistake: &'static Misconception,
     /// The phrase that is right where it is made.
     pub right: usize,
@@ -49,44 +49,44 @@ pub(in crate::problem) struct Behind {
 }
 
 impl Case {
-    pub(in crate::problem) fn new(right: usize, tests: Vec<Test>, because: impl Into<String>) -> Self {
+    pub(crate) fn new(right: usize, tests: Vec<Test>, because: impl Into<String>) -> Self {
         Self { right, ways: Vec::new(), tests, because: because.into() }
     }
 
     /// The same where the scene goes these ways only.
-    pub(in crate::problem) fn only(self, ways: Vec<(usize, String)>) -> Self {
+    pub(crate) fn only(self, ways: Vec<(usize, String)>) -> Self {
         Self { ways, ..self }
     }
 }
 
 impl Test {
-    pub(in crate::problem) fn new(equality: Equality, otherwise: impl Into<String>) -> Self {
+    pub(crate) fn new(equality: Equality, otherwise: impl Into<String>) -> Self {
         Self { equality, otherwise: otherwise.into() }
     }
 }
 
 impl Judgement {
-    pub(in crate::problem) fn new(options: &[&str], cases: Vec<Case>) -> Self {
+    pub(crate) fn new(options: &[&str], cases: Vec<Case>) -> Self {
         let options = options.iter().map(|option| (*option).to_owned()).collect();
         Self { options, cases, behind: None, returns: Vec::new() }
     }
 
-    pub(in crate::problem) fn with(self, behind: Option<Behind>, returns: Vec<Equality>) -> Self {
+    pub(crate) fn with(self, behind: Option<Behind>, returns: Vec<Equality>) -> Self {
         Self { behind, returns, ..self }
     }
 
     /// What decides between the cases.
-    pub(in crate::problem) fn equalities(&self) -> impl Iterator<Item = &Equality> {
+    pub(crate) fn equalities(&self) -> impl Iterator<Item = &Equality> {
         self.cases.iter().flat_map(|case| &case.tests).map(|test| &test.equality)
     }
 
     /// Everything on which the choice depends.
-    pub(in crate::problem) fn symbols(&self) -> BTreeSet<Symbol> {
+    pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         self.equalities().flat_map(Equality::symbols).collect()
     }
 
     /// What has to be solved for it.
-    pub(in crate::problem) fn quantities(&self) -> Vec<Symbol> {
+    pub(crate) fn quantities(&self) -> Vec<Symbol> {
         let mut quantities: Vec<Symbol> = Vec::new();
         for symbol in self.equalities().flat_map(Equality::quantities) {
             if !quantities.contains(symbol) {

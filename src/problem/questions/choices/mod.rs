@@ -1,13 +1,13 @@
 //! Choices between phrases: what is offered, and what settles which is right.
 
-pub(in crate::problem) mod choice;
-pub(in crate::problem) mod claim;
-pub(in crate::problem) mod comparing;
-pub(in crate::problem) mod decision;
-pub(in crate::problem) mod impact_kind;
-pub(in crate::problem) mod impulsive;
-pub(in crate::problem) mod judgement;
-pub(in crate::problem) mod offered;
-pub(in crate::problem) mod offered_read;
-pub(in crate::problem) mod roots;
-pub(in crate::problem) mod settled;
+pub(crate) mod choice;
+pub(crate) mod claim;
+pub(crate) mod comparing;
+pub(crate) mod decision;
+pub(crate) mod impact_kind;
+pub(crate) mod impulsive;
+pub(crate) mod judgement;
+pub(crate) mod offered;
+pub(crate) mod offered_read;
+pub(crate) mod roots;
+pub(crate) mod settled;

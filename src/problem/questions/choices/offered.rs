@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::super::super::language::text::Text;
 use super::claim::Claim;
@@ -11,18 +11,18 @@ use super::claim::Claim;
 #[derive(Clone, Debug)]
 pub struct Offer {
     /// The name of the random stream from which their order comes.
-    pub(in crate::problem) stream: String,
+    pub(crate) stream: String,
     /// The options in the order of the file; one that is right where no other is stands last.
-    pub(in crate::problem) options: Vec<Offered>,
+    pub(crate) options: Vec<Offered>,
     /// What their texts print.
-    pub(in crate::problem) printed: BTreeSet<Symbol>,
+    pub(crate) printed: BTreeSet<Symbol>,
     /// What the options that may be right print and has no value of its own.
-    pub(in crate::problem) solved: Vec<Symbol>,
+    pub(crate) solved: Vec<Symbol>,
 }
 
 /// One option.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Offered {
+pub(crate) struct Offered {
     pub text: Text,
     pub truth: Truth,
     /// Why it is right, where it is.
@@ -33,7 +33,7 @@ pub(in crate::problem) struct Offered {
 
 /// When an option is right.
 #[derive(Clone, Debug)]
-pub(in crate::problem) enum Truth {
+pub(crate) enum Truth {
     Always,
     Never,
     /// Where this holds.
@@ -44,28 +44,28 @@ pub(in crate::problem) enum Truth {
 
 impl Offer {
     /// Everything on which the choice depends; what an option prints, it tells.
-    pub(in crate::problem) fn symbols(&self) -> BTreeSet<Symbol> {
+    pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         self.claims().flat_map(Claim::symbols).chain(self.solved.iter().copied()).collect()
     }
 
     /// Everything to which the options refer.
-    pub(in crate::problem) fn mentioned(&self) -> BTreeSet<Symbol> {
+    pub(crate) fn mentioned(&self) -> BTreeSet<Symbol> {
         &self.symbols() | &self.printed
     }
 
     /// What has to be solved for it.
-    pub(in crate::problem) fn quantities(&self) -> Vec<Symbol> {
+    pub(crate) fn quantities(&self) -> Vec<Symbol> {
         let claimed = self.claims().flat_map(|claim| claim.quantities.iter().copied());
         let all: BTreeSet<Symbol> = claimed.chain(self.solved.iter().copied()).collect();
         all.into_iter().collect()
     }
 
     /// Everything that it prints.
-    pub(in crate::problem) fn texts(&self) -> impl Iterator<Item = &Text> {
+    pub(crate) fn texts(&self) -> impl Iterator<Item = &Text> {
         self.options.iter().flat_map(|own| [Some(&own.text), own.because.as_ref(), own.feedback.as_ref()]).flatten()
     }
 
-    pub(in crate::problem) fn claims(&self) -> impl Iterator<Item = &Claim> {
+    pub(crate) fn claims(&self) -> impl Iterator<Item = &Claim> {
         self.options.iter().filter_map(|option| match &option.truth {
             Truth::When(claim) => Some(claim),
             _ => None,

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
 
 use super::super::super::language::ask;
 use super::super::super::language::form::Question;
@@ -27,7 +27,7 @@ use super::offered::Truth;
 const OFFERED: std::ops::RangeInclusive<usize> = 2..=8;
 
 /// A choice between the author's own options, asked as the part of that letter.
-pub(in crate::problem) fn read(
+pub(crate) fn read(
     loaded: &Loaded,
     question: &Question,
     ask: &ask::Choose,

@@ -1,7 +1,7 @@
 //! Which of two roots is possible, as a question.
 
-use crate::fault::Path;
-use crate::model::Builder;
+use momentous_fault::Path;
+use momentous_model::Builder;
 
 use super::super::super::language::ask::WhichRoot;
 use super::super::part::PartKind;
@@ -9,7 +9,7 @@ use super::super::part::Question;
 use super::choice::ChoicePart;
 
 /// Which of two roots is possible.
-pub(in crate::problem) fn physical(ask: &WhichRoot, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
+pub(crate) fn physical(ask: &WhichRoot, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
     let Some(symbol) = builder.mention(&ask.physical) else {
         let fault = builder.unknown(&ask.physical).at_path(path.key("physical"));
         builder.fault(fault);

@@ -1,24 +1,24 @@
 //! What questions that the scene settles share: the stage that is meant, the names of bodies, and an answer by yes or no.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::wrong::Misconception;
-use crate::model::Builder;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::wrong::Misconception;
+use momentous_model::Builder;
 
 use super::super::part::PartKind;
 use super::choice::ChoicePart;
 use super::decision::Decision;
 
 /// Whether something holds, and why, as a sentence without a full stop.
-pub(in crate::problem) type Verdict = (bool, String);
+pub(crate) type Verdict = (bool, String);
 
 /// A question that the scene settles, with the mistake that leads to the other answer.
-pub(in crate::problem) fn yes_or_no((holds, because): Verdict, behind: Option<&'static Misconception>) -> PartKind {
+pub(crate) fn yes_or_no((holds, because): Verdict, behind: Option<&'static Misconception>) -> PartKind {
     PartKind::Choice(ChoicePart::Settled(Decision { behind, ..Decision::yes_or_no(holds, because) }))
 }
 
-pub(in crate::problem) fn join(names: &[String]) -> String {
+pub(crate) fn join(names: &[String]) -> String {
     match names {
         [] => "the system".into(),
         [only] => only.clone(),
@@ -27,7 +27,7 @@ pub(in crate::problem) fn join(names: &[String]) -> String {
 }
 
 /// The stage that a question means: the one named, or the only one.
-pub(in crate::problem) fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) -> Option<usize> {
+pub(crate) fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) -> Option<usize> {
     let found = match name {
         Some(name) => builder.stage_of(name),
         None => (builder.scene().stages.len() == 1).then_some(0),

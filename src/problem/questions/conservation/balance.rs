@@ -4,7 +4,7 @@ use super::super::super::language::ask::Conserved;
 use super::super::choices::judgement::Test;
 
 /// A question of conservation whose names are known.
-pub(in crate::problem) struct Balance<'a> {
+pub(crate) struct Balance<'a> {
     pub ask: &'a Conserved,
     pub stage: usize,
     /// The axes along which momentum is meant, by their positions.
@@ -16,7 +16,7 @@ pub(in crate::problem) struct Balance<'a> {
 }
 
 /// What decides a question of conservation: what has to hold, why it is conserved then, and the words for both instants.
-pub(in crate::problem) struct Verdict {
+pub(crate) struct Verdict {
     pub tests: Vec<Test>,
     pub because: String,
 }

@@ -1,12 +1,12 @@
 //! Whether momentum, kinetic energy or angular momentum is conserved in a stage: in a sudden one by what there is before and
 //! after, in one that lasts by what acts from outside all the way.
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::fault::did_you_mean;
-use crate::model::Builder;
-use crate::scene::Stage;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_fault::did_you_mean;
+use momentous_model::Builder;
+use momentous_scene::Stage;
 
 use super::super::super::language::ask::Conservable;
 use super::super::super::language::ask::Conserved;
@@ -25,12 +25,7 @@ use super::misjudged;
 use super::verdict::verdict;
 
 /// Whether a quantity is conserved for some bodies in a stage.
-pub(in crate::problem) fn conserved(
-    loaded: &Loaded,
-    ask: &Conserved,
-    builder: &mut Builder<'_>,
-    path: &Path,
-) -> Option<Question> {
+pub(crate) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
     let stage = stage(ask.stage.as_deref(), builder, path)?;
     check_bodies(ask, builder, path)?;
     let axes = axes(ask, builder, path)?;

@@ -1,12 +1,12 @@
 //! What is conserved in a stage that lasts: what acts from outside decides, at every moment.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::Influence;
-use crate::model::Moment;
-use crate::model::Work;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Builder;
+use momentous_model::Effect;
+use momentous_model::Influence;
+use momentous_model::Moment;
+use momentous_model::Work;
 
 use super::super::super::language::ask::Conservable;
 use super::super::super::reading::load::Loaded;
@@ -21,7 +21,7 @@ use super::balance::Verdict;
 /// The time that a stage counts from its own start.
 const CLOCK: &str = "t";
 
-pub(in crate::problem) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+pub(crate) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
     let outside = from_outside(balance, builder);
     let mut tests = Vec::new();
     // Polar axes have no fixed directions: along some, whatever acts from outside gives an impulse.
@@ -38,7 +38,7 @@ pub(in crate::problem) fn momentum(loaded: &Loaded, balance: &Balance<'_>, build
     Verdict { tests, because: because.into() }
 }
 
-pub(in crate::problem) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
     let acting = on_system(balance, builder);
     let mut tests = Vec::new();
     let by_force: Vec<&Influence> = (acting.iter().copied())
@@ -95,7 +95,7 @@ pub(in crate::problem) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder
     Verdict { tests, because }
 }
 
-pub(in crate::problem) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
     let outside = from_outside(balance, builder);
     let mut tests = Vec::new();
     let mut passing: Vec<String> = Vec::new();
@@ -128,7 +128,7 @@ pub(in crate::problem) fn angular(loaded: &Loaded, balance: &Balance<'_>, builde
 }
 
 /// Whether what changes on the way has its value again at the end.
-pub(in crate::problem) fn returns(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Vec<Equality> {
+pub(crate) fn returns(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Vec<Equality> {
     let (of, stage) = (&balance.ask.of, balance.stage);
     let pairs: Vec<[Expr; 2]> = match balance.ask.conserved {
         Conservable::Momentum => {
@@ -148,7 +148,7 @@ pub(in crate::problem) fn returns(loaded: &Loaded, balance: &Balance<'_>, builde
 }
 
 /// The case in which nothing of the system moves all the way, where the scene may go so.
-pub(in crate::problem) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case> {
+pub(crate) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case> {
     let stage = balance.stage;
     let moving: Vec<&String> = balance.ask.of.iter().filter(|body| builder.is_changed_in(body, stage)).collect();
     let ways = moving.iter().map(|body| builder.stands_still(body, stage));

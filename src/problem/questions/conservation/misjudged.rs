@@ -1,8 +1,8 @@
 //! Which common mistake is behind a wrong yes or no about a scene.
 
-use crate::laws::wrong::concept;
-use crate::model::Agent;
-use crate::model::Builder;
+use momentous_laws::wrong::concept;
+use momentous_model::Agent;
+use momentous_model::Builder;
 
 use super::super::super::language::ask::Conservable;
 use super::super::super::reading::load::Loaded;
@@ -15,11 +15,7 @@ const YES: usize = 0;
 const NO: usize = 1;
 
 /// What leads to the wrong answer on whether a quantity is conserved in a stage.
-pub(in crate::problem) fn conserved(
-    loaded: &Loaded,
-    balance: &Balance<'_>,
-    builder: &mut Builder<'_>,
-) -> Option<Behind> {
+pub(crate) fn conserved(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Option<Behind> {
     let of = &balance.ask.of;
     let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if of.contains(other));
     let on_it: Vec<Agent> = (builder.impulses().iter())

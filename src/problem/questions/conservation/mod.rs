@@ -1,8 +1,8 @@
 //! What is conserved in a stage, and the mistake behind a wrong answer.
 
-pub(in crate::problem) mod balance;
-pub(in crate::problem) mod conserved;
-pub(in crate::problem) mod lasting;
-pub(in crate::problem) mod misjudged;
-pub(in crate::problem) mod sudden;
-pub(in crate::problem) mod verdict;
+pub(crate) mod balance;
+pub(crate) mod conserved;
+pub(crate) mod lasting;
+pub(crate) mod misjudged;
+pub(crate) mod sudden;
+pub(crate) mod verdict;

@@ -1,11 +1,11 @@
 //! What is conserved in a stage that takes no time: what is there before and after it decides.
 
-use crate::expr::Expr;
-use crate::model::Agent;
-use crate::model::Builder;
-use crate::scene::Stage;
-use crate::scene::stage::Partners;
-use crate::scene::stage::Taut;
+use momentous_expr::Expr;
+use momentous_model::Agent;
+use momentous_model::Builder;
+use momentous_scene::Stage;
+use momentous_scene::stage::Partners;
+use momentous_scene::stage::Taut;
 
 use super::super::super::reading::load::Loaded;
 use super::super::choices::judgement::Test;
@@ -17,11 +17,7 @@ use super::balance::Verdict;
 /// Why a total stays, where nothing more is to be said.
 const SAME: &str = "it is the same before and after";
 
-pub(in crate::problem) fn momentum(
-    loaded: &Loaded,
-    balance: &Balance<'_>,
-    builder: &mut Builder<'_>,
-) -> Option<Verdict> {
+pub(crate) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Option<Verdict> {
     let outside = outside(balance, builder);
     let mut tests = Vec::new();
     for position in &balance.axes {
@@ -64,18 +60,14 @@ pub(in crate::problem) fn momentum(
     Some(Verdict { tests, because: because.into() })
 }
 
-pub(in crate::problem) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Verdict {
+pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Verdict {
     let sides = [0, 1].map(|side| builder.total_kinetic(&balance.ask.of, balance.stage, side));
     let equality = equality(loaded, balance, builder, sides);
     let (because, otherwise) = words_of_energy(balance, builder);
     Verdict { tests: vec![Test::new(equality, otherwise)], because: because.into() }
 }
 
-pub(in crate::problem) fn angular(
-    loaded: &Loaded,
-    balance: &Balance<'_>,
-    builder: &mut Builder<'_>,
-) -> Option<Verdict> {
+pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Option<Verdict> {
     if outside(balance, builder).is_empty() && takes_in_all(balance, builder) {
         let because = "the forces between the bodies are equal and opposite along one line";
         return Some(Verdict { tests: Vec::new(), because: because.into() });

@@ -1,7 +1,7 @@
 //! What decides whether a quantity is conserved: in a sudden stage what there is before and after, in one that lasts what acts
 //! from outside all the way.
 
-use crate::model::Builder;
+use momentous_model::Builder;
 
 use super::super::super::language::ask::Conservable;
 use super::super::super::reading::load::Loaded;
@@ -11,7 +11,7 @@ use super::lasting;
 use super::sudden;
 
 /// What decides whether a quantity is conserved; `None` where the scene does not tell the quantity.
-pub(in crate::problem) fn verdict(
+pub(crate) fn verdict(
     loaded: &Loaded,
     balance: &Balance<'_>,
     quantity: Conservable,

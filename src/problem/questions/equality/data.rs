@@ -1,8 +1,8 @@
 //! How precise what is given is: half a unit of the last place in which it is printed.
 
-use crate::quantity::Decimal;
-use crate::quantity::Unit;
-use crate::quantity::half_unit;
+use momentous_quantity::Decimal;
+use momentous_quantity::Unit;
+use momentous_quantity::half_unit;
 
 /// The acceleration of free fall: a constant, and so exact.
 const GRAVITY: &str = "g";
@@ -14,7 +14,7 @@ pub(super) fn is_exact(value: &Decimal, unit: &Unit) -> bool {
 
 /// By how much a told value may differ from the true one, in SI units: half a unit of its last printed place, with at least so many
 /// significant figures; nothing where it is exact.
-pub(in crate::problem) fn half_of_last_place(value: &Decimal, unit: &Unit, name: &str, figures: usize) -> f64 {
+pub(crate) fn half_of_last_place(value: &Decimal, unit: &Unit, name: &str, figures: usize) -> f64 {
     if is_exact(value, unit) || name == GRAVITY {
         return 0.0;
     }

@@ -3,19 +3,19 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::Builder;
-use crate::model::Instant;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::solve::Closed;
-use crate::solve::Equation;
-use crate::solve::Plan;
-use crate::solve::Planner;
-use crate::solve::Reason;
-use crate::solve::Statement;
-use crate::solve::System;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Builder;
+use momentous_model::Instant;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_solve::Closed;
+use momentous_solve::Equation;
+use momentous_solve::Plan;
+use momentous_solve::Planner;
+use momentous_solve::Reason;
+use momentous_solve::Statement;
+use momentous_solve::System;
 
 use super::super::super::language::given::Given;
 use super::super::super::reading::load::Loaded;

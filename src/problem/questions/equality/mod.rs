@@ -6,18 +6,18 @@ mod nonzero;
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::equal;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::model::Builder;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::equal;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_model::Builder;
 
 use super::super::language::given::Given;
 use super::super::reading::load::Loaded;
 use super::to_solve::to_solve;
 
-pub(in crate::problem) use data::half_of_last_place;
+pub(crate) use data::half_of_last_place;
 
 use difference::difference;
 use nonzero::Ranges;
@@ -46,7 +46,7 @@ pub struct Sides {
 
 /// Where equality is asked: in which stage, and what runs from its start to its end.
 #[derive(Clone, Copy)]
-pub(in crate::problem) struct Place {
+pub(crate) struct Place {
     pub stage: usize,
     /// The clock of the stage, in which terms are equal only if they are at all times.
     pub clock: Option<Symbol>,
@@ -55,12 +55,7 @@ pub(in crate::problem) struct Place {
 impl Equality {
     /// Decides what can be decided for every variant: first by the equations of the stage alone, whatever else is told, then by all
     /// equations and the values that are given.
-    pub(in crate::problem) fn of(
-        loaded: &Loaded,
-        builder: &Builder<'_>,
-        place: Place,
-        [left, right]: [Expr; 2],
-    ) -> Self {
+    pub(crate) fn of(loaded: &Loaded, builder: &Builder<'_>, place: Place, [left, right]: [Expr; 2]) -> Self {
         let whole = left.clone() - right.clone();
         let positive = |symbol: Symbol| builder.is_positive(symbol);
         if left == right || equal(&left, &right) || whole.simplify_where(&positive).is_zero() {
@@ -108,7 +103,7 @@ impl Equality {
     }
 
     /// Everything on which it depends.
-    pub(in crate::problem) fn symbols(&self) -> BTreeSet<Symbol> {
+    pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         match self {
             Self::Always | Self::Never => BTreeSet::new(),
             Self::InNumbers(own) => own.terms.iter().flat_map(Expr::symbols).collect(),
@@ -116,7 +111,7 @@ impl Equality {
     }
 
     /// What has to be solved for it.
-    pub(in crate::problem) fn quantities(&self) -> &[Symbol] {
+    pub(crate) fn quantities(&self) -> &[Symbol] {
         match self {
             Self::Always | Self::Never => &[],
             Self::InNumbers(own) => &own.quantities,

@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::model::Builder;
-use crate::quantity::Decimal;
-use crate::quantity::Rational;
-use crate::quantity::Unit;
-use crate::solve::Bounded;
-use crate::solve::Condition;
-use crate::solve::Real;
-use crate::solve::Relation;
-use crate::solve::Sign;
-use crate::solve::evaluate;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Builder;
+use momentous_quantity::Decimal;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
+use momentous_solve::Bounded;
+use momentous_solve::Condition;
+use momentous_solve::Real;
+use momentous_solve::Relation;
+use momentous_solve::Sign;
+use momentous_solve::evaluate;
 
 use super::super::super::language::domain::Domain;
 use super::super::super::language::given::Given;

@@ -32,7 +32,7 @@ impl Curve {
     }
 
     /// The largest size of its values.
-    pub(in crate::problem) fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         let [low, high] = self.reach();
         high.max(-low)
     }
@@ -51,7 +51,7 @@ impl Curve {
     }
 
     /// Whether the eye takes it for another curve over the same times.
-    pub(in crate::problem) fn looks_like(&self, other: &Self) -> bool {
+    pub(crate) fn looks_like(&self, other: &Self) -> bool {
         let [low, high] = [self, other].map(Self::reach).into_iter().fold([0.0, 0.0], |[low, high], own| {
             let [lowest, highest]: [f64; 2] = own;
             [f64::min(low, lowest), f64::max(high, highest)]

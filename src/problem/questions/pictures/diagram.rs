@@ -1,10 +1,10 @@
 //! Impulse-momentum diagrams to choose from.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
-use crate::laws::wrong::concept;
-use crate::laws::wrong::momentum;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
+use momentous_laws::wrong::concept;
+use momentous_laws::wrong::momentum;
 
 /// The impulse-momentum diagram of a stage.
 #[derive(Clone, Debug)]
@@ -12,12 +12,12 @@ pub struct Diagram {
     /// The stage, counted from 0.
     pub stage: usize,
     /// The bodies of the diagram.
-    pub(in crate::problem) rows: Vec<Ends>,
+    pub(crate) rows: Vec<Ends>,
 }
 
 /// The momenta of a body at both ends of the stage, along each axis.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Ends {
+pub(crate) struct Ends {
     pub body: String,
     pub before: Vec<Expr>,
     pub after: Vec<Expr>,
@@ -58,15 +58,12 @@ const ALIKE: f64 = 0.2;
 
 impl Diagram {
     /// What it depends on.
-    pub(in crate::problem) fn terms(&self) -> impl Iterator<Item = &Expr> {
+    pub(crate) fn terms(&self) -> impl Iterator<Item = &Expr> {
         self.rows.iter().flat_map(|row| row.before.iter().chain(&row.after))
     }
 
     /// The right diagram, then those of the mistakes.
-    pub(in crate::problem) fn drawn(
-        &self,
-        value: &dyn Fn(Symbol) -> f64,
-    ) -> Vec<(Option<&'static Misconception>, Vec<Balance>)> {
+    pub(crate) fn drawn(&self, value: &dyn Fn(Symbol) -> f64) -> Vec<(Option<&'static Misconception>, Vec<Balance>)> {
         let right: Vec<Balance> = self.rows.iter().map(|row| Balance::of(row, value)).collect();
         let mistaken = WRONG.iter().map(|(mistake, change)| {
             let mut rows = right.clone();
@@ -77,7 +74,7 @@ impl Diagram {
     }
 
     /// Why the right one is right, as a sentence without a full stop.
-    pub(in crate::problem) fn because(&self) -> String {
+    pub(crate) fn because(&self) -> String {
         let third_law = if self.rows.len() == 2 { ", so the two impulses are equal and opposite" } else { "" };
         format!(
             "each momentum is the mass times the velocity found above, and each impulse is the momentum after minus the momentum before{third_law}"
@@ -94,7 +91,7 @@ impl Balance {
     }
 
     /// Whether all its arrows have a length.
-    pub(in crate::problem) fn is_drawn(&self) -> bool {
+    pub(crate) fn is_drawn(&self) -> bool {
         self.arrows().into_iter().flatten().all(|own| own.is_finite())
     }
 
@@ -125,7 +122,7 @@ fn turn(arrow: &mut [f64]) {
 }
 
 /// Whether two diagrams look alike, each drawn to its own scale.
-pub(in crate::problem) fn looks_like(one: &[Balance], other: &[Balance]) -> bool {
+pub(crate) fn looks_like(one: &[Balance], other: &[Balance]) -> bool {
     let arrows = |rows: &[Balance]| rows.iter().flat_map(Balance::arrows).map(<[f64]>::to_vec).collect::<Vec<_>>();
     let length = |arrow: &Vec<f64>| libm::sqrt(arrow.iter().map(|part| part * part).sum());
     let (one, other) = (arrows(one), arrows(other));

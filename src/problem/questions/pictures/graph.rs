@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
-use crate::quantity::Dimension;
-use crate::quantity::Printed;
-use crate::quantity::Unit;
-use crate::quantity::with_minus_signs;
-use crate::scene::Axis;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
+use momentous_quantity::Dimension;
+use momentous_quantity::Printed;
+use momentous_quantity::Unit;
+use momentous_quantity::with_minus_signs;
+use momentous_scene::Axis;
 
 use super::curve::Curve;
 use super::graph_mistakes;
@@ -39,14 +39,14 @@ pub struct Graph {
     /// Which sense is positive, as a sentence.
     pub positive: String,
     /// What happens meanwhile.
-    pub(in crate::problem) stretches: Vec<Stretch>,
+    pub(crate) stretches: Vec<Stretch>,
     /// Whether nothing acts for a while before what happens, and after it.
-    pub(in crate::problem) idle: [bool; 2],
+    pub(crate) idle: [bool; 2],
 }
 
 /// A stage of a graph. The state that changes is the velocity or the momentum; of a force, the momentum that is gained.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Stretch {
+pub(crate) struct Stretch {
     pub stage: usize,
     /// What happens: `the fall`.
     pub phrase: String,
@@ -58,7 +58,7 @@ pub(in crate::problem) struct Stretch {
 
 /// How a state changes.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Course {
+pub(crate) struct Course {
     /// The time that runs, where the rate contains it.
     pub clock: Option<Symbol>,
     /// From when to when.
@@ -72,7 +72,7 @@ pub(in crate::problem) struct Course {
 }
 
 /// The values of quantities in SI units.
-pub(in crate::problem) type Value<'a> = &'a dyn Fn(Symbol) -> f64;
+pub(crate) type Value<'a> = &'a dyn Fn(Symbol) -> f64;
 
 /// Straight pieces of a curve.
 const PIECES: u32 = 48;
@@ -107,7 +107,7 @@ impl Plotted {
         }
     }
 
-    pub(in crate::problem) fn dimension(self) -> Dimension {
+    pub(crate) fn dimension(self) -> Dimension {
         match self {
             Self::Velocity => Dimension::VELOCITY,
             Self::Momentum => Dimension::MOMENTUM,
@@ -118,7 +118,7 @@ impl Plotted {
 
 impl Graph {
     /// Everything on which it depends.
-    pub(in crate::problem) fn symbols(&self) -> BTreeSet<Symbol> {
+    pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         let courses = || self.stretches.iter().filter_map(|own| own.course.as_ref());
         let ends = self.stretches.iter().flat_map(|own| &own.ends);
         let terms = ends.chain(courses().flat_map(|own| own.during.iter().chain(&own.breaks).chain([&own.rate])));
@@ -130,7 +130,7 @@ impl Graph {
     }
 
     /// The right graph, then those of the mistakes; none where it does not end where it must.
-    pub(in crate::problem) fn drawn(&self, value: Value<'_>) -> Vec<(Option<&'static Misconception>, Curve)> {
+    pub(crate) fn drawn(&self, value: Value<'_>) -> Vec<(Option<&'static Misconception>, Curve)> {
         let Some(runs) = self.runs(value) else { return Vec::new() };
         graph_mistakes::curves(&runs, self.plotted == Plotted::Force)
     }
@@ -200,7 +200,7 @@ impl Graph {
     }
 
     /// Why the right one is right, as a sentence without a full stop.
-    pub(in crate::problem) fn because(&self, value: Value<'_>, unit: Option<&Unit>) -> String {
+    pub(crate) fn because(&self, value: Value<'_>, unit: Option<&Unit>) -> String {
         let values = Values { value, unit, largest: self.largest(value) };
         if self.plotted == Plotted::Force {
             let clauses: Vec<String> = self.stretches.iter().filter_map(|own| own.force(&values)).collect();

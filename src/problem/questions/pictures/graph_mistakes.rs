@@ -1,15 +1,15 @@
 //! What usual mistakes make of a graph.
 
-use crate::laws::wrong::Misconception;
-use crate::laws::wrong::concept;
-use crate::laws::wrong::momentum;
-use crate::laws::wrong::reading;
+use momentous_laws::wrong::Misconception;
+use momentous_laws::wrong::concept;
+use momentous_laws::wrong::momentum;
+use momentous_laws::wrong::reading;
 
 use super::curve::Curve;
 
 /// A part of a stage in which a state neither jumps nor changes its sign.
 #[derive(Clone, Debug)]
-pub(in crate::problem) struct Run {
+pub(crate) struct Run {
     /// To which stage of the graph it belongs.
     pub stretch: usize,
     pub points: Vec<Point>,
@@ -17,7 +17,7 @@ pub(in crate::problem) struct Run {
 
 /// A state and its rate at a time.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::problem) struct Point {
+pub(crate) struct Point {
     pub time: f64,
     pub state: f64,
     pub rate: f64,
@@ -64,7 +64,7 @@ const OF_RATES: [Wrong; 4] = [
 const HIGHEST: f64 = 2.2;
 
 /// The right curve and those of the mistakes: of the states, or of their rates.
-pub(in crate::problem) fn curves(runs: &[Run], of_rates: bool) -> Vec<(Option<&'static Misconception>, Curve)> {
+pub(crate) fn curves(runs: &[Run], of_rates: bool) -> Vec<(Option<&'static Misconception>, Curve)> {
     let wrong = if of_rates { &OF_RATES[..] } else { &OF_STATES[..] };
     let right = curve(runs, &mapped(runs, |own| if of_rates { own.rate } else { own.state }));
     let highest = HIGHEST * right.largest();

@@ -1,23 +1,23 @@
 //! Reading a choice between graphs.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
-use crate::model::Effect;
-use crate::model::QuantityKind;
-use crate::scene::Axis;
-use crate::scene::Force;
-use crate::scene::Plane;
-use crate::scene::Scene;
-use crate::scene::Senses;
-use crate::scene::Stage;
-use crate::scene::Strength;
-use crate::scene::stage::During;
-use crate::scene::stage::Push;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
+use momentous_model::Effect;
+use momentous_model::QuantityKind;
+use momentous_scene::Axis;
+use momentous_scene::Force;
+use momentous_scene::Plane;
+use momentous_scene::Scene;
+use momentous_scene::Senses;
+use momentous_scene::Stage;
+use momentous_scene::Strength;
+use momentous_scene::stage::During;
+use momentous_scene::stage::Push;
+use momentous_solve::Statement;
 
 use super::super::super::language::ask::Choose;
 use super::graph::Course;
@@ -45,7 +45,7 @@ enum Moves<'a> {
 }
 
 /// A graph of a quantity of a body against time, over these stages.
-pub(in crate::problem) fn read(
+pub(crate) fn read(
     ask: &Choose,
     (plotted, stages): (Plotted, &[usize]),
     builder: &mut Builder<'_>,

@@ -1,9 +1,9 @@
 //! Pictures to choose from: diagrams of an impact, and graphs against time.
 
-pub(in crate::problem) mod curve;
-pub(in crate::problem) mod diagram;
-pub(in crate::problem) mod graph;
-pub(in crate::problem) mod graph_mistakes;
-pub(in crate::problem) mod graph_read;
-pub(in crate::problem) mod pictured;
-pub(in crate::problem) mod pictured_read;
+pub(crate) mod curve;
+pub(crate) mod diagram;
+pub(crate) mod graph;
+pub(crate) mod graph_mistakes;
+pub(crate) mod graph_read;
+pub(crate) mod pictured;
+pub(crate) mod pictured_read;

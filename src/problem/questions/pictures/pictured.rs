@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::laws::wrong::Misconception;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
 
 use super::curve::Curve;
 use super::diagram::Balance;
@@ -15,11 +15,11 @@ use super::graph::Graph;
 #[derive(Clone, Debug)]
 pub struct Pictured {
     /// The name of the random stream from which their order comes.
-    pub(in crate::problem) stream: String,
+    pub(crate) stream: String,
     /// What they are pictures of.
     pub subject: Subject,
     /// What has to be solved.
-    pub(in crate::problem) quantities: Vec<Symbol>,
+    pub(crate) quantities: Vec<Symbol>,
 }
 
 /// What pictures are of.
@@ -53,7 +53,7 @@ pub enum Shows {
 
 impl Subject {
     /// Everything on which the pictures depend.
-    pub(in crate::problem) fn symbols(&self) -> BTreeSet<Symbol> {
+    pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         match self {
             Self::Diagram(own) => own.terms().flat_map(Expr::symbols).collect(),
             Self::Graph(own) => own.symbols(),

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::model::Builder;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_model::Builder;
 
 use super::super::super::language::ask;
 use super::super::super::language::ask::Pictures;
@@ -23,7 +23,7 @@ use super::pictured::Pictured;
 use super::pictured::Subject;
 
 /// A choice between pictures, asked as the part of that letter, and its label.
-pub(in crate::problem) fn read(
+pub(crate) fn read(
     loaded: &Loaded,
     question: &Question,
     ask: &ask::Choose,

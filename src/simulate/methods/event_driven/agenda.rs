@@ -1,8 +1,8 @@
 //! What will happen next: one prediction for each contact, in a tournament whose winner is the earliest. A new prediction
 //! replaces the old one, so that nothing stale is ever met.
 
-use crate::simulate::contact::Contact;
-use crate::simulate::exact::Clock;
+use crate::contact::Contact;
+use crate::exact::Clock;
 
 use super::prediction::Predicted;
 

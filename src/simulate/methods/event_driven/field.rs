@@ -1,11 +1,11 @@
 //! The free motion of each body: its acceleration as a polynomial in the time until the next change of a force.
 
-use crate::simulate::exact::{Clock, shifted};
-use crate::simulate::force::{Force, HIGHEST_POWER, Strength};
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::Vector;
-use crate::simulate::trajectory::Motion;
-use crate::simulate::world::World;
+use crate::exact::{Clock, shifted};
+use crate::force::{Force, HIGHEST_POWER, Strength};
+use crate::refusal::Refusal;
+use crate::state::Vector;
+use crate::trajectory::Motion;
+use crate::world::World;
 
 /// A body in free motion since its last event.
 #[derive(Clone, Debug)]

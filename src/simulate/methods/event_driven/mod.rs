@@ -8,13 +8,13 @@ mod field;
 mod prediction;
 mod run;
 
-use crate::simulate::budget::Budget;
-use crate::simulate::force::Force;
-use crate::simulate::method::Method;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::state::State;
-use crate::simulate::trajectory::{Ending, Motion, Segment, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::Budget;
+use crate::force::Force;
+use crate::method::Method;
+use crate::refusal::Refusal;
+use crate::state::State;
+use crate::trajectory::{Ending, Motion, Segment, Trajectory};
+use crate::world::World;
 
 use run::Run;
 
@@ -55,7 +55,7 @@ fn orbits<const D: usize>(world: &World<D>, start: State<D>, budget: &Budget) ->
             }
             (Some(Force::Central { centre, parameter, .. }), None) if *parameter > 0.0 && body.position != *centre => {
                 let (centre, parameter) = (*centre, *parameter);
-                Motion::Orbit(crate::simulate::exact::Orbit {
+                Motion::Orbit(crate::exact::Orbit {
                     centre,
                     parameter,
                     position: body.position,

@@ -1,11 +1,11 @@
 //! When a contact will be struck, if nothing else happens before.
 
-use crate::simulate::contact::Contact;
-use crate::simulate::exact::{Meeting, first_contact, first_fall};
-use crate::simulate::gap::gap_polynomial;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::Motion;
-use crate::simulate::world::{Anchor, World};
+use crate::contact::Contact;
+use crate::exact::{Meeting, first_contact, first_fall};
+use crate::gap::gap_polynomial;
+use crate::state::{State, Vector};
+use crate::trajectory::Motion;
+use crate::world::{Anchor, World};
 
 use super::field::{Moving, expansion};
 

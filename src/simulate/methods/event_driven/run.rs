@@ -1,13 +1,13 @@
 //! The loop: take the next event, strike, predict again for what was struck.
 
-use crate::simulate::budget::{Budget, Keep};
-use crate::simulate::contact::Contact;
-use crate::simulate::exact::Clock;
-use crate::simulate::refusal::Refusal;
-use crate::simulate::simultaneous::Struck;
-use crate::simulate::state::{State, Vector};
-use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-use crate::simulate::world::World;
+use crate::budget::{Budget, Keep};
+use crate::contact::Contact;
+use crate::exact::Clock;
+use crate::refusal::Refusal;
+use crate::simultaneous::Struck;
+use crate::state::{State, Vector};
+use crate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
+use crate::world::World;
 
 use super::agenda::{Agenda, Event};
 use super::field::{Moving, motion_from};

@@ -4,14 +4,14 @@ use core::f64::consts::PI;
 
 use std::sync::Arc;
 
-use crate::scene::stage::Blow;
+use momentous_scene::stage::Blow;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{Vector, ZERO, add, dot, part, size, times, unit};
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{Vector, ZERO, add, dot, part, size, times, unit};
 
 /// Where the impulse of the force stands in a state of one particle.
 const IMPULSE: usize = 6;

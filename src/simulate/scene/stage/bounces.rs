@@ -1,11 +1,11 @@
 //! Bounces on a floor: what is read off the worlds, and heights and the path, which are integrated.
 
-use crate::scene::stage::Bounces;
+use momentous_scene::stage::Bounces;
 
-use crate::simulate::scene::integrate::Integrator;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::stage_run::{Procedure, StageRun};
-use crate::simulate::scene::vector::size;
+use crate::scene::integrate::Integrator;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::stage_run::{Procedure, StageRun};
+use crate::scene::vector::size;
 
 /// The share of the first height below which a bounce adds nothing.
 const NOTHING: f64 = 1e-14;

@@ -1,14 +1,14 @@
 //! A body that slides inside a smooth cone or bowl, integrated in space.
 
-use crate::scene::stage::{Bowl, UpOrDown};
+use momentous_scene::stage::{Bowl, UpOrDown};
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface};
-use crate::simulate::scene::revolution::{State, around, distance, speed};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
+use crate::scene::component::Frame;
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Particle, Surface};
+use crate::scene::revolution::{State, around, distance, speed};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
 
 impl StageRun<'_> {
     pub(super) fn bowl(&mut self, stage: &Bowl) -> Result<(), NothingToSimulate> {

@@ -6,9 +6,9 @@ mod carried;
 mod pushes;
 mod row;
 
-use crate::scene::Scene;
-use crate::simulate::record::Moment;
-use crate::simulate::scene::{NothingToSimulate, Observed, follow, observe};
+use crate::record::Moment;
+use crate::scene::{NothingToSimulate, Observed, follow, observe};
+use momentous_scene::Scene;
 
 use carried::CARRIED;
 use pushes::PUSHES;

@@ -2,17 +2,17 @@
 
 use core::f64::consts::FRAC_PI_3;
 
-use crate::scene::Axis;
-use crate::scene::Term;
-use crate::scene::stage::{Halt, Place, Slide, Swing, UpOrDown};
+use momentous_scene::Axis;
+use momentous_scene::Term;
+use momentous_scene::stage::{Halt, Place, Slide, Swing, UpOrDown};
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{Vector, ZERO, cross, less, times, unit};
+use crate::scene::component::Frame;
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{Vector, ZERO, cross, less, times, unit};
 
 /// The angle from which a body comes down on a circle of any radius.
 const ANY_ANGLE: f64 = 1.0;

@@ -1,14 +1,14 @@
 //! A particle under a force towards a fixed point, integrated in the plane of its orbit.
 
-use crate::scene::stage::{Central, Orbit};
+use momentous_scene::stage::{Central, Orbit};
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::course::Goal;
-use crate::simulate::scene::filming::Motion;
-use crate::simulate::scene::integrate::Integrator;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::recorded_motion::{Look, Seen};
-use crate::simulate::scene::stage_run::StageRun;
+use crate::scene::component::Frame;
+use crate::scene::course::Goal;
+use crate::scene::filming::Motion;
+use crate::scene::integrate::Integrator;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::stage_run::StageRun;
 
 /// Place, velocity, and the area that the radius has swept.
 type State = [f64; 5];

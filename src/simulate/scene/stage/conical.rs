@@ -2,14 +2,14 @@
 
 use core::f64::consts::TAU;
 
-use crate::scene::stage::Conical;
+use momentous_scene::stage::Conical;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Surface};
-use crate::simulate::scene::revolution::{Circle, around, distance};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::vector::{add, times, unit};
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Surface};
+use crate::scene::revolution::{Circle, around, distance};
+use crate::scene::stage_run::StageRun;
+use crate::scene::vector::{add, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn conical(&mut self, stage: &Conical) -> Result<(), NothingToSimulate> {

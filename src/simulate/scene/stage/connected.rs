@@ -1,14 +1,14 @@
 //! Two bodies on a string over a pulley, each along the string, towards the leading body.
 
-use crate::scene::Axis;
-use crate::scene::stage::{Connected, Strand};
+use momentous_scene::Axis;
+use momentous_scene::stage::{Connected, Strand};
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Force, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{dot, times, unit};
+use crate::scene::component::Frame;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Force, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{dot, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn connected(&mut self, stage: &Connected) -> Result<(), NothingToSimulate> {

@@ -1,14 +1,14 @@
 //! A fall from a height.
 
-use crate::scene::stage::Fall;
+use momentous_scene::stage::Fall;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::integrate::End;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{dot, part, size, times, unit};
+use crate::scene::course::Until;
+use crate::scene::integrate::End;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{dot, part, size, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn fall(&mut self, stage: &Fall) -> Result<(), NothingToSimulate> {

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::scene::stage::{Drift, Flight};
-use crate::scene::{Axis, Stage, Term};
+use momentous_scene::stage::{Drift, Flight};
+use momentous_scene::{Axis, Stage, Term};
 
-use crate::simulate::scene::filming::Motion;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::Particle;
-use crate::simulate::scene::rate::rate;
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::values::OfSeveral;
-use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times};
+use crate::scene::filming::Motion;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::Particle;
+use crate::scene::rate::rate;
+use crate::scene::stage_run::StageRun;
+use crate::scene::values::OfSeveral;
+use crate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times};
 
 /// The time after which it is looked on which side of its end a motion that starts on it has gone.
 pub(super) const SOON: f64 = 1e-6;

@@ -1,13 +1,13 @@
 //! A flight against a resistance, integrated in time.
 
-use crate::scene::stage::{Flight, Resistance};
+use momentous_scene::stage::{Flight, Resistance};
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{Vector, add, less, part, size, unit};
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{Vector, add, less, part, size, unit};
 
 use super::flight::{SOON, placed};
 

@@ -1,13 +1,13 @@
 //! Impacts: velocities event driven, the two phases and the impulses by a contact that lasts.
 
-use crate::scene::stage::{Impact, Partners};
+use momentous_scene::stage::{Impact, Partners};
 
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::Particle;
-use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::stage_run::{StageRun, kinetic};
-use crate::simulate::scene::touch::{Parted, Touch};
-use crate::simulate::scene::vector::{Vector, across, add, dot, less, part, size, times, unit};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::Particle;
+use crate::scene::pushed::Pushed;
+use crate::scene::stage_run::{StageRun, kinetic};
+use crate::scene::touch::{Parted, Touch};
+use crate::scene::vector::{Vector, across, add, dot, less, part, size, times, unit};
 
 /// The share of the energy before at which a search for the coefficient of restitution ends.
 const CLOSE: f64 = 1e-14;

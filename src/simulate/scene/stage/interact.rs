@@ -3,16 +3,16 @@
 use core::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::scene::Axis;
-use crate::scene::stage::Interact;
+use momentous_scene::Axis;
+use momentous_scene::stage::Interact;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::measure::{self, Asked, centre, turning};
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times, unit};
+use crate::scene::course::Until;
+use crate::scene::measure::{self, Asked, centre, turning};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times, unit};
 
 /// The most bodies.
 const MOST: usize = 4;

@@ -36,7 +36,7 @@ mod thrust;
 mod tow;
 mod walk;
 
-use crate::scene::Stage;
+use momentous_scene::Stage;
 
 use super::Staged;
 use super::nothing::NothingToSimulate;

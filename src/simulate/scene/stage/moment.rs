@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use crate::scene::stage::{During, Moment};
-use crate::scene::{Axis, Strength};
+use momentous_scene::stage::{During, Moment};
+use momentous_scene::{Axis, Strength};
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{ZERO, part, times, unit};
+use crate::scene::component::Frame;
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::values::OfTime;
+use crate::scene::vector::{ZERO, part, times, unit};
 
 /// Half the distance of the tracks, in m.
 const ARM: f64 = 0.5;

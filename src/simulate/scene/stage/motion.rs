@@ -1,16 +1,16 @@
 //! A motion that is given: walked along as the author wrote it, with what acts on the body read off how its velocity changes.
 
-use crate::scene::Axis;
-use crate::scene::stage::Motion;
+use momentous_scene::Axis;
+use momentous_scene::stage::Motion;
 
-use crate::simulate::scene::filming::Motion as Watched;
-use crate::simulate::scene::measure::place;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::rate::{Rate, rate};
-use crate::simulate::scene::recorded_motion::{Look, Seen};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::values::{OfSeveral, Values};
-use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, part, size, times, unit, within};
+use crate::scene::filming::Motion as Watched;
+use crate::scene::measure::place;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::rate::{Rate, rate};
+use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::stage_run::StageRun;
+use crate::scene::values::{OfSeveral, Values};
+use crate::scene::vector::{Vector, ZERO, add, dot, less, part, size, times, unit, within};
 
 /// The share of the time of the motion over which rates of change are looked at: the steps of a difference of differences have to
 /// be wider, or rounding is all that is left.

@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use crate::scene::stage::{During, Push, Resistance};
-use crate::scene::{Force, Friction, Pull, Strength};
+use momentous_scene::stage::{During, Push, Resistance};
+use momentous_scene::{Force, Friction, Pull, Strength};
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::floor::Finish;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force as Acting, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, part, size, times, unit};
+use crate::scene::course::Until;
+use crate::scene::floor::Finish;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force as Acting, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::values::OfTime;
+use crate::scene::vector::{Vector, ZERO, across, add, dot, less, part, size, times, unit};
 
 /// Pushes and pulls in the time of the stage, each with its direction; and when one of them changes its law.
 type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);

@@ -1,12 +1,12 @@
 //! Forces that depend on the position: the energy that they give, added up along the way.
 
-use crate::scene::stage::{Push, Until};
-use crate::scene::{Force, Strength};
+use momentous_scene::stage::{Push, Until};
+use momentous_scene::{Force, Strength};
 
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::stage_run::{StageRun, kinetic};
-use crate::simulate::scene::values::OfSeveral;
-use crate::simulate::scene::vector::{across, dot, part, times, unit};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::stage_run::{StageRun, kinetic};
+use crate::scene::values::OfSeveral;
+use crate::scene::vector::{across, dot, part, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn push_by_place(&mut self, stage: &Push, body: &str) -> Result<(), NothingToSimulate> {

@@ -1,11 +1,11 @@
 //! Known forces on several bodies at the same time: each body by itself, then all of them together.
 
-use crate::scene::stage::Push;
+use momentous_scene::stage::Push;
 
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::velocity;
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::vector::{ZERO, add, part, size, times};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::velocity;
+use crate::scene::stage_run::StageRun;
+use crate::scene::vector::{ZERO, add, part, size, times};
 
 impl StageRun<'_> {
     pub(super) fn push_system(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {

@@ -1,14 +1,14 @@
 //! How fast forces change the angular momentum of bodies, seen on its motion just after they begin to act.
 
-use crate::scene::stage::{During, Push};
+use momentous_scene::stage::{During, Push};
 
-use crate::simulate::scene::measure::{self, Asked, centre, turning};
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{place, velocity};
-use crate::simulate::scene::rate::{Rate, rate};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::values::Values;
-use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, times};
+use crate::scene::measure::{self, Asked, centre, turning};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{place, velocity};
+use crate::scene::rate::{Rate, rate};
+use crate::scene::stage_run::StageRun;
+use crate::scene::values::Values;
+use crate::scene::vector::{Vector, ZERO, add, cross, less, times};
 
 /// For how long the motion is looked at, in s.
 const SOON: f64 = 1e-4;

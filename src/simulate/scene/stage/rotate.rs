@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use core::f64::consts::{PI, TAU};
 
-use crate::scene::stage::Rotate;
+use momentous_scene::stage::Rotate;
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::filming::Motion;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::recorded_motion::{Look, Seen};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{times, unit};
+use crate::scene::component::Frame;
+use crate::scene::filming::Motion;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::stage_run::StageRun;
+use crate::scene::values::OfTime;
+use crate::scene::vector::{times, unit};
 
 /// A particle on the arm, with its distances at both ends.
 struct Held<'a> {

@@ -1,14 +1,14 @@
 //! A body that slides on another one: an opposite pair of constant forces, until they move together.
 
-use crate::scene::Term;
-use crate::scene::stage::Interact;
+use momentous_scene::Term;
+use momentous_scene::stage::Interact;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{Vector, dot, less, size, times, unit};
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{Vector, dot, less, size, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn rub(&mut self, stage: &Interact, friction: &Term) -> Result<(), NothingToSimulate> {

@@ -7,17 +7,17 @@ use std::sync::Arc;
 use nalgebra::Matrix3;
 use nalgebra::Vector3;
 
-use crate::scene::stage::{Relative, Separate, When};
+use momentous_scene::stage::{Relative, Separate, When};
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::filming::Motion;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, place, velocity};
-use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::stage_run::{StageRun, kinetic};
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
+use crate::scene::course::Until;
+use crate::scene::filming::Motion;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, place, velocity};
+use crate::scene::pushed::Pushed;
+use crate::scene::stage_run::{StageRun, kinetic};
+use crate::scene::system::System;
+use crate::scene::values::OfTime;
+use crate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
 
 /// The longest step beside the second that a force between parts takes.
 const LONGEST: f64 = 0.25;

@@ -1,13 +1,13 @@
 //! A slide over a floor or along a slope, against kinetic friction.
 
-use crate::scene::stage::{Slide, UpOrDown};
+use momentous_scene::stage::{Slide, UpOrDown};
 
-use crate::simulate::scene::floor::Slope;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{dot, times, unit};
+use crate::scene::floor::Slope;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{dot, times, unit};
 
 /// The slope of a ramp of any shape: 45°.
 const RAMP: f64 = core::f64::consts::FRAC_1_SQRT_2;

@@ -1,13 +1,13 @@
 //! A body that slides from rest down another, which gives way along its guide: both held together by the force between them.
 
-use crate::scene::stage::SlideOff;
+use momentous_scene::stage::SlideOff;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{ZERO, across, dot, less, size, times};
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{ZERO, across, dot, less, size, times};
 
 impl StageRun<'_> {
     pub(super) fn slide_off(&mut self, stage: &SlideOff) -> Result<(), NothingToSimulate> {

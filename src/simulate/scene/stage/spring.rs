@@ -1,13 +1,13 @@
 //! A spring that a body runs into or is pushed away by, or a spring between two bodies.
 
-use crate::scene::stage::{Ends, Spring};
+use momentous_scene::stage::{Ends, Spring};
 
-use crate::simulate::scene::course::{Goal, Until};
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{dot, less, size, times, unit};
+use crate::scene::course::{Goal, Until};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{dot, less, size, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn spring(&mut self, stage: &Spring) -> Result<(), NothingToSimulate> {

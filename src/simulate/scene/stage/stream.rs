@@ -1,16 +1,16 @@
 //! A steady stream as droplets, one after another: how many arrive in a time, and what each gives the body.
 
-use crate::scene::Axis;
-use crate::scene::stage::Stream;
+use momentous_scene::Axis;
+use momentous_scene::stage::Stream;
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, velocity};
-use crate::simulate::scene::stage_run::{Procedure, StageRun};
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::touch::Touch;
-use crate::simulate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, unit};
+use crate::scene::component::Frame;
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Particle, Surface, velocity};
+use crate::scene::stage_run::{Procedure, StageRun};
+use crate::scene::system::System;
+use crate::scene::touch::Touch;
+use crate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, unit};
 
 /// How many droplets are counted.
 const DROPLETS: u32 = 1_000;

@@ -1,12 +1,12 @@
 //! A body that strikes an arm: a contact that lasts, between the body and the place of the arm that it meets.
 
-use crate::scene::stage::Strike;
+use momentous_scene::stage::Strike;
 
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::Particle;
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::touch::Touch;
-use crate::simulate::scene::vector::{dot, times, unit};
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::Particle;
+use crate::scene::stage_run::StageRun;
+use crate::scene::touch::Touch;
+use crate::scene::vector::{dot, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn strike(&mut self, stage: &Strike) -> Result<(), NothingToSimulate> {

@@ -2,15 +2,15 @@
 
 use core::f64::consts::PI;
 
-use crate::scene::stage::{Place, Swing, UpOrDown};
+use momentous_scene::stage::{Place, Swing, UpOrDown};
 
-use crate::simulate::scene::component::Frame;
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{cross, less, size, times, unit};
+use crate::scene::component::Frame;
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{cross, less, size, times, unit};
 
 /// The angle at which a swing starts whose cord may have any length.
 const ANY_ANGLE: f64 = 1.0;

@@ -1,11 +1,11 @@
 //! A string that goes taut: a stiff cord that stretches until its ends move as one.
 
-use crate::scene::stage::Taut;
+use momentous_scene::stage::Taut;
 
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::touch::Touch;
-use crate::simulate::scene::vector::unit;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::stage_run::StageRun;
+use crate::scene::touch::Touch;
+use crate::scene::vector::unit;
 
 impl StageRun<'_> {
     pub(super) fn taut(&mut self, stage: &Taut) -> Result<(), NothingToSimulate> {

@@ -1,15 +1,15 @@
 //! A body that throws mass away: the thrust of its droplets, and its motion while it becomes lighter.
 
-use crate::scene::stage::{BurningMass, Exhaust, Thrust};
+use momentous_scene::stage::{BurningMass, Exhaust, Thrust};
 
-use crate::simulate::scene::filming::Motion;
-use crate::simulate::scene::integrate::Integrator;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::Particle;
-use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::recorded_motion::{Look, Seen};
-use crate::simulate::scene::stage_run::{Procedure, StageRun};
-use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
+use crate::scene::filming::Motion;
+use crate::scene::integrate::Integrator;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::Particle;
+use crate::scene::pushed::Pushed;
+use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::stage_run::{Procedure, StageRun};
+use crate::scene::vector::{ZERO, dot, less, part, times, unit};
 
 /// The share of the mass that one droplet carries away; it is halved to find what ever smaller droplets would do.
 const DROPLET: f64 = 1e-6;

@@ -1,13 +1,13 @@
 //! Two bodies in a row, with a coupling between them.
 
-use crate::scene::stage::Tow;
+use momentous_scene::stage::Tow;
 
-use crate::simulate::scene::floor::Slope;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Force, Particle, place, velocity};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{dot, size, times, unit};
+use crate::scene::floor::Slope;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Constraint, Force, Particle, place, velocity};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{dot, size, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn tow(&mut self, stage: &Tow) -> Result<(), NothingToSimulate> {

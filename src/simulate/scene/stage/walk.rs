@@ -3,14 +3,14 @@
 use core::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::scene::stage::Walk;
+use momentous_scene::stage::Walk;
 
-use crate::simulate::scene::course::Until;
-use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, place};
-use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
-use crate::simulate::scene::vector::{ZERO, dot, times};
+use crate::scene::course::Until;
+use crate::scene::nothing::NothingToSimulate;
+use crate::scene::particles::{Force, Particle, place};
+use crate::scene::stage_run::StageRun;
+use crate::scene::system::System;
+use crate::scene::vector::{ZERO, dot, times};
 
 impl StageRun<'_> {
     pub(super) fn walk(&mut self, stage: &Walk) -> Result<(), NothingToSimulate> {

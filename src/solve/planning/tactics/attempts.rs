@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Symbol;
+use momentous_expr::Symbol;
 
 use super::block::Block;
 use super::closing::Refusal;
-use crate::solve::{Statement, Step, Tactic};
+use crate::{Statement, Step, Tactic};
 
 /// A tactic, the positions of the equations on which it was tried, and their unknowns.
 type Tried = (Tactic, Vec<usize>, Vec<Symbol>);

@@ -1,19 +1,19 @@
 //! A block of equations that must be solved together.
 
-use crate::expr::{Expr, Symbol};
-use crate::solve::{Statement, System};
+use crate::{Statement, System};
+use momentous_expr::{Expr, Symbol};
 
 use super::tidy;
 
 /// An irreducible block: as many equations as unknowns, and all other symbols known.
 #[derive(Clone, Debug)]
-pub(in crate::solve::planning) struct Block<'a> {
+pub(in crate::planning) struct Block<'a> {
     /// The system.
-    pub(in crate::solve) system: &'a System,
+    pub(crate) system: &'a System,
     /// Positions of the equations.
-    pub(in crate::solve) equations: Vec<usize>,
+    pub(crate) equations: Vec<usize>,
     /// The unknowns; those that are asked for first.
-    pub(in crate::solve) unknowns: Vec<Symbol>,
+    pub(crate) unknowns: Vec<Symbol>,
 }
 
 impl Block<'_> {

@@ -8,7 +8,7 @@ use super::block::Block;
 use super::closing::{Closing, Refusal};
 use super::isolate::dropped_out;
 use super::tidy::difference;
-use crate::solve::{Closed, Move, Root};
+use crate::{Closed, Move, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (_, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;

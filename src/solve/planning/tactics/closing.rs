@@ -1,7 +1,7 @@
 //! What a tactic makes of a block: its roots with the moves that lead to them, or why it does not serve.
 
-use crate::expr::{Expr, Symbol};
-use crate::solve::{Closed, Move, Root};
+use crate::{Closed, Move, Root};
+use momentous_expr::{Expr, Symbol};
 
 /// What closes a block.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ impl Found {
 
 /// Why a tactic does not close a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::solve::planning) enum Refusal {
+pub(in crate::planning) enum Refusal {
     /// It is not for blocks of this kind.
     NotApplicable,
     /// The equations say the same twice, so that they do not determine the unknowns.

@@ -6,7 +6,7 @@
 
 use super::block::Block;
 use super::closing::{Closing, Refusal};
-use crate::solve::{Closed, Move, Root, Statement};
+use crate::{Closed, Move, Root, Statement};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let [equation] = block.equations.as_slice() else { return Err(Refusal::NotApplicable) };

@@ -1,14 +1,14 @@
 //! Gauss's elimination on terms, kept as the moves that a student would write.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
 
 use super::block::Block;
 use super::closing::Refusal;
 use super::isolate::{dropped_out, linear_root};
 use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, times};
-use crate::quantity::Rational;
-use crate::solve::Move;
+use crate::Move;
+use momentous_quantity::Rational;
 
 /// Coefficients longer than this are not worked with: nobody would on paper.
 const LONGEST: usize = 250;
@@ -45,7 +45,7 @@ pub(super) fn eliminate(
         rows.push(Row { equation: *equation, coefficients, rest });
     }
     if unknowns.len() > 1
-        && crate::solve::structure::rank::singular(&rows.iter().map(|row| row.coefficients.clone()).collect::<Vec<_>>())
+        && crate::structure::rank::singular(&rows.iter().map(|row| row.coefficients.clone()).collect::<Vec<_>>())
     {
         return Err(Refusal::Dependent);
     }
@@ -181,5 +181,5 @@ fn product(factor: &Expr, term: &Expr) -> Expr {
 
 /// Zero where the coefficient is zero by algebra, so that it is seen to be.
 fn collected(coefficient: Expr) -> Expr {
-    if crate::expr::equal(&coefficient, &Expr::zero()) { Expr::zero() } else { coefficient }
+    if momentous_expr::equal(&coefficient, &Expr::zero()) { Expr::zero() } else { coefficient }
 }

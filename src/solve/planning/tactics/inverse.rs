@@ -1,9 +1,9 @@
 //! Undoing what is done to an unknown that is written once: `f(x) = c` gives `x = g(c)`, for every `g` that there is.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::tidy::{negative, over};
 

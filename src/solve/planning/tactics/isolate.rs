@@ -7,9 +7,9 @@
 //!
 //! *Refuses:* an unknown of second degree together with its first power, and one inside and outside a function.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 use super::block::Block;
 use super::closing::{Closing, Found, Refusal};
@@ -17,7 +17,7 @@ use super::inverse::undo;
 use super::tidy::{
     cancelled, cancelled_where, difference, forward, is_negative, negative, occurrences, over, replaced,
 };
-use crate::solve::Move;
+use crate::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;

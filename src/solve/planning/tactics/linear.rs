@@ -10,7 +10,7 @@
 use super::block::Block;
 use super::closing::{Closing, Refusal};
 use super::elimination::eliminate;
-use crate::solve::{Closed, Root};
+use crate::{Closed, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     if block.unknowns.len() < 2 {

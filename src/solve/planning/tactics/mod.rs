@@ -18,7 +18,7 @@ mod tidy;
 use super::super::{Closed, Step, Tactic};
 use closing::Closing;
 
-pub(in crate::solve) use attempts::Attempts;
+pub(crate) use attempts::Attempts;
 pub(super) use block::Block;
 pub(super) use closing::Refusal;
 

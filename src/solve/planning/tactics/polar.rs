@@ -6,14 +6,14 @@
 //!
 //! *Takes:* the magnitude that is not negative. *Refuses:* R or theta standing anywhere else.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
 
 use super::block::Block;
 use super::closing::{Closing, Refusal};
 use super::tidy::{cancelled, factors, negative, over, terms};
-use crate::solve::{Closed, Move, Root};
+use crate::{Closed, Move, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let [first, second] = block.unknowns.as_slice() else { return Err(Refusal::NotApplicable) };
@@ -82,7 +82,7 @@ fn solved(one: &Components, two: &Components) -> Option<(Expr, Expr)> {
     }
     let cross = |a: &Expr, b: &Expr, c: &Expr, d: &Expr| cancelled(a.clone() * b.clone() - c.clone() * d.clone());
     let determinant = cross(&one.cosine, &two.sine, &two.cosine, &one.sine);
-    if crate::expr::equal(&determinant, &Expr::zero()) {
+    if momentous_expr::equal(&determinant, &Expr::zero()) {
         return None;
     }
     let x = over(&cross(&one.sine, &two.rest, &two.sine, &one.rest), &determinant);

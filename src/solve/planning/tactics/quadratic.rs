@@ -9,15 +9,15 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
-use crate::expr::Piecewise;
-use crate::expr::Symbol;
+use momentous_expr::Expr;
+use momentous_expr::Piecewise;
+use momentous_expr::Symbol;
 
 use super::block::Block;
 use super::closing::{Closing, Found, Refusal};
 use super::inverse::undo;
 use super::tidy::{difference, is_negative, negative};
-use crate::solve::{Move, quadratic_formula};
+use crate::{Move, quadratic_formula};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
@@ -76,7 +76,7 @@ fn roots([a, b, c]: [&Expr; 3]) -> Vec<Expr> {
     let plus = Expr::sum([minus_b.clone(), root.clone()]);
     let minus = Expr::sum([minus_b, -root]);
     let chosen = |not_positive: Expr, positive: Expr| match b.as_number() {
-        Some(value) if *value <= crate::quantity::Rational::ZERO => not_positive,
+        Some(value) if *value <= momentous_quantity::Rational::ZERO => not_positive,
         Some(_) => positive,
         None => Expr::Piecewise(Arc::new(Piecewise {
             variable: b.clone(),

@@ -6,16 +6,16 @@
 //!
 //! *Refuses:* parts without the sine or the cosine, and theta standing anywhere else.
 
-use crate::expr::Expr;
-use crate::expr::Function;
-use crate::expr::Symbol;
-use crate::expr::equal;
+use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
+use momentous_expr::equal;
 
 use super::block::Block;
 use super::closing::{Closing, Found, Refusal};
 use super::isolate::isolated;
 use super::tidy::{cancelled, difference, forward, is_negative, negative, over, replaced};
-use crate::solve::Move;
+use crate::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;

@@ -8,9 +8,9 @@
 //!
 //! *Refuses:* more than [`LARGEST`] equations, and blocks that are nonlinear in more than one equation.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::is_curved;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::is_curved;
 
 use super::block::Block;
 use super::closing::{Closing, Refusal};
@@ -19,7 +19,7 @@ use super::isolate::isolated;
 use super::quadratic::rooted;
 use super::tangent::divided;
 use super::tidy::{difference, shorter};
-use crate::solve::{Closed, Move, Root};
+use crate::{Closed, Move, Root};
 
 /// The largest block that is torn.
 const LARGEST: usize = 6;

@@ -1,8 +1,8 @@
 //! Small rearrangements that keep terms as they would be written on paper.
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::quantity::Rational;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_quantity::Rational;
 
 /// The terms of a sum; a term that is not a sum is its only one.
 pub(super) fn terms(expr: &Expr) -> &[Expr] {

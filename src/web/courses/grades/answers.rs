@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::course::{Attempt, Item, Override, OverrideRule, Role, Sheet, StoredPart, StoredReport, is_redacted};
-use crate::grade::Points;
-use crate::laws::wrong;
-use crate::store::{AssignmentWithItems, Membership};
+use momentous_course::{Attempt, Item, Override, OverrideRule, Role, Sheet, StoredPart, StoredReport, is_redacted};
+use momentous_grade::Points;
+use momentous_laws::wrong;
+use momentous_store::{AssignmentWithItems, Membership};
 
 use super::super::at_close;
 use super::super::items;
@@ -130,7 +130,7 @@ impl Place {
 }
 
 /// Every attempt, with what was typed, what was read, and what was found.
-pub(in crate::web::courses) async fn answers(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn answers(visit: &Visit) -> Result<Reply, NotShown> {
     page(visit, &Place::of(visit).await?, Typed::default()).await
 }
 

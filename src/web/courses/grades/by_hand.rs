@@ -1,6 +1,6 @@
 //! What an instructor decides about one student's answers: points set by hand, and answers taken out of the records.
 
-use crate::course::{Override, OverrideRule, Redaction, points_by_hand, redacted};
+use momentous_course::{Override, OverrideRule, Redaction, points_by_hand, redacted};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -9,7 +9,7 @@ use super::super::visit::Visit;
 use super::answers::{Place, Typed, page};
 
 /// Sets points by hand, or lets those of marking count again. What was set before stays in the records.
-pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn set_points(visit: &Visit) -> Result<Reply, NotShown> {
     let place = Place::of(visit).await?;
     let [points, reason, comment] =
         ["points", "reason", "comment"].map(|name| visit.fields.text(name).trim().to_owned());
@@ -41,7 +41,7 @@ pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, 
 }
 
 /// Takes one answer out of the records. Its points stay.
-pub(in crate::web::courses) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
     let place = Place::of(visit).await?;
     let field = |name: &str| visit.fields.text(name).trim().to_owned();
     let missing = || NotShown::missing("there is no such answer");

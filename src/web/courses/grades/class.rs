@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::course::{
+use momentous_course::{
     Attempt, Extension, Gradebook, HintShown, Key, Member, Role, Sheet, StoredReport, Window, WorkedSheet,
 };
-use crate::store::{AssignmentWithItems, Membership, StoreFault};
+use momentous_store::{AssignmentWithItems, Membership, StoreFault};
 
 use super::super::at_close;
 use super::super::ledger::Records;

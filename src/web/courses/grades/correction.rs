@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::course::{Correction, CorrectionChoice, Effect, Item, ProblemFile, Remarked, effects};
-use crate::problem::Problem;
-use crate::store::AssignmentWithItems;
+use momentous_course::{Correction, CorrectionChoice, Effect, Item, ProblemFile, Remarked, effects};
+use momentous_problem::Problem;
+use momentous_store::AssignmentWithItems;
 
 use super::super::items;
 use super::super::outcome::NotShown;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::{GradeMark, Gradebook};
-use crate::grade::Points;
+use momentous_course::{GradeMark, Gradebook};
+use momentous_grade::Points;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -53,7 +53,7 @@ fn cell(item: String, mark: &GradeMark) -> Cell {
 }
 
 /// Students by items: what each has, and what is missing.
-pub(in crate::web::courses) async fn gradebook(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn gradebook(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let book = class.gradebook();
     let is_missing = |mark: &GradeMark| *mark == GradeMark::Missing;
@@ -78,7 +78,7 @@ fn rows(book: &Gradebook) -> Vec<Row> {
     let cells = |marks: &[GradeMark]| {
         book.columns.iter().zip(marks).map(|(column, mark)| cell(column.item.to_string(), mark)).collect()
     };
-    let row = |own: &crate::course::GradeRow| Row {
+    let row = |own: &momentous_course::GradeRow| Row {
         member: own.member.to_string(),
         name: own.name.clone(),
         login: own.login.clone(),
@@ -90,7 +90,7 @@ fn rows(book: &Gradebook) -> Vec<Row> {
 }
 
 /// The same as a table to be saved.
-pub(in crate::web::courses) async fn gradebook_csv(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn gradebook_csv(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let bytes = class.gradebook().to_csv().into_bytes();
     let name = format!("{}.csv", class.whole.assignment.title);

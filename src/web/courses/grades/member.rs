@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{Draft, Key, Override, Person, Role, Sheet, StudentData, Window};
-use crate::store::Membership;
+use momentous_course::{Draft, Key, Override, Person, Role, Sheet, StudentData, Window};
+use momentous_store::Membership;
 
 use super::super::at_close;
 use super::super::outcome::NotShown;
@@ -29,7 +29,7 @@ struct MemberPage {
 }
 
 /// A member as those who teach see it.
-pub(in crate::web::courses) async fn member(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn member(visit: &Visit) -> Result<Reply, NotShown> {
     page(visit, &class::member(visit).await?, None).await
 }
 
@@ -52,7 +52,7 @@ async fn page(visit: &Visit, own: &Membership, fault: Option<String>) -> Result<
 }
 
 /// Everything that is kept about a member in this course, as JSON. Students take their own.
-pub(in crate::web::courses) async fn data(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn data(visit: &Visit) -> Result<Reply, NotShown> {
     let place = visit.place()?;
     if place.member.role != Role::Instructor && place.member.key.to_string() != visit.part("member") {
         return Err(NotShown::missing("you have no such data in this course"));
@@ -94,7 +94,7 @@ fn of_sheet(all: &[Override], sheet: Key<Sheet>) -> Vec<Override> {
 }
 
 /// Forgets who a member is. What was handed in stays under a random key, so that the marks of the class remain.
-pub(in crate::web::courses) async fn erase(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn erase(visit: &Visit) -> Result<Reply, NotShown> {
     let own = class::member(visit).await?;
     let is_operator = visit.person()?.operator;
     let elsewhere = visit.store().courses_of(own.person.key).await?.len() > 1;

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{
+use momentous_course::{
     Accounts, Attempt, Correction, CorrectionChoice, Effect, GradeMark, Item, Key, Override, OverrideRule, Person,
     Regrading, Remarked,
 };
-use crate::grade::Points;
-use crate::store::{AssignmentWithItems, Regrade, StoreFault};
+use momentous_grade::Points;
+use momentous_store::{AssignmentWithItems, Regrade, StoreFault};
 
 use super::super::ledger::Records;
 use super::super::outcome::NotShown;
@@ -95,7 +95,7 @@ struct Change {
 }
 
 /// What would change for whom.
-pub(in crate::web::courses) async fn regrade(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn regrade(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment(visit).await?;
     let decided = visit.store().corrections(whole.assignment.key).await?;
     let members = visit.store().members(visit.course()?.key).await?;
@@ -147,7 +147,7 @@ fn shown(own: &Corrected, accounts: &Accounts<'_>, name: impl Fn(&Effect) -> Str
 }
 
 /// The change. Where something was decided, corrected or handed in since the page was made, nothing is done.
-pub(in crate::web::courses) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment(visit).await?;
     let field = |name: &str| visit.fields.text(name);
     if field("revision") != whole.revision.to_string() {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::store::Records;
+use momentous_store::Records;
 
 use super::super::super::retention::{DELETED, Retained};
 use super::super::outcome::NotShown;
@@ -27,7 +27,7 @@ async fn retained(visit: &Visit) -> Result<Retained, NotShown> {
 }
 
 /// What would be deleted, and when.
-pub(in crate::web::courses) async fn retention(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn retention(visit: &Visit) -> Result<Reply, NotShown> {
     page(visit, None).await
 }
 
@@ -46,7 +46,7 @@ async fn page(visit: &Visit, fault: Option<&'static str>) -> Result<Reply, NotSh
 }
 
 /// Deletes what students handed in, once it was kept long enough.
-pub(in crate::web::courses) async fn forget(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn forget(visit: &Visit) -> Result<Reply, NotShown> {
     let retained = retained(visit).await?;
     if !retained.is_over {
         return Ok(page(visit, Some("the answers have not been kept as long as the course says")).await?.wrong());

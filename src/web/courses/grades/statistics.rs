@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::course;
-use crate::course::ClassStatistics;
-use crate::grade::Points;
-use crate::quantity::Rational;
+use momentous_course as course;
+use momentous_course::ClassStatistics;
+use momentous_grade::Points;
+use momentous_quantity::Rational;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -51,7 +51,7 @@ struct Counted {
 }
 
 /// How easy each part was, how well it tells students apart, and which wrong answers were usual.
-pub(in crate::web::courses) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let all = handed_in_sheets(visit, &class.whole).await?;
     let whole = &class.whole.assignment;

@@ -29,7 +29,7 @@ struct EntryShown {
 }
 
 /// What was done in a course, the latest first.
-pub(in crate::web::courses) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let members = visit.store().members(course.key).await?;
     let mut names: BTreeMap<_, _> = members.iter().map(|own| (own.person.key, own.person.shown().to_owned())).collect();

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::course::{Key, Member, Person};
-use crate::store::Membership;
+use momentous_course::{Key, Member, Person};
+use momentous_store::Membership;
 
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;
@@ -72,7 +72,7 @@ impl Class {
 
     /// Whether somebody else than this member teaches the course.
     pub(super) fn is_taught_without(&self, key: Key<Member>) -> bool {
-        use crate::course::Role::Instructor;
+        use momentous_course::Role::Instructor;
         let teaches = |own: &&Membership| own.member.role == Instructor && own.member.left.is_none();
         self.members.iter().filter(teaches).any(|own| own.member.key != key)
     }

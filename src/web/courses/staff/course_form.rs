@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::{Course, FieldFault, zone};
-use crate::grade::DecimalMark;
+use momentous_course::{Course, FieldFault, zone};
+use momentous_grade::DecimalMark;
 
 use super::form::Form;
 use super::person_form::text_fault;

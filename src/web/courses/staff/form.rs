@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::FieldFault;
-use crate::exercise::calls::{Refused, RefusedKind};
+use momentous_course::FieldFault;
+use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::super::visit::Visit;
 

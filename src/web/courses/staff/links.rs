@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::Person;
-use crate::store::{Entry, Reach, TicketKind};
+use momentous_course::Person;
+use momentous_store::{Entry, Reach, TicketKind};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;

@@ -2,9 +2,9 @@
 
 use std::io;
 
-use crate::course::{FieldFault, Member, Role};
-use crate::exercise::defused;
-use crate::store::Membership;
+use momentous_course::{FieldFault, Member, Role};
+use momentous_exercise::defused;
+use momentous_store::Membership;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -18,7 +18,7 @@ use super::person_form::Named;
 use super::roster;
 
 /// Adds somebody who teaches, or gives somebody in the course another role.
-pub(in crate::web::courses) async fn add_staff(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn add_staff(visit: &Visit) -> Result<Reply, NotShown> {
     let form = Form::sent(visit, &roster::STAFF_FIELDS);
     let mut faults = person_form::faults(&form);
     let role = roster::staff_role(form.value("role"));
@@ -60,7 +60,7 @@ fn chosen<'c>(visit: &Visit, class: &'c Class) -> Result<&'c Membership, NotShow
 }
 
 /// Takes somebody out of the course. What was handed in stays.
-pub(in crate::web::courses) async fn remove(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn remove(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let own = chosen(visit, &class)?;
     if own.member.role == Role::Instructor && !class.is_taught_without(own.member.key) {
@@ -74,7 +74,7 @@ pub(in crate::web::courses) async fn remove(visit: &Visit) -> Result<Reply, NotS
 }
 
 /// A new link for one member.
-pub(in crate::web::courses) async fn member_link(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn member_link(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let own = chosen(visit, &class)?;
     if let Err(reason) = class.may_link(own) {
@@ -86,7 +86,7 @@ pub(in crate::web::courses) async fn member_link(visit: &Visit) -> Result<Reply,
 }
 
 /// A table of links for those who have no password yet.
-pub(in crate::web::courses) async fn link_table(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn link_table(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let members: Vec<&Membership> = class.unlinked().collect();
     let people: Vec<_> = members.iter().map(|own| own.person.clone()).collect();

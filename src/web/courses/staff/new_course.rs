@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::{Course, Member, Role};
+use momentous_course::{Course, Member, Role};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -23,7 +23,7 @@ struct NewCoursePage {
 }
 
 /// The form.
-pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let empty = course_form::FIELDS.into_iter().chain(person_form::FIELDS).map(|name| (name, String::new()));
     with(visit, Form::new(empty.chain([("zone", "UTC".to_owned()), ("decimal", "either".to_owned())]))).await
 }
@@ -36,7 +36,7 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
 }
 
 /// Makes the course, with a secret of its own. Its instructor signs in by a link where it has no password yet.
-pub(in crate::web::courses) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
     let names: Vec<&str> = course_form::FIELDS.into_iter().chain(person_form::FIELDS).collect();
     let form = Form::sent(visit, &names);
     let mut faults = person_form::faults(&form);

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::{FieldFault, Person};
+use momentous_course::{FieldFault, Person};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -30,7 +30,7 @@ struct Listed {
 }
 
 /// Everybody, and a form for one more.
-pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     with(visit, Form::sent(visit, &person_form::FIELDS)).await
 }
 
@@ -44,7 +44,7 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
 }
 
 /// Adds a person, and shows the link with which it signs in.
-pub(in crate::web::courses) async fn add(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn add(visit: &Visit) -> Result<Reply, NotShown> {
     let form = Form::sent(visit, &person_form::FIELDS);
     let mut faults = person_form::faults(&form);
     let Named { person, is_new } = person_form::named(visit, &form).await?;
@@ -63,7 +63,7 @@ pub(in crate::web::courses) async fn add(visit: &Visit) -> Result<Reply, NotShow
 }
 
 /// A new link for somebody who lost the password.
-pub(in crate::web::courses) async fn new_link(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn new_link(visit: &Visit) -> Result<Reply, NotShown> {
     let key = visit.fields.get("person").and_then(|text| text.parse().ok());
     let person = match key {
         Some(key) => visit.store().person(key).await?,

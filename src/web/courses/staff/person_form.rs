@@ -1,7 +1,7 @@
 //! People as a form names them: by the name with which they sign in.
 
-use crate::course::{FieldFault, Person};
-use crate::store::StoreFault;
+use momentous_course::{FieldFault, Person};
+use momentous_store::StoreFault;
 
 use super::super::outcome::NotShown;
 use super::super::session;

@@ -6,16 +6,16 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::course::{Item, Key, Member, Role, Sheet};
-use crate::exercise::Exercise;
-use crate::exercise::calls::Refused;
-use crate::fault::Faults;
-use crate::problem::Problem;
-use crate::render;
+use momentous_course::{Item, Key, Member, Role, Sheet};
+use momentous_exercise::Exercise;
+use momentous_exercise::calls::Refused;
+use momentous_fault::Faults;
+use momentous_problem::Problem;
+use momentous_render as render;
 #[cfg(feature = "pdf")]
-use crate::render::Press;
-use crate::render::{Format, KeyRow, Page, Renderer, SheetPart};
-use crate::store::{AssignmentWithItems, Membership};
+use momentous_render::Press;
+use momentous_render::{Format, KeyRow, Page, Renderer, SheetPart};
+use momentous_store::{AssignmentWithItems, Membership};
 
 use super::super::items;
 use super::super::outcome::NotShown;
@@ -91,7 +91,7 @@ struct Printed {
 }
 
 /// What can be printed.
-pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment::of(visit).await?;
     let students = students(visit).await?.len();
     let page = PrintPage {
@@ -107,14 +107,14 @@ pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotSho
 }
 
 /// The sheets of every student.
-pub(in crate::web::courses) async fn sheets(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn sheets(visit: &Visit) -> Result<Reply, NotShown> {
     let printed = drawn(visit, Version::HandedOut).await?;
     let pages = printed.iter().map(|own| Page::Sheet(sheet(own))).collect();
     document(visit, "sheets", pages).await
 }
 
 /// The answers of every student.
-pub(in crate::web::courses) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
     let named = |own: &Printed| {
         let student = own.student.clone();
         own.exercise

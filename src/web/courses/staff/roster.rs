@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::{Course, Role, RosterChange, RosterRow, roster_changes, roster_records};
-use crate::store::Membership;
+use momentous_course::{Course, Role, RosterChange, RosterRow, roster_changes, roster_records};
+use momentous_store::Membership;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -68,7 +68,7 @@ struct Shown {
 }
 
 /// Who takes part, and the forms that change it.
-pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let empty = no_staff();
     with(visit, &Class::of(visit).await?, (String::new(), Vec::new()), empty).await
 }
@@ -159,7 +159,7 @@ fn table(visit: &Visit) -> String {
 }
 
 /// What a table would change. Nothing is changed yet.
-pub(in crate::web::courses) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
     let (class, text) = (Class::of(visit).await?, table(visit));
     match class.changes(&text) {
         Err(faults) => with(visit, &class, (text, faults), no_staff()).await,
@@ -172,7 +172,7 @@ pub(in crate::web::courses) async fn preview(visit: &Visit) -> Result<Reply, Not
 }
 
 /// Makes the changes that were shown, and no others.
-pub(in crate::web::courses) async fn apply(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn apply(visit: &Visit) -> Result<Reply, NotShown> {
     let (class, text) = (Class::of(visit).await?, table(visit));
     let changes = match class.changes(&text) {
         Ok(changes) => changes,

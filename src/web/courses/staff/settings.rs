@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::Course;
+use momentous_course::Course;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -20,7 +20,7 @@ struct SettingsPage {
 }
 
 /// The settings as they are.
-pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     with(visit, CourseForm::of(visit.course()?)).await
 }
 
@@ -33,7 +33,7 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
 }
 
 /// Keeps them.
-pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
     let form = Form::sent(visit, &course_form::FIELDS);
     match CourseForm::read(&form) {
         Err(faults) => with(visit, form.with(&faults)).await,

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::{Assignment, GradeMark, Item, Phase, Standing, Window};
-use crate::grade::Points;
+use momentous_course::{Assignment, GradeMark, Item, Phase, Standing, Window};
+use momentous_grade::Points;
 
 use super::super::at_close;
 use super::super::ledger::{Has, Records};
@@ -28,7 +28,7 @@ struct OwnAssignment {
 }
 
 /// The assignments of a course. Students see those that have opened.
-pub(in crate::web::courses) async fn course(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn course(visit: &Visit) -> Result<Reply, NotShown> {
     let place = visit.place()?;
     let all = visit.store().assignments(place.course.key).await?;
     let is_seen = |own: &Assignment| own.policy.opens <= visit.now || place.member.role.is_staff();
@@ -92,7 +92,7 @@ struct OwnItem {
 }
 
 /// The items of an assignment, with what one has reached.
-pub(in crate::web::courses) async fn assignment(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn assignment(visit: &Visit) -> Result<Reply, NotShown> {
     let place = visit.place()?;
     let missing = || NotShown::missing("there is no such assignment in this course, or it is not open yet");
     let whole = visit.store().assignment(visit.key("assignment")?).await?.ok_or_else(missing)?;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use crate::course::{self, Attempt, Draft, Phase, Refusal, alike};
-use crate::exercise::calls::{ReadResponse, Refused, within};
-use crate::store::{HandIn, HandedIn};
+use momentous_course::{self as course, Attempt, Draft, Phase, Refusal, alike};
+use momentous_exercise::calls::{ReadResponse, Refused, within};
+use momentous_store::{HandIn, HandedIn};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -23,7 +23,7 @@ const LONGEST_KEY: usize = 64;
 const AGAIN: usize = 8;
 
 /// Hands in what was typed. The page that follows shows what is kept; a reload hands nothing in again.
-pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.answer(visit.person()?.key)?;
     let answers = answers(visit)?;
     let request = visit.fields.text("request").to_owned();
@@ -112,7 +112,7 @@ async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Repl
 }
 
 /// Keeps what was typed without handing it in.
-pub(in crate::web::courses) async fn draft(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn draft(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.answer(visit.person()?.key)?;
     let answers = answers(visit)?;
     let own = OwnSheet::of(visit).await?;
@@ -128,7 +128,7 @@ pub(in crate::web::courses) async fn draft(visit: &Visit) -> Result<Reply, NotSh
 }
 
 /// How an answer is read. It knows the field and nothing of what is right.
-pub(in crate::web::courses) async fn read(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn read(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.reading(visit.person()?.key)?;
     let own = OwnSheet::of(visit).await?;
     let [part, text] = ["part", "text"].map(|name| visit.fields.text(name).to_owned());

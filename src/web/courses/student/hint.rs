@@ -1,6 +1,6 @@
 //! Hints: each is noted when it is shown, because it may cost something.
 
-use crate::course::{Draft, HintShown, Phase};
+use momentous_course::{Draft, HintShown, Phase};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -9,7 +9,7 @@ use super::hand_in::ANSWER;
 use super::own_sheet::OwnSheet;
 
 /// The author's next hint.
-pub(in crate::web::courses) async fn hint(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn hint(visit: &Visit) -> Result<Reply, NotShown> {
     let own = OwnSheet::of(visit).await?;
     open(visit, &own)?;
     keep_typed(visit, &own).await?;
@@ -23,7 +23,7 @@ pub(in crate::web::courses) async fn hint(visit: &Visit) -> Result<Reply, NotSho
 }
 
 /// The next hint on a wrong answer.
-pub(in crate::web::courses) async fn further(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn further(visit: &Visit) -> Result<Reply, NotShown> {
     let own = OwnSheet::of(visit).await?;
     open(visit, &own)?;
     keep_typed(visit, &own).await?;

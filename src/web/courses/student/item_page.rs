@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{self, Attempt, Found, Item, Phase, ShownPart, StoredReport, Unsubmitted};
-use crate::exercise::calls::{FieldResponse, HintResponse, ReadResponse, SheetResponse};
-use crate::grade::{Entry, Points};
-use crate::quantity::Rational;
-use crate::render::Fragment;
+use momentous_course::{self as course, Attempt, Found, Item, Phase, ShownPart, StoredReport, Unsubmitted};
+use momentous_exercise::calls::{FieldResponse, HintResponse, ReadResponse, SheetResponse};
+use momentous_grade::{Entry, Points};
+use momentous_quantity::Rational;
+use momentous_render::Fragment;
 
 use super::super::at_close;
 use super::super::ledger::{Has, Records};
@@ -102,7 +102,7 @@ pub(super) struct After {
 }
 
 /// The page of an item.
-pub(in crate::web::courses) async fn item(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn item(visit: &Visit) -> Result<Reply, NotShown> {
     let own = OwnSheet::of(visit).await?;
     page(visit, &own, After::default()).await
 }
@@ -140,7 +140,7 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
     };
     let phase = own.window.phase(visit.now);
     let (before, next) = neighbours(own);
-    let costs = |share: &crate::course::Share| (!share.is_nothing()).then(|| share.percent());
+    let costs = |share: &momentous_course::Share| (!share.is_nothing()).then(|| share.percent());
     let has = if own.window.shows_verdicts(visit.now) {
         let records = Records::of_sheet(visit, &own.whole, &own.sheet, own.last.as_ref()).await?;
         records.standing(own.sheet.member, own.item.key).as_ref().map(Has::of)

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::course::{Attempt, HintShown, Item, Phase, Sheet, StoredReport, Window, is_redacted};
-use crate::exercise::Exercise;
-use crate::exercise::calls::Refused;
-use crate::grade::Entry;
-use crate::problem::Problem;
-use crate::store::AssignmentWithItems;
+use momentous_course::{Attempt, HintShown, Item, Phase, Sheet, StoredReport, Window, is_redacted};
+use momentous_exercise::Exercise;
+use momentous_exercise::calls::Refused;
+use momentous_grade::Entry;
+use momentous_problem::Problem;
+use momentous_store::AssignmentWithItems;
 
 use super::super::at_close;
 use super::super::items;

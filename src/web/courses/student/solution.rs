@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::course::Item;
-use crate::exercise::calls::{Refused, RefusedKind, SolveResponse};
-use crate::exercise::{Exercise, Remark};
+use momentous_course::Item;
+use momentous_exercise::calls::{Refused, RefusedKind, SolveResponse};
+use momentous_exercise::{Exercise, Remark};
 
 use super::super::items;
 use super::super::outcome::NotShown;
@@ -25,7 +25,7 @@ struct SolutionPage {
 }
 
 /// The worked solution.
-pub(in crate::web::courses) async fn solution(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn solution(visit: &Visit) -> Result<Reply, NotShown> {
     let own = OwnSheet::of(visit).await?;
     if !own.window.shows_solutions(visit.now) && !visit.place()?.member.role.is_staff() {
         return Err(NotShown::Forbidden("the solution is shown when the assignment has closed for you, if at all"));

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::bank::Card;
-use crate::bank::load_in_course;
+use momentous_bank::Card;
+use momentous_bank::load_in_course;
 
 use super::super::super::library::source;
 use super::super::super::outcome::NotShown;

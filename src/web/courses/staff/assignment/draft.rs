@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::course::{FieldFault, PolicyForm};
-use crate::store::AssignmentWithItems;
+use momentous_course::{FieldFault, PolicyForm};
+use momentous_store::AssignmentWithItems;
 
 use super::super::super::outcome::NotShown;
 use super::super::super::visit::Visit;
@@ -70,7 +70,7 @@ impl Draft {
         let field = |name: &str| (name.to_owned(), policy[name].as_str().unwrap_or_default().to_owned());
         let title = ("title".to_owned(), whole.assignment.title.clone());
         let form = Form::new(POLICY.into_iter().map(field).chain([title, ("items".to_owned(), String::new())]));
-        let row = |item: &crate::course::Item| Row {
+        let row = |item: &momentous_course::Item| Row {
             key: item.key.to_string(),
             problem: item.problem.clone(),
             form: item.form.clone().unwrap_or_default(),

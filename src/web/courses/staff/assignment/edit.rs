@@ -1,7 +1,7 @@
 //! Writing an assignment: the fields stay as they were typed until all of them are right.
 
-use crate::course::{FieldFault, Item};
-use crate::store::AssignmentWithItems;
+use momentous_course::{FieldFault, Item};
+use momentous_store::AssignmentWithItems;
 
 use super::super::super::items;
 use super::super::super::outcome::NotShown;
@@ -13,24 +13,24 @@ use super::editor;
 use super::read::read;
 
 /// The editor for a new assignment.
-pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
     editor::page(visit, Draft::empty(), &Catalogue::of(visit).await?, None).await
 }
 
 /// Makes it, or shows what its buttons change in the fields.
-pub(in crate::web::courses) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
     keep(visit, None).await
 }
 
 /// The editor for an assignment that is kept.
-pub(in crate::web::courses) async fn edit(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn edit(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = current(visit).await?;
     let draft = Draft::of(&whole, &visit.course()?.zone);
     editor::page(visit, draft, &Catalogue::of(visit).await?, Some(&whole)).await
 }
 
 /// Keeps what became of it.
-pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = current(visit).await?;
     keep(visit, Some(whole)).await
 }

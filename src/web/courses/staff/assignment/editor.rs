@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::{Kind, Release, SolutionRelease, Solvers, Unsubmitted};
-use crate::store::AssignmentWithItems;
+use momentous_course::{Kind, Release, SolutionRelease, Solvers, Unsubmitted};
+use momentous_store::AssignmentWithItems;
 
 use super::super::super::items;
 use super::super::super::outcome::NotShown;

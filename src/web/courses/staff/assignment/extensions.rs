@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::course::{Extension, ExtensionForm, FieldFault, Role};
-use crate::store::Membership;
+use momentous_course::{Extension, ExtensionForm, FieldFault, Role};
+use momentous_store::Membership;
 
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
@@ -43,7 +43,7 @@ struct Listed {
 }
 
 /// The extensions of an assignment, and a form for another.
-pub(in crate::web::courses) async fn extensions(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn extensions(visit: &Visit) -> Result<Reply, NotShown> {
     with(visit, Form::new(FIELDS.map(|name| (name, String::new())))).await
 }
 
@@ -86,7 +86,7 @@ fn is_student(own: &Membership) -> bool {
 }
 
 /// Gives a student more time; a second extension takes the place of the first.
-pub(in crate::web::courses) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
     let assignment = super::of(visit).await?.assignment;
     let course = visit.course()?;
     let form = Form::sent(visit, &FIELDS);

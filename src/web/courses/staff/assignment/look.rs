@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::course::Kind;
-use crate::exercise::Exercise;
-use crate::exercise::calls::{Refused, SheetResponse};
-use crate::problem::Problem;
-use crate::render::Fragment;
+use momentous_course::Kind;
+use momentous_exercise::Exercise;
+use momentous_exercise::calls::{Refused, SheetResponse};
+use momentous_problem::Problem;
+use momentous_render::Fragment;
 
 use super::super::super::items;
 use super::super::super::outcome::NotShown;
@@ -31,7 +31,7 @@ struct LookPage {
 
 /// A variant with its answers.
 #[derive(Serialize)]
-pub(in crate::web::courses::staff) struct Looked {
+pub(in crate::courses::staff) struct Looked {
     seed: u64,
     sheet: SheetResponse,
     answers: Vec<Answer>,
@@ -44,7 +44,7 @@ struct Answer {
 }
 
 /// A problem that an assignment can have.
-pub(in crate::web::courses) async fn look(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn look(visit: &Visit) -> Result<Reply, NotShown> {
     let name = visit.fields.text("problem");
     Withheld::from_student(visit).await?.check(name)?;
     let problem = items::problem(visit, &items::unpinned(name)).await?;
@@ -66,7 +66,7 @@ pub(in crate::web::courses) async fn look(visit: &Visit) -> Result<Reply, NotSho
 }
 
 /// Three variants of a form.
-pub(in crate::web::courses::staff) async fn looked(
+pub(in crate::courses::staff) async fn looked(
     visit: &Visit,
     problem: &Arc<Problem>,
     form: usize,
@@ -77,7 +77,7 @@ pub(in crate::web::courses::staff) async fn looked(
 
 fn one(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Looked, Refused> {
     let exercise = Exercise::draw(problem, form, seed)?;
-    let answer = |row: crate::render::KeyRow| Answer { part: row.part, answer: Fragment::inline(&row.answer) };
+    let answer = |row: momentous_render::KeyRow| Answer { part: row.part, answer: Fragment::inline(&row.answer) };
     let answers = exercise.key().into_iter().map(answer).collect();
     Ok(Looked { seed, sheet: SheetResponse::of(&exercise)?, answers })
 }

@@ -8,12 +8,12 @@ mod extensions;
 mod look;
 mod read;
 
-pub(in crate::web::courses) use edit::{edit, make, new, save};
-pub(in crate::web::courses) use extensions::{extend, extensions};
-pub(in crate::web::courses) use look::look;
+pub(in crate::courses) use edit::{edit, make, new, save};
+pub(in crate::courses) use extensions::{extend, extensions};
+pub(in crate::courses) use look::look;
 pub(super) use look::{Looked, looked};
 
-use crate::store::AssignmentWithItems;
+use momentous_store::AssignmentWithItems;
 
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::course::{Assignment, Course, FieldFault, Item, Key, Policy};
-use crate::problem::CourseSymbols;
-use crate::store::AssignmentWithItems;
+use momentous_course::{Assignment, Course, FieldFault, Item, Key, Policy};
+use momentous_problem::CourseSymbols;
+use momentous_store::AssignmentWithItems;
 
 use super::super::super::session;
 use super::super::person_form::text_fault;

@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use crate::bank::{COURSE_FILE, FOLDER};
-use crate::course::ProblemFile;
+use momentous_bank::{COURSE_FILE, FOLDER};
+use momentous_course::ProblemFile;
 
 use super::super::super::super::workers::NotDone;
 use super::super::super::outcome::NotShown;

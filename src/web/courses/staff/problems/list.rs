@@ -21,7 +21,7 @@ struct Listed {
 }
 
 /// The problems of the course, the latest version of each first.
-pub(in crate::web::courses) async fn list(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn list(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let mut files = visit.store().problem_files(course.key).await?;
     files.sort_by(|one, other| (&one.problem, other.saved).cmp(&(&other.problem, one.saved)));

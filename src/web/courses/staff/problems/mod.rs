@@ -6,11 +6,11 @@ mod page;
 mod trial;
 mod write;
 
-pub(in crate::web::courses) use list::list;
-pub(in crate::web::courses) use page::{check, publish, show};
-pub(in crate::web::courses) use write::{new, save};
+pub(in crate::courses) use list::list;
+pub(in crate::courses) use page::{check, publish, show};
+pub(in crate::courses) use write::{new, save};
 
-use crate::course::ProblemFile;
+use momentous_course::ProblemFile;
 
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;

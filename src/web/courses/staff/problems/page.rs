@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::{Item, ProblemFile};
+use momentous_course::{Item, ProblemFile};
 
 use super::super::super::items;
 use super::super::super::outcome::NotShown;
@@ -26,7 +26,7 @@ struct ProblemPage {
 }
 
 /// The page.
-pub(in crate::web::courses) async fn show(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn show(visit: &Visit) -> Result<Reply, NotShown> {
     with(visit, super::of(visit).await?, None).await
 }
 
@@ -56,14 +56,14 @@ async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Res
 }
 
 /// Checks what the problem promises, over many seeds.
-pub(in crate::web::courses) async fn check(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn check(visit: &Visit) -> Result<Reply, NotShown> {
     let file = super::of(visit).await?;
     let checked = run(visit, &file).await?;
     with(visit, file, Some(checked)).await
 }
 
 /// From now on assignments of the course can have it. Those that are open keep the version that they have.
-pub(in crate::web::courses) async fn publish(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn publish(visit: &Visit) -> Result<Reply, NotShown> {
     let file = ProblemFile { published: Some(visit.now), ..super::of(visit).await? };
     let entry = visit.entry("problem published", format!("{} {}", file.problem, file.digest));
     visit.store().save_problem_file(&file, Some(&entry)).await?;

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::bank::course_letters;
-use crate::course::ProblemFile;
-use crate::fault::{Faults, Source};
-use crate::problem::{digest, load};
+use momentous_bank::course_letters;
+use momentous_course::ProblemFile;
+use momentous_fault::{Faults, Source};
+use momentous_problem::{digest, load};
 
 use super::super::super::items;
 use super::super::super::library;
@@ -27,7 +27,7 @@ struct WritePage {
 }
 
 /// An empty field, or the file of a problem to start from.
-pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
     let text = match visit.fields.get("from") {
         None => String::new(),
         Some(id) => {
@@ -39,7 +39,7 @@ pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShow
 }
 
 /// Keeps a file that loads, as a draft. One that does not stays in its field, with everything that is wrong with it.
-pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
+pub(in crate::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
     let text = visit.fields.text("text").replace("\r\n", "\n");
     if let Trial::Not(faults) = trial::of(visit, &text).await? {
         return refused(visit, text, faults).await;

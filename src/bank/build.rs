@@ -5,16 +5,17 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").ok_or(io::ErrorKind::NotFound)?);
+    let member = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").ok_or(io::ErrorKind::NotFound)?);
+    let root = member.ancestors().nth(2).ok_or(io::ErrorKind::NotFound)?;
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or(io::ErrorKind::NotFound)?);
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=problem_bank");
+    println!("cargo::rerun-if-changed=../../problem_bank");
     let mut files = Vec::new();
     collect(&root.join("problem_bank"), &mut files)?;
     files.sort();
     let mut table = String::from("&[\n");
     for file in &files {
-        let name = file.strip_prefix(&root).unwrap_or(file).display().to_string().replace('\\', "/");
+        let name = file.strip_prefix(root).unwrap_or(file).display().to_string().replace('\\', "/");
         // Writing to a string cannot fail.
         let _ = writeln!(table, "    ({name:?}, include_str!({:?})),", file.display().to_string());
     }

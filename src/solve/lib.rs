@@ -5,9 +5,9 @@
 //!
 //! ```
 //! use std::collections::BTreeSet;
-//! use momentous::expr::{Expr, SymbolEntry, SymbolTable};
-//! use momentous::quantity::{Dimension, Rational};
-//! use momentous::solve::{Equation, Exact, Program, Statement, System, Verify, Workspaces, audit, plan};
+//! use momentous_expr::{Expr, SymbolEntry, SymbolTable};
+//! use momentous_quantity::{Dimension, Rational};
+//! use momentous_solve::{Equation, Exact, Program, Statement, System, Verify, Workspaces, audit, plan};
 //!
 //! let mut table = SymbolTable::default();
 //! let [m, v, p] = ["m", "v", "p"].map(|name| {
@@ -26,7 +26,7 @@
 //! let outcome = program.solve(&givens, &mut memory);
 //! assert_eq!(outcome.survivors(), 1);
 //! assert_eq!(outcome.value(v).map(|speed| speed.value), Some(2.5));
-//! # Ok::<(), momentous::solve::UnknownSymbol>(())
+//! # Ok::<(), momentous_solve::UnknownSymbol>(())
 //! ```
 
 mod evaluate;

@@ -43,7 +43,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
 /// The law of that id.
 ///
 /// ```
-/// assert_eq!(momentous::laws::find("restitution").map(|law| law.name), Some("the law of restitution"));
+/// assert_eq!(momentous_laws::find("restitution").map(|law| law.name), Some("the law of restitution"));
 /// ```
 #[must_use]
 pub fn find(id: &str) -> Option<&'static Law> {

@@ -27,7 +27,7 @@ pub use target::{TARGETS, Target};
 
 use std::io;
 
-use crate::fault::Faults;
+use momentous_fault::Faults;
 
 /// A file on its way. Questions are written as they come; those of one form come one after the other.
 pub trait Export {
@@ -62,7 +62,8 @@ pub enum NotWritten {
 }
 
 /// A text without the characters that XML has no way to write.
-pub(crate) fn printable(text: &str) -> std::borrow::Cow<'_, str> {
+#[must_use]
+pub fn printable(text: &str) -> std::borrow::Cow<'_, str> {
     let has_place = |letter: char| !matches!(letter, '\0'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}');
     if text.chars().all(has_place) { text.into() } else { text.chars().filter(|letter| has_place(*letter)).collect() }
 }

@@ -67,20 +67,20 @@ pub use timeline::Timeline;
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::laws::geometry;
-use crate::laws::kinematics;
-use crate::quantity::Dimension;
-use crate::quantity::with_minus_signs;
-use crate::scene::Scene;
-use crate::solve::Condition;
-use crate::solve::Equation;
-use crate::solve::Relation;
-use crate::solve::Statement;
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
+use momentous_laws::geometry;
+use momentous_laws::kinematics;
+use momentous_quantity::Dimension;
+use momentous_quantity::with_minus_signs;
+use momentous_scene::Scene;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Relation;
+use momentous_solve::Statement;
 
 impl<'s> Builder<'s> {
     /// A model of a scene with the equations of its stages. `given` are names of the author's own with their dimensions; the

@@ -22,7 +22,7 @@ mod shown;
 mod simultaneous;
 pub mod stability;
 mod state;
-#[cfg(feature = "cli")] // it reads the clock
+#[cfg(feature = "clock")] // it reads the clock
 mod sweep;
 mod task;
 mod trajectory;
@@ -46,7 +46,7 @@ pub use record::{Moment, Pivot, Record, Recorded, RecordedImpact, RecordedWall};
 pub use refusal::Refusal;
 pub use shown::Shown;
 pub use state::{State, Vector};
-#[cfg(feature = "cli")]
+#[cfg(feature = "clock")]
 pub use sweep::{JITTERED_SCENES, Point, sweep};
 pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
 pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};

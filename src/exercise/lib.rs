@@ -33,32 +33,32 @@ pub use drawer::Drawer;
 
 use std::sync::Arc;
 
-use crate::explain;
-use crate::explain::Audience;
-use crate::explain::Inline;
-use crate::explain::Outline;
-use crate::expr::Math;
-use crate::expr::Operator;
-use crate::expr::Symbol;
-use crate::figure::Drawing;
-use crate::problem;
-use crate::problem::AskedUnit;
-use crate::problem::ChoicePart;
-use crate::problem::End;
-use crate::problem::NumberPart;
-use crate::problem::Part;
-use crate::problem::PartKind;
-use crate::problem::Problem;
-use crate::problem::RangePart;
-use crate::problem::USUAL_FIGURES;
-use crate::problem::Variant;
-use crate::problem::Worked;
-use crate::quantity::Printed;
-use crate::render::Identity;
-use crate::render::KeyRow;
-use crate::render::Sheet;
-use crate::render::SheetPart;
-use crate::solve::Bounded;
+use momentous_explain as explain;
+use momentous_explain::Audience;
+use momentous_explain::Inline;
+use momentous_explain::Outline;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_figure::Drawing;
+use momentous_problem as problem;
+use momentous_problem::AskedUnit;
+use momentous_problem::ChoicePart;
+use momentous_problem::End;
+use momentous_problem::NumberPart;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
+use momentous_problem::Problem;
+use momentous_problem::RangePart;
+use momentous_problem::USUAL_FIGURES;
+use momentous_problem::Variant;
+use momentous_problem::Worked;
+use momentous_quantity::Printed;
+use momentous_render::Identity;
+use momentous_render::KeyRow;
+use momentous_render::Sheet;
+use momentous_render::SheetPart;
+use momentous_solve::Bounded;
 
 pub use attempts::Try;
 pub use issue::{Issued, Remark};
@@ -236,7 +236,7 @@ impl Exercise {
         let printed = self.problem.loaded().given.get("g").is_some();
         match self.variant.given(gravity) {
             Some((value, unit)) if used && !printed => {
-                vec![Inline::Text(format!("Take g = {}.", crate::problem::say_quantity(&value, &unit)))]
+                vec![Inline::Text(format!("Take g = {}.", momentous_problem::say_quantity(&value, &unit)))]
             }
             _ => Vec::new(),
         }
