@@ -62,7 +62,10 @@ impl<'p> Drawer<'p> {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use momentous::{bank::Bank, exercise::Drawer, fault::Source, problem::{Scheme, compile, load}};
+    /// use momentous_bank::Bank;
+    /// use momentous_exercise::Drawer;
+    /// use momentous_fault::Source;
+    /// use momentous_problem::{Scheme, compile, load};
     /// let file = Bank::built_in().find("impact/two-carts")?.clone();
     /// let wider = Source::new("carts.yaml", &file.text.replace("m_B: { min: 1, max: 6", "m_B: { min: 1, max: 9"));
     /// let [before, now] = [Arc::new(compile(load(file)?, None)?), Arc::new(compile(load(wider)?, None)?)];

@@ -61,7 +61,7 @@ impl Input {
     /// let text = Input::open("Cargo.toml".as_ref())?.text(64 * 1024)?;
     /// assert!(text.contains("momentous"));
     /// assert_eq!(Input::open("Cargo.toml".as_ref())?.text(8).unwrap_err().to_string(), "it is longer than 8 bytes");
-    /// assert_eq!(Input::open("src".as_ref()).unwrap_err().to_string(), "it is a folder");
+    /// assert_eq!(Input::open("..".as_ref()).unwrap_err().to_string(), "it is a folder");
     /// # Ok::<(), std::io::Error>(())
     /// ```
     ///

@@ -41,7 +41,8 @@ impl Domain {
     /// same on every machine; no value is preferred by more than one part in 2^24, and for a hundred values in 2^57.
     ///
     /// ```
-    /// use momentous::{problem::Domain, quantity::Decimal};
+    /// use momentous_problem::Domain;
+    /// use momentous_quantity::Decimal;
     /// let coin = Domain::Choice(vec![Decimal::from(0), Decimal::from(1)]);
     /// assert_eq!((coin.pick(u64::MAX / 2), coin.pick(u64::MAX / 2 + 1)), (0, 1));
     /// ```

@@ -18,7 +18,8 @@ impl Course {
     /// Every fault of the file.
     ///
     /// ```
-    /// use momentous::{fault::Source, problem::Course};
+    /// use momentous_fault::Source;
+    /// use momentous_problem::Course;
     /// let course = Course::read(&Source::new("course.yaml", "symbols: { momentum: L }")).unwrap();
     /// assert_eq!(course.symbols.momentum.as_deref(), Some("L"));
     /// let faults = Course::read(&Source::new("course.yaml", "symbol: { momentum: L }")).unwrap_err();

@@ -11,7 +11,9 @@ use super::document::{Entry, Kind, Node};
 /// Digests that change only with what they stand for: comments, the order of keys and the way of writing YAML change none of them.
 ///
 /// ```
-/// use momentous::{bank::Bank, fault::Source, problem::load};
+/// use momentous_bank::Bank;
+/// use momentous_fault::Source;
+/// use momentous_problem::load;
 /// let file = Bank::built_in().find("impact/two-carts")?.clone();
 /// let now = load(file.clone())?.digests;
 /// let reworded = load(Source::new("carts.yaml", &file.text.replace("They collide.", "They meet.")))?.digests;
@@ -109,7 +111,8 @@ fn aspects(key: &str, value: &Node) -> Option<&'static [Aspect]> {
 /// The first 16 hexadecimal digits of SHA-256 of a file's bytes, each line end as a single line feed.
 ///
 /// ```
-/// use momentous::{fault::Source, problem::digest};
+/// use momentous_fault::Source;
+/// use momentous_problem::digest;
 /// assert_eq!(digest(&Source::new("a", "x: 1\r\n")), digest(&Source::new("b", "x: 1\n")));
 /// ```
 #[must_use]
