@@ -50,8 +50,10 @@
 pub mod cli;
 
 pub use momentous_bank as bank;
-#[cfg(feature = "serve")]
+#[cfg(feature = "courses")]
 pub use momentous_course as course;
+#[cfg(feature = "courses")]
+pub use momentous_course_pages as course_pages;
 pub use momentous_exercise as exercise;
 pub use momentous_explain as explain;
 #[cfg(feature = "cli")]
@@ -68,7 +70,7 @@ pub use momentous_render as render;
 pub use momentous_scene as scene;
 pub use momentous_simulate as simulate;
 pub use momentous_solve as solve;
-#[cfg(feature = "serve")]
+#[cfg(feature = "courses")]
 pub use momentous_store as store;
 #[cfg(feature = "serve")]
 pub use momentous_web as web;

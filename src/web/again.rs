@@ -14,7 +14,7 @@ const ANSWER: &str = "answer.";
 
 /// A form that can be sent again.
 #[derive(Debug, Serialize)]
-pub(super) struct Again {
+pub struct Again {
     /// Its address.
     to: String,
     fields: Vec<Field>,
@@ -39,7 +39,7 @@ enum Kind {
 
 impl Again {
     /// What was typed, to be sent again to an address below `base`; nothing where nothing was.
-    pub(super) fn of(base: &str, to: &str, typed: &Parameters) -> Option<Self> {
+    pub fn of(base: &str, to: &str, typed: &Parameters) -> Option<Self> {
         // Requests for nested pages may have lost it already.
         let to = format!("{base}{}", to.strip_prefix(base).unwrap_or(to));
         let fields: Vec<Field> = typed.pairs().iter().map(Field::of).collect();

@@ -44,7 +44,7 @@ fn kind(kind: RefusedKind) -> (StatusCode, &'static str) {
 const NO_CACHE: [(HeaderName, HeaderValue); 1] = [(header::CACHE_CONTROL, ANEW)];
 
 /// Makes a page on a worker.
-pub(super) async fn page(
+pub async fn page(
     app: &SharedApp,
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
@@ -58,7 +58,7 @@ pub(super) async fn page(
 }
 
 /// Makes a JSON object on a worker.
-pub(super) async fn json(
+pub async fn json(
     app: &SharedApp,
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
@@ -72,13 +72,13 @@ pub(super) async fn json(
 }
 
 /// A page that says why there is none of the kind that was asked for.
-pub(super) fn refused(app: &App, refused: &Refused) -> Response {
+pub fn refused(app: &App, refused: &Refused) -> Response {
     refusal(app, kind(refused.kind), refused, None)
 }
 
 /// The same with a status and a title of its own, and perhaps with the form that was refused. It takes no worker: it is small, and often
 /// there is none.
-pub(super) fn refusal(
+pub fn refusal(
     app: &App,
     (status, title): (StatusCode, &'static str),
     refused: &Refused,
@@ -99,7 +99,7 @@ fn filled(
 }
 
 /// The page of a refusal, to see whether its template can be filled.
-pub(super) fn tried(app: &App) -> Result<String, Refused> {
+pub fn tried(app: &App) -> Result<String, Refused> {
     let refused =
         Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem");
     filled(app, (StatusCode::NOT_FOUND, "Not found"), &refused, None)
@@ -116,12 +116,12 @@ const fn status(reason: NotDone) -> StatusCode {
 }
 
 /// The same of a call.
-pub(super) fn no_call(reason: NotDone) -> Response {
+pub fn no_call(reason: NotDone) -> Response {
     (status(reason), SOON, format!("{reason}\n")).into_response()
 }
 
 /// A page that says why work was not done.
-pub(super) fn not_done(app: &App, reason: NotDone, again: Option<Again>) -> Response {
+pub fn not_done(app: &App, reason: NotDone, again: Option<Again>) -> Response {
     let (title, help) = match reason {
         NotDone::Busy => ("Busy", "try again in a few seconds"),
         NotDone::Broken => ("Something went wrong", "nothing that you typed is at fault"),

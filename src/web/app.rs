@@ -11,7 +11,7 @@ use momentous_render::Renderer;
 use momentous_render::Site;
 
 use super::assets::Assets;
-use super::courses::{Around as AroundCourse, Courses};
+use super::companion::Companion;
 use super::library::Library;
 use super::log::Log;
 use super::metrics::Metrics;
@@ -20,21 +20,24 @@ use super::workers::Workers;
 
 /// What all requests share: the problems, the templates, the files of the pages and the workers.
 pub struct App {
-    pub(super) settings: Settings,
-    pub(super) library: Library,
+    /// How the server is set up.
+    pub settings: Settings,
+    /// The problems of the bank.
+    pub library: Library,
+    /// The workers that do what takes a processor's time.
+    pub workers: Workers,
     pub(super) assets: Assets,
-    pub(super) workers: Workers,
     pub(super) metrics: Metrics,
     pub(super) log: Log,
     /// The pages of courses, where there are any.
-    pub(super) courses: Option<Arc<Courses>>,
+    pub(super) companion: Option<Arc<dyn Companion>>,
     site: Site,
     renderer: Renderer,
 }
 
 /// What every page knows besides its own.
 #[derive(Serialize)]
-struct Around<'a, Page> {
+struct Around<'a, Who, Page> {
     /// Where the pages begin.
     base: &'a str,
     /// Where scripts, styles and fonts are.
@@ -46,7 +49,7 @@ struct Around<'a, Page> {
     /// The simulators that the header offers: names in addresses, and titles.
     simulators: Vec<(&'static str, &'static str)>,
     /// What a page of a course knows besides.
-    who: Option<&'a AroundCourse>,
+    who: Option<&'a Who>,
     page: &'a Page,
 }
 
@@ -66,7 +69,7 @@ impl App {
             workers: Workers::new(),
             metrics: Metrics::new(),
             log: if settings.log { Log::started() } else { Log::default() },
-            courses: None,
+            companion: None,
             site: Site::new(templates)?,
             renderer: Renderer::new(templates)?.figures(Figures::Unstyled),
             settings,
@@ -80,37 +83,37 @@ impl App {
     }
 
     /// The engine.
-    pub(super) fn engine(&self) -> Engine<'_> {
+    pub fn engine(&self) -> Engine<'_> {
         Engine { problems: &self.library, renderer: &self.renderer, limits: self.settings.limits }
     }
 
     /// The same with pages of courses.
     #[must_use]
-    pub fn with_courses(self, courses: Courses) -> Self {
-        Self { courses: Some(Arc::new(courses)), ..self }
+    pub fn with_companion(self, companion: Arc<dyn Companion>) -> Self {
+        Self { companion: Some(companion), ..self }
     }
 
     /// A page through the template of that name.
-    pub(super) fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
-        self.filled(None, name, page)
+    pub fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+        self.filled(None::<&()>, name, page)
     }
 
     /// A page of a course.
-    pub(super) fn page_for(&self, who: &AroundCourse, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+    pub fn page_for(&self, who: &impl Serialize, name: &str, page: &impl Serialize) -> Result<String, Refused> {
         self.filled(Some(who), name, page)
     }
 
-    fn filled(&self, who: Option<&AroundCourse>, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+    fn filled(&self, who: Option<&impl Serialize>, name: &str, page: &impl Serialize) -> Result<String, Refused> {
         let base = self.settings.base_path.as_str();
         let watch = self.settings.watch.is_some().then(|| self.library.stamp().to_string());
         let assets = format!("{base}/static/{}", self.assets.digest);
-        let hidden = self.courses.as_ref().map(|courses| courses.hidden_simulators()).unwrap_or_default();
+        let hidden = self.companion.as_ref().map(|companion| companion.hidden_simulators()).unwrap_or_default();
         let simulators = SIMULATORS.into_iter().filter(|(name, _)| !hidden.contains(name)).collect();
-        let has_courses = self.courses.is_some();
+        let has_courses = self.companion.is_some();
         let around = Around { base, assets, watch, has_courses, simulators, who, page };
         self.site.page(name, &around).map_err(|faults| Refused::fault(&faults))
     }
 }
 
 /// The application as requests hold it.
-pub(super) type SharedApp = Arc<App>;
+pub type SharedApp = Arc<App>;

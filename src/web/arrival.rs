@@ -16,24 +16,28 @@ const BODY: Duration = Duration::from_secs(30);
 
 /// When the headers of a request were there, and who sent them: the reader's browser, or the proxy before the server.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arrival {
-    pub(super) from: SocketAddr,
+pub struct Arrival {
+    /// The address at the other end of the connection.
+    pub from: SocketAddr,
     at: Instant,
 }
 
 impl Arrival {
-    pub(super) fn now(from: SocketAddr) -> Self {
+    /// The headers of a request from there have just come.
+    #[must_use]
+    pub fn now(from: SocketAddr) -> Self {
         Self { from, at: Instant::now() }
     }
 
     /// Whether a body that came with these headers has taken too long.
-    pub(super) fn is_over(&self) -> bool {
+    #[must_use]
+    pub fn is_over(&self) -> bool {
         self.at.elapsed() >= BODY
     }
 }
 
 /// A body that ends with an error once it has taken too long, and says when it is whole.
-pub(super) struct TimedBody<Whole> {
+pub struct TimedBody<Whole> {
     body: Incoming,
     over: Pin<Box<Sleep>>,
     whole: Option<Whole>,
@@ -41,7 +45,7 @@ pub(super) struct TimedBody<Whole> {
 
 impl<Whole: FnOnce()> TimedBody<Whole> {
     /// A body whose headers have just come. `whole` is called when its end is read, at once where there is nothing to read.
-    pub(super) fn new(body: Incoming, whole: Whole) -> Self {
+    pub fn new(body: Incoming, whole: Whole) -> Self {
         let mut own = Self { body, over: Box::pin(sleep(BODY)), whole: Some(whole) };
         own.tell();
         own

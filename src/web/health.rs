@@ -6,8 +6,6 @@ use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
-use momentous_store::Ill;
-
 use super::app::SharedApp;
 use super::headers::ANEW;
 
@@ -16,17 +14,16 @@ const PATIENCE: Duration = Duration::from_secs(5);
 
 /// `fine`, or what is wrong with the database.
 pub(super) async fn health(State(app): State<SharedApp>) -> Response {
-    let health = match &app.courses {
+    let health = match &app.companion {
         None => Ok(()),
-        Some(courses) => {
-            let asked = tokio::time::timeout(PATIENCE, courses.store().health()).await;
-            asked.unwrap_or(Err(Ill::Silent))
+        Some(companion) => {
+            let asked = tokio::time::timeout(PATIENCE, companion.health()).await;
+            asked.unwrap_or(Err("the database does not answer\n"))
         }
     };
     let (status, said) = match health {
         Ok(()) => (StatusCode::OK, "fine\n"),
-        Err(Ill::Silent) => (StatusCode::SERVICE_UNAVAILABLE, "the database does not answer\n"),
-        Err(Ill::TakesNothing) => (StatusCode::SERVICE_UNAVAILABLE, "the database takes nothing new\n"),
+        Err(said) => (StatusCode::SERVICE_UNAVAILABLE, said),
     };
     (status, [(header::CACHE_CONTROL, ANEW)], said).into_response()
 }

@@ -2,16 +2,15 @@
 //! scripts of its pages: a browser draws what the engine computed.
 
 mod again;
-mod answer;
+pub mod answer;
 mod app;
 mod arrival;
 mod assets;
+mod companion;
 mod connections;
-mod courses;
 mod explained;
 mod headers;
 mod health;
-pub mod invite;
 mod library;
 mod log;
 mod metrics;
@@ -20,18 +19,22 @@ mod observed;
 mod page_faults;
 mod pages;
 mod parameters;
-pub mod retention;
 mod routes;
-mod sender;
+pub mod sender;
 mod server;
 mod settings;
 mod view;
 mod workers;
 
-pub use app::App;
-pub use courses::{Address, Clock, Courses, Who, addresses};
+pub use again::Again;
+pub use app::{App, SharedApp};
+pub use arrival::Arrival;
+pub use companion::{Awaited, Companion, Counts, Unreachable, Visitor, Withheld};
+pub use library::Library;
 pub use metrics_page::metrics_router;
 pub use page_faults::page_faults;
+pub use parameters::Parameters;
 pub use routes::router;
 pub use server::{NotServed, serve};
 pub use settings::Settings;
+pub use workers::{Lane, NotDone};

@@ -21,7 +21,7 @@ use momentous_problem::Problem;
 use momentous_problem::compile;
 
 /// The problems of a bank, and behind them those that are built in. It holds no more compiled problems than these have files.
-pub(super) struct Library {
+pub struct Library {
     watched: Option<PathBuf>,
     built_in: Bank,
     shelf: Mutex<Shelf>,
@@ -39,7 +39,7 @@ struct Shelf {
 
 impl Library {
     /// The bank of the current folder, or of the folder that is watched.
-    pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
+    pub fn open(watched: Option<&Path>) -> Result<Self, Faults> {
         let stamp = watched.map_or(0, stamp);
         let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), cards: None };
         Ok(Self {
@@ -51,17 +51,17 @@ impl Library {
     }
 
     /// How often a problem was looked up.
-    pub(super) fn looked_up(&self) -> u64 {
+    pub fn looked_up(&self) -> u64 {
         self.looked_up.load(Ordering::Relaxed)
     }
 
     /// What the watched files look like: it changes whenever one of them is saved.
-    pub(super) fn stamp(&self) -> u64 {
+    pub fn stamp(&self) -> u64 {
         self.watched.as_deref().map_or(0, stamp)
     }
 
     /// The cards of all problems that load, in the order of their identities.
-    pub(super) fn cards(&self) -> Result<Arc<Vec<Card>>, Refused> {
+    pub fn cards(&self) -> Result<Arc<Vec<Card>>, Refused> {
         let bank = {
             let shelf = self.shelf()?;
             if let Some(cards) = &shelf.cards {
@@ -76,7 +76,7 @@ impl Library {
     }
 
     /// The file of a problem of the bank.
-    pub(super) fn source(&self, id: &str) -> Result<Source, Refused> {
+    pub fn source(&self, id: &str) -> Result<Source, Refused> {
         let shelf = self.shelf()?;
         // The scenes of the simulators are there whatever bank is shown.
         let found = shelf.bank.find(id).or_else(|faults| self.built_in.find(id).map_err(|_| faults));

@@ -9,7 +9,7 @@ use std::time::Duration;
 use axum::http::{Method, StatusCode};
 use serde::Serialize;
 
-use super::courses::Clock;
+use jiff::{Timestamp, Unit};
 
 /// Lines that may wait to be written; others are left out, so that a reader that does not read holds no request up.
 const WAITING: usize = 4096;
@@ -40,7 +40,7 @@ impl Log {
     pub(super) fn tell(&self, method: &Method, route: &str, status: StatusCode, took: Duration) {
         let Some(lines) = &self.0 else { return };
         let milliseconds = (took.as_secs_f64() * 10_000.0).round() / 10.0;
-        let at = Clock::default().now().to_string();
+        let at = Timestamp::now().round(Unit::Millisecond).map_or_else(|_| String::new(), |at| at.to_string());
         let line = Line { at, method: name(method), route, status: status.as_u16(), milliseconds };
         if let Ok(line) = serde_json::to_string(&line) {
             // Where too many wait this one is left out.

@@ -22,9 +22,10 @@ pub fn metrics_router(app: SharedApp) -> Router {
 
 async fn page(State(app): State<SharedApp>) -> Response {
     let metrics = &app.metrics;
-    if let Some(courses) = &app.courses {
-        metrics.reads.inner().store(courses.store().reads().0, Ordering::Relaxed);
-        metrics.attempts.inner().store(courses.store().handed_in(), Ordering::Relaxed);
+    if let Some(companion) = &app.companion {
+        let counts = companion.counts();
+        metrics.reads.inner().store(counts.reads, Ordering::Relaxed);
+        metrics.attempts.inner().store(counts.attempts, Ordering::Relaxed);
     }
     metrics.queue.set(i64::try_from(app.workers.waiting()).unwrap_or(i64::MAX));
     let mut text = String::new();

@@ -4,7 +4,7 @@ use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
 use super::app::App;
-use super::courses::Withheld;
+use super::companion::Nothing;
 use super::pages;
 use super::parameters::Parameters;
 use super::view::View;
@@ -17,8 +17,7 @@ pub fn page_faults(app: &App) -> Vec<String> {
         Err(refused) => return vec![refused.message],
     };
     let none = Parameters::default();
-    let nothing = Withheld::default();
-    let view = View::new(app, &nothing);
+    let view = View::new(app, &Nothing);
     let own = |make: fn(&View<'_>, String, &Parameters) -> Result<String, Refused>| make(&view, problem.clone(), &none);
     let simulator = |name: &str| pages::simulator(&view, name.to_owned(), &none);
     let pages = [

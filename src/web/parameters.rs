@@ -7,47 +7,47 @@ use momentous_grade::DecimalMark;
 
 /// Names with their values, in the order in which they came.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Parameters(Vec<(String, String)>);
+pub struct Parameters(Vec<(String, String)>);
 
 impl Parameters {
     /// The fields, where there are not too many.
-    pub(super) fn new(fields: Vec<(String, String)>, limits: &Limits) -> Result<Self, Refused> {
+    pub fn new(fields: Vec<(String, String)>, limits: &Limits) -> Result<Self, Refused> {
         within(fields.len(), limits.fields, "fields are read")?;
         Ok(Self(fields))
     }
 
     /// The fields as they are, to be shown again.
-    pub(super) const fn all_of(fields: Vec<(String, String)>) -> Self {
+    pub const fn all_of(fields: Vec<(String, String)>) -> Self {
         Self(fields)
     }
 
     /// Every field.
-    pub(super) fn pairs(&self) -> &[(String, String)] {
+    pub fn pairs(&self) -> &[(String, String)] {
         &self.0
     }
 
     /// The value of a name; nothing where it is empty.
-    pub(super) fn get(&self, name: &str) -> Option<&str> {
+    pub fn get(&self, name: &str) -> Option<&str> {
         self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
     }
 
     /// What stands in a field; an empty text where it is not there.
-    pub(super) fn text(&self, name: &str) -> &str {
+    pub fn text(&self, name: &str) -> &str {
         self.get(name).unwrap_or_default()
     }
 
     /// Whether a name is there, but without a value.
-    pub(super) fn is_empty(&self, name: &str) -> bool {
+    pub fn is_empty(&self, name: &str) -> bool {
         self.0.iter().find(|(own, _)| own == name).is_some_and(|(_, value)| value.trim().is_empty())
     }
 
     /// Every value of a name that may come several times.
-    pub(super) fn all(&self, name: &str) -> impl Iterator<Item = &str> {
+    pub fn all(&self, name: &str) -> impl Iterator<Item = &str> {
         self.0.iter().filter(move |(own, _)| own == name).map(|(_, value)| value.as_str())
     }
 
     /// A whole number, where there is one.
-    pub(super) fn number(&self, name: &str) -> Result<Option<u64>, Refused> {
+    pub fn number(&self, name: &str) -> Result<Option<u64>, Refused> {
         let Some(text) = self.get(name) else { return Ok(None) };
         let wrong = |_| {
             let message = format!("`{name}` is a whole number from 0 to {}, not `{text}`", u64::MAX);
@@ -57,12 +57,12 @@ impl Parameters {
     }
 
     /// A small whole number, 0 where there is none.
-    pub(super) fn count(&self, name: &str) -> Result<usize, Refused> {
+    pub fn count(&self, name: &str) -> Result<usize, Refused> {
         Ok(usize::try_from(self.number(name)?.unwrap_or(0)).unwrap_or(usize::MAX))
     }
 
     /// What stands behind a prefix: `set.m_A` as `m_A`. Empty values are left out.
-    pub(super) fn behind(&self, prefix: &str) -> BTreeMap<String, String> {
+    pub fn behind(&self, prefix: &str) -> BTreeMap<String, String> {
         let own = |(name, value): &(String, String)| {
             let name = name.strip_prefix(prefix)?;
             (!value.trim().is_empty()).then(|| (name.to_owned(), value.clone()))
@@ -72,7 +72,7 @@ impl Parameters {
 
     /// The variant of a problem that the fields name: `form`, `seed`, values of the reader's own as `set.m_A`, and in `find` names
     /// between spaces or commas.
-    pub(super) fn variant(&self, problem: String) -> Result<VariantRequest, Refused> {
+    pub fn variant(&self, problem: String) -> Result<VariantRequest, Refused> {
         let names = self.text("find").split([' ', ',']).filter(|name| !name.is_empty());
         let find = names.map(str::to_owned).collect();
         let form = self.get("form").map(str::to_owned);
@@ -80,7 +80,7 @@ impl Parameters {
     }
 
     /// The decimal mark that the reader writes.
-    pub(super) fn decimal(&self) -> DecimalMark {
+    pub fn decimal(&self) -> DecimalMark {
         match self.get("decimal") {
             Some("point") => DecimalMark::Point,
             Some("comma") => DecimalMark::Comma,

@@ -24,12 +24,11 @@ use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
 use momentous_exercise::calls::{Refused, RefusedKind};
-use momentous_store::StoreFault;
 
 use super::again::Again;
 use super::answer;
 use super::app::{App, SharedApp};
-use super::courses::{Visitor, Withheld, with_courses};
+use super::companion::{Nothing, Unreachable, Withheld};
 use super::explained::explained;
 use super::headers::{BY_TLS, FOR_EVER, HEADERS};
 use super::health::health;
@@ -77,7 +76,9 @@ pub fn router(app: Arc<App>) -> Router {
     for (path, reserved, make) in OF_PROBLEMS {
         own = own.route(path, of_problem(reserved, make));
     }
-    let own = with_courses(own, &app);
+    if let Some(companion) = &app.companion {
+        own = Arc::clone(companion).add_routes(own);
+    }
     let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
     let own = own.layer(from_fn_with_state(Arc::clone(&app), explained));
     let mut all = if base.is_empty() {
@@ -97,10 +98,10 @@ pub fn router(app: Arc<App>) -> Router {
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
 fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
     let page = move |app: SharedApp, (headers, uri): (HeaderMap, Uri), problem: String, fields: Fields| async move {
-        let own = |withheld: Withheld, parameters: Parameters| {
+        let own = |withheld: Box<dyn Withheld>, parameters: Parameters| {
             move |app: &App| {
                 withheld.check(&problem)?;
-                make(&View::new(app, &withheld), problem, &parameters)
+                make(&View::new(app, withheld.as_ref()), problem, &parameters)
             }
         };
         let parameters = match Parameters::new(fields, &app.settings.limits) {
@@ -132,7 +133,7 @@ fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
 /// Why nothing is done for a visitor.
 enum NotAdmitted {
     Busy(NotDone),
-    Unknown(StoreFault),
+    Unknown(Unreachable),
 }
 
 /// A place in the queue of whoever asks, and what is withheld from that person. What is read for those who are not known is bounded by
@@ -141,23 +142,27 @@ async fn admitted<'app>(
     app: &'app App,
     headers: &HeaderMap,
     reserved: While,
-) -> Result<(Admitted<'app>, Withheld), NotAdmitted> {
-    let visitor = match (Visitor::of(app, headers).await, reserved) {
+) -> Result<(Admitted<'app>, Box<dyn Withheld>), NotAdmitted> {
+    let Some(companion) = &app.companion else {
+        let place = app.workers.admit(Lane::Anyone).map_err(NotAdmitted::Busy)?;
+        return Ok((place, Box::new(Nothing)));
+    };
+    let visitor = match (companion.visitor(app, headers).await, reserved) {
         (Ok(visitor), _) => visitor,
         // What is never withheld is shown without the records, too.
-        (Err(_), While::Shown) => None,
+        (Err(_), While::Shown) => companion.stranger(app),
         (Err(fault), While::Refused) => return Err(NotAdmitted::Unknown(fault)),
     };
-    let place = app.workers.admit(Visitor::lane(visitor.as_ref())).map_err(NotAdmitted::Busy)?;
+    let place = app.workers.admit(visitor.lane()).map_err(NotAdmitted::Busy)?;
     let withheld = match reserved {
-        While::Shown => Withheld::of_simulators(app, visitor.as_ref()).await,
-        While::Refused => Withheld::from(app, visitor.as_ref()).await.map_err(NotAdmitted::Unknown)?,
+        While::Shown => visitor.withheld_in_simulators().await,
+        While::Refused => visitor.withheld().await.map_err(NotAdmitted::Unknown)?,
     };
     Ok((place, withheld))
 }
 
 /// Where nobody can say what is withheld, nothing is shown.
-fn unreachable_records(fault: &StoreFault) -> Response {
+fn unreachable_records(fault: &Unreachable) -> Response {
     eprintln!("momentous serve: {fault}");
     (StatusCode::SERVICE_UNAVAILABLE, "The records cannot be reached at the moment. Try again in a moment.\n")
         .into_response()
@@ -181,7 +186,7 @@ async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path
         Err(NotAdmitted::Busy(reason)) => return answer::no_call(reason),
         Err(NotAdmitted::Unknown(fault)) => return unreachable_records(&fault),
     };
-    answer::json(&app, place, move |app| View::new(app, &withheld).engine().call(&call, &body)).await
+    answer::json(&app, place, move |app| View::new(app, withheld.as_ref()).engine().call(&call, &body)).await
 }
 
 /// The state of the watched files, for pages that reload themselves.

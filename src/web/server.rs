@@ -1,5 +1,6 @@
 //! A server on an address, until it is told to stop.
 
+use std::error::Error;
 use std::io;
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -9,13 +10,10 @@ use tokio::net::{TcpListener, TcpSocket};
 use tokio::runtime::Builder;
 
 use momentous_fault::Faults;
-use momentous_store::Store;
-use momentous_store::StoreFault;
 
 use super::app::App;
+use super::companion::Companion;
 use super::connections;
-use super::courses::{Clock, Courses};
-use super::invite;
 use super::metrics_page::metrics_router;
 use super::routes::router;
 use super::settings::Settings;
@@ -31,14 +29,11 @@ pub enum NotServed {
     Address(SocketAddr, io::Error),
     /// The data of courses cannot be used.
     #[error(transparent)]
-    Data(#[from] StoreFault),
+    Data(Box<dyn Error + Send + Sync>),
     /// The server cannot start, or broke off.
     #[error("the server cannot go on: {0}")]
     Broken(#[from] io::Error),
 }
-
-/// The link with which the first operator signs in.
-const FIRST: &str = "operator";
 
 /// How long work that nobody waits for any more may hold the end up.
 const ENDING: Duration = Duration::from_secs(2);
@@ -47,30 +42,24 @@ const ENDING: Duration = Duration::from_secs(2);
 const WAITING: u32 = 4096;
 
 /// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first, those of fifteen seconds.
-/// `clock` says what is in time.
-/// `ready` hears the address as soon as there is one, and the path of a link for the first operator where nobody can sign in yet.
+/// `companion` opens what is served beside the pages of problems, once the address is taken; `ready` hears the address then.
 ///
 /// # Errors
 /// Where the bank or a template cannot be read, or the address is taken.
 pub fn serve(
     settings: Settings,
-    clock: Clock,
-    ready: impl FnOnce(SocketAddr, Option<String>),
+    companion: impl Future<Output = Result<Option<Arc<dyn Companion>>, NotServed>>,
+    ready: impl FnOnce(SocketAddr),
 ) -> Result<(), NotServed> {
-    let (bind, metrics, data) = (settings.bind, settings.metrics, settings.data.clone());
+    let (bind, metrics) = (settings.bind, settings.metrics);
     let mut app = App::new(settings)?;
     let runtime = Builder::new_multi_thread().enable_all().build()?;
     let served = runtime.block_on(async {
         let listener = listening(bind)?;
         let address = listener.local_addr()?;
         app.settings.bind = address;
-        let mut first = None;
-        if let Some(address) = data {
-            let store = Store::serve(&address).await?;
-            if store.is_empty().await? {
-                first = invite::add(&store, FIRST, "Operator", true, &clock).await?;
-            }
-            app = app.with_courses(Courses::new(store, clock));
+        if let Some(companion) = companion.await? {
+            app = app.with_companion(companion);
         }
         let app = Arc::new(app);
         if let Some(address) = metrics {
@@ -79,7 +68,7 @@ pub fn serve(
         }
         // Whoever hears the address may tell it to stop.
         let stop = told_to_stop()?;
-        ready(address, first);
+        ready(address);
         connections::serve(listener, router(app), stop).await;
         Ok(())
     });

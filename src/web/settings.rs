@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use ipnet::IpNet;
 
 use momentous_exercise::calls::Limits;
-use momentous_store::Address;
 
 /// How a server is set up.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,8 +20,6 @@ pub struct Settings {
     pub is_secure: bool,
     /// The proxies before the server: for whom they ask is believed.
     pub trusted_proxies: Vec<IpNet>,
-    /// Where the data of courses are; without one there are no courses.
-    pub data: Option<Address>,
     /// A folder of problems that is followed as its files are saved.
     pub watch: Option<PathBuf>,
     /// A folder of templates in place of the built-in ones.
@@ -45,7 +42,6 @@ impl Default for Settings {
             host: None,
             is_secure: false,
             trusted_proxies: Vec::new(),
-            data: None,
             watch: None,
             templates: None,
             program: None,
@@ -58,12 +54,12 @@ impl Default for Settings {
 
 impl Settings {
     /// How readers reach the pages.
-    pub(super) const fn scheme(&self) -> &'static str {
+    pub const fn scheme(&self) -> &'static str {
         if self.is_secure { "https" } else { "http" }
     }
 
     /// The address at which this machine reaches the pages.
-    pub(super) fn local(&self) -> SocketAddr {
+    pub fn local(&self) -> SocketAddr {
         match self.bind.ip() {
             ip if !ip.is_unspecified() => self.bind,
             _ => SocketAddr::from(([127, 0, 0, 1], self.bind.port())),

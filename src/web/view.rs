@@ -5,18 +5,18 @@ use serde::Serialize;
 use momentous_exercise::calls::{Engine, Refused};
 
 use super::app::App;
-use super::courses::{Rest, Withheld};
+use super::companion::{Open, Withheld};
 
 /// The application as one reader sees it.
 pub(super) struct View<'a> {
     pub(super) app: &'a App,
-    problems: Rest<'a>,
+    problems: Open<'a>,
 }
 
 impl<'a> View<'a> {
     /// Without what is withheld from that reader.
-    pub(super) fn new(app: &'a App, withheld: &'a Withheld) -> Self {
-        Self { app, problems: Rest { problems: &app.library, withheld } }
+    pub(super) fn new(app: &'a App, withheld: &'a dyn Withheld) -> Self {
+        Self { app, problems: Open { problems: &app.library, withheld } }
     }
 
     /// The engine.

@@ -9,7 +9,7 @@ const WAITING_AT_THE_DOOR: usize = 512;
 
 /// For whom work is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Lane {
+pub enum Lane {
     /// Those who have signed in.
     SignedIn,
     /// Those who are about to: pages with which people sign in, and their passwords.
@@ -20,7 +20,7 @@ pub(super) enum Lane {
 
 /// Workers of every lane. Those who have signed in have as many as the machine has cores, and share none of them: the system divides its
 /// time evenly, whatever others ask for. These have half as many each.
-pub(super) struct Workers([Pool; 3]);
+pub struct Workers([Pool; 3]);
 
 /// Workers, and a queue of bounded length before them.
 struct Pool {
@@ -32,7 +32,7 @@ struct Pool {
 
 /// Why work was not done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub(super) enum NotDone {
+pub enum NotDone {
     /// The queue is full.
     #[error("many people are asking at this moment")]
     Busy,
@@ -42,13 +42,13 @@ pub(super) enum NotDone {
 }
 
 /// A place in the queue of a lane: what a request reads before its work is bounded, too.
-pub(super) struct Admitted<'w> {
+pub struct Admitted<'w> {
     pool: &'w Pool,
     _place: SemaphorePermit<'w>,
 }
 
 impl Workers {
-    pub(super) fn new() -> Self {
+    pub fn new() -> Self {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let half = cores.div_ceil(2);
         let waiting = [cores * WAITING_FOR_EACH, WAITING_AT_THE_DOOR, half * WAITING_FOR_EACH];
@@ -57,18 +57,18 @@ impl Workers {
     }
 
     /// Requests that wait for a worker.
-    pub(super) fn waiting(&self) -> usize {
+    pub fn waiting(&self) -> usize {
         self.0.iter().map(Pool::waiting).sum()
     }
 
     /// A place in the queue of a lane, unless it is full.
-    pub(super) fn admit(&self, lane: Lane) -> Result<Admitted<'_>, NotDone> {
+    pub fn admit(&self, lane: Lane) -> Result<Admitted<'_>, NotDone> {
         let pool = &self.0[lane as usize];
         Ok(Admitted { pool, _place: pool.admitted.try_acquire().map_err(|_| NotDone::Busy)? })
     }
 
     /// Does the work on a thread of its own as soon as a worker of the lane is free.
-    pub(super) async fn work<T: Send + 'static>(
+    pub async fn work<T: Send + 'static>(
         &self,
         lane: Lane,
         work: impl FnOnce() -> T + Send + 'static,
@@ -79,10 +79,7 @@ impl Workers {
 
 impl Admitted<'_> {
     /// Does the work on a thread of its own as soon as a worker is free.
-    pub(super) async fn work<T: Send + 'static>(
-        &self,
-        work: impl FnOnce() -> T + Send + 'static,
-    ) -> Result<T, NotDone> {
+    pub async fn work<T: Send + 'static>(&self, work: impl FnOnce() -> T + Send + 'static) -> Result<T, NotDone> {
         let _working = self.pool.working.acquire().await.map_err(|_| NotDone::Broken)?;
         tokio::task::spawn_blocking(work).await.map_err(|_| NotDone::Broken)
     }

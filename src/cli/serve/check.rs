@@ -74,7 +74,7 @@ impl Check {
         if findings.is_empty() {
             findings.push(Finding::fine(format!("{count} problems load")));
         }
-        let settings = crate::web::Settings { data: None, ..self.setup.settings() };
+        let settings = self.setup.settings();
         let faults = App::new(settings).map_or_else(|faults| vec![faults.to_string()], |app| page_faults(&app));
         let help = "mend the template in the folder of --templates, or take it away: the built-in one is used then";
         if faults.is_empty() {

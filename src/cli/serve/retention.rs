@@ -2,8 +2,8 @@
 
 use clap::Args;
 
-use crate::web::Clock;
-use crate::web::retention::Retained;
+use crate::course_pages::Clock;
+use crate::course_pages::retention::Retained;
 
 use super::super::exit::Exit;
 use super::super::failure::Failure;

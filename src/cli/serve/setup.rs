@@ -10,7 +10,10 @@ use ipnet::IpNet;
 use crate::web::Settings;
 
 use super::base_url::BaseUrl;
+#[cfg(feature = "courses")]
 use super::data::Data;
+#[cfg(not(feature = "courses"))]
+use super::without_courses::NoCourses;
 
 /// How the server is set up.
 #[derive(Args, Debug)]
@@ -25,11 +28,16 @@ pub(super) struct Setup {
     /// can be given
     #[arg(long, value_name = "ADDRESS", value_parser = proxy)]
     pub(super) trusted_proxy: Vec<IpNet>,
+    #[cfg(feature = "courses")]
     #[command(flatten)]
     pub(super) data: Data,
     /// Serve practice and simulators only, and keep nothing
+    #[cfg(feature = "courses")]
     #[arg(long)]
     pub(super) no_courses: bool,
+    #[cfg(not(feature = "courses"))]
+    #[command(flatten)]
+    pub(super) courses: NoCourses,
     /// The address on which operators read `/metrics`: one that no proxy leads to, such as 127.0.0.1:9464
     #[arg(long, value_name = "ADDRESS")]
     pub(super) metrics: Option<SocketAddr>,
@@ -50,7 +58,6 @@ impl Setup {
             host: self.base_url.host.clone(),
             is_secure: self.base_url.is_secure,
             trusted_proxies: self.trusted_proxy.clone(),
-            data: (!self.no_courses).then(|| self.data.address.clone()),
             metrics: self.metrics,
             watch: self.watch.clone(),
             templates: self.templates.clone(),

@@ -3,9 +3,9 @@
 use clap::Args;
 use clap::Subcommand;
 
+use crate::course_pages::Clock;
+use crate::course_pages::invite;
 use crate::store::StoreFault;
-use crate::web::Clock;
-use crate::web::invite;
 
 use super::super::exit::Exit;
 use super::super::failure::Failure;

@@ -1,0 +1,205 @@
+//! What one student handed in at one item, attempt by attempt.
+
+use serde::Serialize;
+
+use momentous_course::{Attempt, Item, Override, OverrideRule, Role, Sheet, StoredPart, StoredReport, is_redacted};
+use momentous_grade::Points;
+use momentous_laws::wrong;
+use momentous_store::{AssignmentWithItems, Membership};
+
+use super::super::at_close;
+use super::super::items;
+use super::super::ledger::{Has, Records};
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::visit::Visit;
+use super::class::{member, reports};
+
+#[derive(Serialize)]
+struct AnswersPage {
+    title: String,
+    assignment: String,
+    assignment_title: String,
+    item: String,
+    problem: String,
+    member: String,
+    name: String,
+    points: u32,
+    /// What the student has for it.
+    standing: Option<Has>,
+    /// When the student was given the problem: by opening it, on paper, or with points set by hand.
+    seen: Option<String>,
+    /// The text of the sheet as it was shown.
+    statement: String,
+    attempts: Vec<AttemptShown>,
+    by_hand: Vec<ByHandShown>,
+    decides: bool,
+    /// Whether points can be set: those of students.
+    is_student: bool,
+    typed: Typed,
+}
+
+#[derive(Serialize)]
+struct AttemptShown {
+    number: u32,
+    received: String,
+    late: Option<u32>,
+    counts: bool,
+    total: String,
+    out_of: u32,
+    parts: Vec<PartShown>,
+}
+
+#[derive(Serialize)]
+struct PartShown {
+    id: String,
+    typed: String,
+    is_redacted: bool,
+    read: Option<String>,
+    unread: Option<String>,
+    verdict: &'static str,
+    points: String,
+    out_of: u32,
+    mistakes: Vec<&'static str>,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct ByHandShown {
+    points: Option<String>,
+    /// Whether a regrade kept them as the least.
+    kept: bool,
+    reason: String,
+    comment: String,
+    at: String,
+}
+
+/// What was typed into the forms of the page, and what is wrong with it.
+#[derive(Default, Serialize)]
+pub(super) struct Typed {
+    pub(super) points: String,
+    pub(super) reason: String,
+    pub(super) comment: String,
+    pub(super) fault: Option<String>,
+}
+
+/// The student and the item of the address.
+pub(super) struct Place {
+    pub(super) whole: AssignmentWithItems,
+    pub(super) item: Item,
+    pub(super) student: Membership,
+    /// The sheet that counts; nothing where the student has not seen the problem.
+    pub(super) sheet: Option<Sheet>,
+}
+
+impl Place {
+    pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
+        let (whole, key) = items::of(visit, visit.key("item")?).await?;
+        let missing = || NotShown::missing("there is no such problem in this course");
+        let item = whole.items.iter().find(|own| own.key == key).cloned().ok_or_else(missing)?;
+        let student = member(visit).await?;
+        at_close::hand_in(visit, &whole, Some(student.member.key)).await?;
+        let sheet = visit.store().sheet(item.key, student.member.key, item.issue).await?;
+        Ok(Self { whole, item, student, sheet })
+    }
+
+    /// The sheet that counts. A student who has not opened the problem is given it now, as on paper: points stand on a sheet.
+    pub(super) async fn issued(&self, visit: &Visit) -> Result<Sheet, NotShown> {
+        if let Some(sheet) = &self.sheet {
+            return Ok(sheet.clone());
+        }
+        let member = &self.student.member;
+        if member.role != Role::Student {
+            return Err(NotShown::Conflict("only students of the course have points".to_owned()));
+        }
+        let whole = items::pinned_now(visit, self.whole.clone()).await?;
+        let item = whole.items.into_iter().find(|own| own.key == self.item.key).unwrap_or_else(|| self.item.clone());
+        let problem = items::problem(visit, &item).await?;
+        let (course, member, now) = (visit.course()?.clone(), member.key, visit.now);
+        let (of, issue) = (item.key, item.issue);
+        let sheet = visit.work(move |_| items::sheet(&course, member, &item, &problem, now)).await?;
+        visit.store().add_sheet(&sheet).await?;
+        // The student may have opened the problem meanwhile: the first sheet that is kept counts.
+        Ok(visit.store().sheet(of, member, issue).await?.unwrap_or(sheet))
+    }
+
+    /// The address of the page.
+    pub(super) fn address(&self, visit: &Visit) -> Result<String, NotShown> {
+        visit.in_course(&format!("/items/{}/students/{}", self.item.key, self.student.member.key))
+    }
+}
+
+/// Every attempt, with what was typed, what was read, and what was found.
+pub(crate) async fn answers(visit: &Visit) -> Result<Reply, NotShown> {
+    page(visit, &Place::of(visit).await?, Typed::default()).await
+}
+
+pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<Reply, NotShown> {
+    let Place { whole, item, student, sheet } = place;
+    let zone = visit.course()?.zone.as_str();
+    let attempts = match sheet {
+        Some(sheet) => visit.store().attempts(sheet.key).await?,
+        None => Vec::new(),
+    };
+    let reports = reports(&attempts)?;
+    let counting = reports.last().and_then(|last| last.history.counting());
+    let records = Records::of_student(visit, whole, student.member.key).await?;
+    let is_own = |own: &&Override| records.is_at(own, item.key);
+    let page = AnswersPage {
+        title: format!("{}: {}", student.person.shown(), item.problem),
+        assignment: whole.assignment.key.to_string(),
+        assignment_title: whole.assignment.title.clone(),
+        item: item.key.to_string(),
+        problem: item.problem.clone(),
+        member: student.member.key.to_string(),
+        name: student.person.shown().to_owned(),
+        points: item.points,
+        standing: records.standing(student.member.key, item.key).map(|own| Has::of(&own)),
+        seen: sheet.as_ref().map(|sheet| sheet.seen.shown(zone)),
+        statement: sheet.as_ref().map(|sheet| sheet.issued.statement.clone()).unwrap_or_default(),
+        attempts: attempts.iter().zip(&reports).map(|(own, report)| shown(own, report, counting, zone)).collect(),
+        by_hand: records.by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
+        decides: visit.place()?.member.role == Role::Instructor,
+        is_student: student.member.role == Role::Student,
+        typed,
+    };
+    visit.page("courses/grades/answers", page).await
+}
+
+fn shown(attempt: &Attempt, report: &StoredReport, counting: Option<u32>, zone: &str) -> AttemptShown {
+    AttemptShown {
+        number: attempt.number,
+        received: attempt.received.shown(zone),
+        late: report.late.as_ref().map(|late| late.days),
+        counts: counting == Some(attempt.number),
+        total: Points(report.total.clone()).to_string(),
+        out_of: report.out_of,
+        parts: report.parts.iter().map(|own| part(attempt, own)).collect(),
+    }
+}
+
+fn part(attempt: &Attempt, own: &StoredPart) -> PartShown {
+    PartShown {
+        id: own.id.clone(),
+        typed: attempt.answers.get(&own.id).cloned().unwrap_or_default(),
+        is_redacted: is_redacted(attempt, &own.id),
+        read: own.read.clone(),
+        unread: own.unread.clone(),
+        verdict: own.verdict.meaning(),
+        points: Points(own.points.clone()).to_string(),
+        out_of: own.out_of,
+        mistakes: own.mistakes.iter().filter_map(|code| Some(wrong::find(code)?.does)).collect(),
+        message: own.message.clone(),
+    }
+}
+
+fn set(own: &Override, zone: &str) -> ByHandShown {
+    let points = own.points.as_deref().and_then(|points| points.parse().ok());
+    ByHandShown {
+        points: points.map(|points| Points(points).to_string()),
+        kept: own.rule == OverrideRule::AtLeast,
+        reason: own.reason.clone(),
+        comment: own.comment.clone(),
+        at: own.at.shown(zone),
+    }
+}

@@ -1,0 +1,96 @@
+//! What the answers of a class say about the problems.
+
+use serde::Serialize;
+
+use momentous_course as course;
+use momentous_course::ClassStatistics;
+use momentous_grade::Points;
+use momentous_quantity::Rational;
+
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::visit::Visit;
+use super::class::{Class, handed_in_sheets};
+
+#[derive(Serialize)]
+struct StatisticsPage {
+    title: String,
+    assignment: String,
+    answers: u64,
+    students: usize,
+    /// The mean share of all points; nothing where nobody has any.
+    mean: Option<String>,
+    items: Vec<ItemShown>,
+    parts: Vec<PartShown>,
+}
+
+#[derive(Serialize)]
+struct ItemShown {
+    heading: String,
+    students: usize,
+    mean: String,
+    out_of: u32,
+}
+
+#[derive(Serialize)]
+struct PartShown {
+    problem: String,
+    form: String,
+    part: String,
+    answers: u64,
+    facility: String,
+    discrimination: String,
+    mistakes: Vec<Counted>,
+    wrong: Vec<Counted>,
+}
+
+#[derive(Serialize)]
+struct Counted {
+    what: String,
+    count: u64,
+}
+
+/// How easy each part was, how well it tells students apart, and which wrong answers were usual.
+pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
+    let class = Class::of(visit).await?;
+    let all = handed_in_sheets(visit, &class.whole).await?;
+    let whole = &class.whole.assignment;
+    let (title, key) = (format!("Statistics: {}", whole.title), whole.key.to_string());
+    let found = visit.work(move |_| {
+        let (accounts, book) = (class.records.accounts(), class.gradebook());
+        Ok(course::statistics(&accounts, &book, all.iter().map(|own| (&own.sheet, own.reports.as_slice()))))
+    });
+    visit.page("courses/grades/statistics", shown(title, key, found.await?)).await
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.0} %", share * 100.0)
+}
+
+fn shown(title: String, assignment: String, found: ClassStatistics) -> StatisticsPage {
+    let items = found.items.into_iter().map(|own| ItemShown {
+        heading: own.heading,
+        students: own.students,
+        mean: if own.students == 0 { "\u{2013}".to_owned() } else { Points(own.mean).to_string() },
+        out_of: own.out_of,
+    });
+    let parts = found.parts.items.into_iter().map(|own| PartShown {
+        problem: own.item.problem,
+        form: own.item.form,
+        part: own.item.part,
+        answers: own.answers,
+        facility: percent(own.facility),
+        discrimination: own.discrimination.map_or_else(|| "\u{2013}".to_owned(), |found| format!("{found:.2}")),
+        mistakes: own.mistakes.into_iter().map(|own| Counted { what: own.does.to_owned(), count: own.count }).collect(),
+        wrong: own.wrong.into_iter().map(|own| Counted { what: own.answer, count: own.count }).collect(),
+    });
+    StatisticsPage {
+        title,
+        assignment,
+        answers: found.parts.answers,
+        students: found.students,
+        mean: found.mean.map(|mean| format!("{} %", Points(mean * Rational::from(100)))),
+        items: items.collect(),
+        parts: parts.collect(),
+    }
+}

@@ -1,0 +1,84 @@
+//! What somebody gets who asked for a page.
+
+use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::response::{Html, IntoResponse, Response};
+use serde_json::Value;
+
+use super::session;
+use momentous_web::Settings;
+
+/// What somebody gets.
+pub(super) enum Reply {
+    /// A page.
+    Page(String),
+    /// A page with a status other than 200: what was typed is still there, and something is wrong with it.
+    Wrong(String),
+    /// Another address; a reload there sends nothing twice.
+    To(String),
+    /// Another address, signed in with a token or signed out.
+    Sign {
+        /// The address.
+        to: String,
+        /// The token; nothing to sign out.
+        token: Option<String>,
+    },
+    /// A file to be saved.
+    Download {
+        /// Its name.
+        name: String,
+        /// What it is.
+        kind: &'static str,
+        /// What is in it.
+        bytes: Vec<u8>,
+    },
+    /// An object for a script.
+    Json(Value),
+}
+
+impl Reply {
+    /// The same page, as one that says what is wrong.
+    pub(super) fn wrong(self) -> Self {
+        match self {
+            Self::Page(text) => Self::Wrong(text),
+            other => other,
+        }
+    }
+
+    /// As a response. No cache keeps what only one person may see.
+    pub(super) fn response(self, settings: &Settings) -> Response {
+        let mut headers = HeaderMap::new();
+        headers.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
+        match self {
+            Self::Page(text) => (headers, Html(text)).into_response(),
+            Self::Wrong(text) => (StatusCode::UNPROCESSABLE_ENTITY, headers, Html(text)).into_response(),
+            Self::To(address) => to(headers, &address),
+            Self::Sign { to: address, token } => {
+                let cookie = session::cookie(token.as_deref(), &settings.base_path, settings.is_secure);
+                headers.extend(cookie.map(|cookie| (header::SET_COOKIE, cookie)));
+                to(headers, &address)
+            }
+            Self::Download { name, kind, bytes } => {
+                headers.insert(header::CONTENT_TYPE, HeaderValue::from_static(kind));
+                let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{}\"", plain(&name)));
+                headers.extend(disposition.ok().map(|value| (header::CONTENT_DISPOSITION, value)));
+                (headers, bytes).into_response()
+            }
+            Self::Json(value) => {
+                headers.insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
+                (headers, value.to_string()).into_response()
+            }
+        }
+    }
+}
+
+fn to(mut headers: HeaderMap, address: &str) -> Response {
+    headers.extend(HeaderValue::from_str(address).ok().map(|address| (header::LOCATION, address)));
+    (StatusCode::SEE_OTHER, headers).into_response()
+}
+
+/// The name of a file with letters that every system takes.
+fn plain(name: &str) -> String {
+    name.chars()
+        .map(|letter| if letter.is_ascii_alphanumeric() || "-_.".contains(letter) { letter } else { '-' })
+        .collect()
+}

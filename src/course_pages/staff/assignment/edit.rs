@@ -1,0 +1,96 @@
+//! Writing an assignment: the fields stay as they were typed until all of them are right.
+
+use momentous_course::{FieldFault, Item};
+use momentous_store::AssignmentWithItems;
+
+use super::super::super::items;
+use super::super::super::outcome::NotShown;
+use super::super::super::reply::Reply;
+use super::super::super::visit::Visit;
+use super::catalogue::Catalogue;
+use super::draft::Draft;
+use super::editor;
+use super::read::read;
+
+/// The editor for a new assignment.
+pub(crate) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
+    editor::page(visit, Draft::empty(), &Catalogue::of(visit).await?, None).await
+}
+
+/// Makes it, or shows what its buttons change in the fields.
+pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
+    keep(visit, None).await
+}
+
+/// The editor for an assignment that is kept.
+pub(crate) async fn edit(visit: &Visit) -> Result<Reply, NotShown> {
+    let whole = current(visit).await?;
+    let draft = Draft::of(&whole, &visit.course()?.zone);
+    editor::page(visit, draft, &Catalogue::of(visit).await?, Some(&whole)).await
+}
+
+/// Keeps what became of it.
+pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
+    let whole = current(visit).await?;
+    keep(visit, Some(whole)).await
+}
+
+/// The assignment of the address; its problems are pinned from the moment when it opens.
+async fn current(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
+    items::pinned(visit, super::of(visit).await?).await
+}
+
+/// What stands over the fields where they were not kept.
+const CHANGED: &str = "this assignment has changed since you opened it\nhelp: look at it in another tab; kept again, your fields take its place";
+
+async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Reply, NotShown> {
+    let mut draft = Draft::sent(visit)?;
+    let catalogue = Catalogue::of(visit).await?;
+    if visit.fields.get("do") != Some("save") {
+        return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+    }
+    if draft.revision != revision(before.as_ref()) {
+        return changed(visit, draft, &catalogue, before).await;
+    }
+    let mut whole = match read(&draft, visit.course()?, &catalogue, before.as_ref()) {
+        Ok(whole) => whole,
+        Err((fields, rows)) => {
+            draft.say(&fields, &rows);
+            return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+        }
+    };
+    if whole.assignment.pinned.is_some() {
+        for item in whole.items.iter_mut().filter(|item| item.digest.is_none()) {
+            items::pin(visit, item).await?;
+        }
+    }
+    let what = if before.is_some() { "assignment changed" } else { "assignment made" };
+    let entry = visit.entry(what, format!("{}: {}", whole.assignment.key, summary(&whole.items)));
+    if !visit.store().save_assignment(&whole, &entry).await? {
+        return changed(visit, draft, &catalogue, Some(current(visit).await?)).await;
+    }
+    visit.courses.hidden.forget();
+    Ok(Reply::To(visit.in_course(&format!("/assignments/{}/edit?saved=yes", whole.assignment.key))?))
+}
+
+/// The editor with the fields as they were typed, beside an assignment that has changed meanwhile.
+async fn changed(
+    visit: &Visit,
+    mut draft: Draft,
+    catalogue: &Catalogue,
+    now: Option<AssignmentWithItems>,
+) -> Result<Reply, NotShown> {
+    draft.say(&[FieldFault { field: "items", message: CHANGED.to_owned() }], &[]);
+    draft.revision = revision(now.as_ref());
+    editor::page(visit, draft, catalogue, now.as_ref()).await
+}
+
+fn revision(of: Option<&AssignmentWithItems>) -> String {
+    of.map_or_else(String::new, |whole| whole.revision.to_string())
+}
+
+/// What an assignment consists of, for the trail.
+fn summary(items: &[Item]) -> String {
+    let said = |item: &Item| format!("{} {} {}", item.problem, item.form.as_deref().unwrap_or("-"), item.points);
+    items.iter().map(said).collect::<Vec<_>>().join(", ")
+}

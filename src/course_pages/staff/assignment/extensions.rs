@@ -1,0 +1,114 @@
+//! More time for one student.
+
+use serde::Serialize;
+
+use momentous_course::{Extension, ExtensionForm, FieldFault, Role};
+use momentous_store::Membership;
+
+use super::super::super::outcome::NotShown;
+use super::super::super::reply::Reply;
+use super::super::super::visit::Visit;
+use super::super::form::Form;
+
+/// The fields.
+const FIELDS: [&str; 5] = ["member", "due", "late_until", "closes", "reason"];
+
+#[derive(Serialize)]
+struct ExtensionsPage {
+    title: &'static str,
+    assignment: String,
+    key: String,
+    due: String,
+    closes: String,
+    zone: String,
+    form: Form,
+    students: Vec<Student>,
+    extensions: Vec<Listed>,
+    saved: bool,
+}
+
+#[derive(Serialize)]
+struct Student {
+    key: String,
+    name: String,
+}
+
+#[derive(Serialize)]
+struct Listed {
+    name: String,
+    due: String,
+    late_until: String,
+    closes: String,
+    reason: String,
+}
+
+/// The extensions of an assignment, and a form for another.
+pub(crate) async fn extensions(visit: &Visit) -> Result<Reply, NotShown> {
+    with(visit, Form::new(FIELDS.map(|name| (name, String::new())))).await
+}
+
+async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
+    let assignment = super::of(visit).await?.assignment;
+    let course = visit.course()?;
+    let members = visit.store().members(course.key).await?;
+    let name = |own: &Membership| format!("{} ({})", own.person.shown(), own.person.login);
+    let extensions = visit.store().extensions(assignment.key).await?.into_iter().map(|own| Listed {
+        name: members.iter().find(|other| other.member.key == own.member).map(name).unwrap_or_default(),
+        due: own.due.shown(&course.zone),
+        late_until: own.late_until.map(|until| until.shown(&course.zone)).unwrap_or_default(),
+        closes: own.closes.shown(&course.zone),
+        reason: own.reason,
+    });
+    let extensions = extensions.collect();
+    let students = members.iter().filter(|own| is_student(own));
+    let mut students: Vec<Student> =
+        students.map(|own| Student { key: own.member.key.to_string(), name: name(own) }).collect();
+    students.sort_by(|one, other| one.name.cmp(&other.name));
+    let is_wrong = form.is_wrong();
+    let page = ExtensionsPage {
+        title: "More time",
+        assignment: assignment.title,
+        key: assignment.key.to_string(),
+        due: assignment.policy.due.shown(&course.zone),
+        closes: assignment.policy.closes.shown(&course.zone),
+        zone: course.zone.clone(),
+        form,
+        students,
+        extensions,
+        saved: !is_wrong && visit.fields.get("saved").is_some(),
+    };
+    let page = visit.page("courses/staff/extensions", page).await?;
+    Ok(if is_wrong { page.wrong() } else { page })
+}
+
+fn is_student(own: &Membership) -> bool {
+    own.member.role == Role::Student && own.member.left.is_none()
+}
+
+/// Gives a student more time; a second extension takes the place of the first.
+pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
+    let assignment = super::of(visit).await?.assignment;
+    let course = visit.course()?;
+    let form = Form::sent(visit, &FIELDS);
+    let members = visit.store().members(course.key).await?;
+    let chosen = members.iter().find(|own| is_student(own) && own.member.key.to_string() == form.value("member"));
+    let Some(own) = chosen else {
+        let fault = FieldFault { field: "member", message: "choose a student of the list".to_owned() };
+        return with(visit, form.with(&[fault])).await;
+    };
+    let typed = |name: &str| form.value(name).to_owned();
+    let fields = ExtensionForm {
+        due: typed("due"),
+        late_until: typed("late_until"),
+        closes: typed("closes"),
+        reason: typed("reason"),
+    };
+    match Extension::read(&fields, &assignment, own.member.key, &course.zone) {
+        Err(faults) => with(visit, form.with(&faults)).await,
+        Ok(extension) => {
+            let detail = format!("{} until {}, closes {}", own.member.key, extension.due, extension.closes);
+            visit.store().extend(&extension, &visit.entry("more time given", detail)).await?;
+            Ok(Reply::To(visit.in_course(&format!("/assignments/{}/extensions?saved=yes", assignment.key))?))
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Every problem of a course, in all its versions.
+
+use serde::Serialize;
+
+use super::super::super::outcome::NotShown;
+use super::super::super::reply::Reply;
+use super::super::super::visit::Visit;
+
+#[derive(Serialize)]
+struct ListPage {
+    title: &'static str,
+    files: Vec<Listed>,
+}
+
+#[derive(Serialize)]
+struct Listed {
+    problem: String,
+    digest: String,
+    saved: String,
+    published: Option<String>,
+}
+
+/// The problems of the course, the latest version of each first.
+pub(crate) async fn list(visit: &Visit) -> Result<Reply, NotShown> {
+    let course = visit.course()?;
+    let mut files = visit.store().problem_files(course.key).await?;
+    files.sort_by(|one, other| (&one.problem, other.saved).cmp(&(&other.problem, one.saved)));
+    let listed = files.into_iter().map(|file| Listed {
+        problem: file.problem,
+        digest: file.digest,
+        saved: file.saved.shown(&course.zone),
+        published: file.published.map(|at| at.shown(&course.zone)),
+    });
+    visit.page("courses/staff/problems", ListPage { title: "Problems of the course", files: listed.collect() }).await
+}

@@ -1,0 +1,24 @@
+//! The problems of a course: written, looked at, checked and published in the browser.
+
+mod check;
+mod list;
+mod page;
+mod trial;
+mod write;
+
+pub(crate) use list::list;
+pub(crate) use page::{check, publish, show};
+pub(crate) use write::{new, save};
+
+use momentous_course::ProblemFile;
+
+use super::super::outcome::NotShown;
+use super::super::visit::Visit;
+
+/// The problem file of the address, where it is one of the course's own.
+async fn of(visit: &Visit) -> Result<ProblemFile, NotShown> {
+    let course = visit.course()?.key;
+    let found = visit.store().problem_file(course, visit.part("digest")).await?;
+    let own = found.filter(|file| file.course == Some(course));
+    own.ok_or_else(|| NotShown::missing("this course has no such problem"))
+}

@@ -1,0 +1,199 @@
+//! The roster of a course: what a table would change, and who takes part.
+
+use serde::Serialize;
+
+use momentous_course::{Course, Role, RosterChange, RosterRow, roster_changes, roster_records};
+use momentous_store::Membership;
+
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::session;
+use super::super::visit::Visit;
+use super::class::Class;
+use super::form::{Form, sentences};
+use super::person_form;
+
+/// The fields of the form that adds staff.
+pub(super) const STAFF_FIELDS: [&str; 3] = ["login", "name", "role"];
+
+#[derive(Serialize)]
+struct RosterPage {
+    title: &'static str,
+    members: Vec<Listed>,
+    /// How many students there are.
+    students: usize,
+    /// How many of them can be given links.
+    unlinked: usize,
+    /// Whether links lead to this machine only.
+    only_here: bool,
+    /// The table that was sent.
+    text: String,
+    /// What is wrong with it.
+    faults: Vec<String>,
+    /// The form that adds staff.
+    staff: Form,
+    done: bool,
+}
+
+#[derive(Serialize)]
+struct Listed {
+    key: String,
+    login: String,
+    name: String,
+    section: String,
+    role: &'static str,
+    is_staff: bool,
+    left: bool,
+    has_password: bool,
+    /// Why no link can be made here; nothing where one can.
+    no_link: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+struct PreviewPage {
+    title: &'static str,
+    changes: Vec<Shown>,
+    text: String,
+    shown: String,
+}
+
+/// A change as a row of a table.
+#[derive(Debug, PartialEq, Eq, Serialize)]
+struct Shown {
+    kind: &'static str,
+    login: String,
+    name: String,
+    from: String,
+    to: String,
+}
+
+/// Who takes part, and the forms that change it.
+pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+    let empty = no_staff();
+    with(visit, &Class::of(visit).await?, (String::new(), Vec::new()), empty).await
+}
+
+/// The empty form that adds staff.
+fn no_staff() -> Form {
+    Form::new(STAFF_FIELDS.map(|name| (name, String::new())))
+}
+
+pub(super) async fn with(
+    visit: &Visit,
+    class: &Class,
+    (text, faults): (String, Vec<String>),
+    staff: Form,
+) -> Result<Reply, NotShown> {
+    let listed = |own: &Membership| Listed {
+        key: own.member.key.to_string(),
+        login: own.person.login.clone(),
+        name: own.person.shown().to_owned(),
+        section: own.member.section.clone(),
+        role: own.member.role.name(),
+        is_staff: own.member.role.is_staff(),
+        left: own.member.left.is_some(),
+        has_password: class.has_password(own),
+        no_link: class.may_link(own).err(),
+    };
+    let members: Vec<Listed> = class.members.iter().map(listed).collect();
+    let is_wrong = !faults.is_empty() || staff.is_wrong();
+    let page = RosterPage {
+        title: "Roster",
+        students: members.iter().filter(|own| !own.is_staff && !own.left).count(),
+        unlinked: class.unlinked().count(),
+        only_here: visit.leads_here_only(),
+        members,
+        text,
+        faults,
+        staff,
+        done: !is_wrong && visit.fields.get("done").is_some(),
+    };
+    let page = visit.page("courses/staff/roster", page).await?;
+    Ok(if is_wrong { page.wrong() } else { page })
+}
+
+impl Class {
+    /// Those who have no password and can be given a link here.
+    pub(super) fn unlinked(&self) -> impl Iterator<Item = &Membership> {
+        self.members.iter().filter(|own| !self.has_password(own) && self.may_link(own).is_ok())
+    }
+
+    /// What a table would change.
+    fn changes(&self, text: &str) -> Result<Vec<RosterChange>, Vec<String>> {
+        let said = |message: String| sentences(&message);
+        let mut rows = RosterRow::all(text).map_err(|faults| faults.into_iter().map(said).collect::<Vec<_>>())?;
+        // A name is the same in all courses: the roster of one renames nobody who is known in another.
+        for row in rows.iter_mut().filter(|row| self.is_known_elsewhere(&row.login)) {
+            row.name.clear();
+        }
+        roster_changes(&rows, &self.pairs()).map_err(|staff| {
+            let of =
+                |login: String| format!("`{login}` teaches this course. Leave the row out; staff are changed below.");
+            staff.into_iter().map(of).collect()
+        })
+    }
+
+    fn shown(&self, change: &RosterChange) -> Shown {
+        let login = |key| self.member(key).map(|own| own.person.login.clone()).unwrap_or_default();
+        let name = |key| self.member(key).map(|own| own.person.shown().to_owned()).unwrap_or_default();
+        let (kind, login, name, from, to) = match change.clone() {
+            RosterChange::New { row } => ("new", row.login, row.name, String::new(), row.section),
+            RosterChange::Back { row, .. } => ("back", row.login, row.name, String::new(), row.section),
+            RosterChange::Renamed { member, from, to } => ("renamed", login(member), to.clone(), from, to),
+            RosterChange::Moved { member, from, to } => ("moved", login(member), name(member), from, to),
+            RosterChange::Gone { member, name } => ("gone", login(member), name, String::new(), String::new()),
+        };
+        Shown { kind, login, name, from, to }
+    }
+}
+
+/// What stands for a table and the changes that it makes: where either differs from what was shown, so does this.
+fn seal(text: &str, changes: &[RosterChange]) -> String {
+    let changes = format!("{changes:?}");
+    session::hash(&format!("{}\0{changes}\0{text}", changes.len()))
+}
+
+/// Browsers send the ends of lines in their own way.
+fn table(visit: &Visit) -> String {
+    visit.fields.text("table").replace("\r\n", "\n")
+}
+
+/// What a table would change. Nothing is changed yet.
+pub(crate) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
+    let (class, text) = (Class::of(visit).await?, table(visit));
+    match class.changes(&text) {
+        Err(faults) => with(visit, &class, (text, faults), no_staff()).await,
+        Ok(changes) => {
+            let shown = seal(&text, &changes);
+            let changes = changes.iter().map(|change| class.shown(change)).collect();
+            visit.page("courses/staff/preview", PreviewPage { title: "Roster", changes, text, shown }).await
+        }
+    }
+}
+
+/// Makes the changes that were shown, and no others.
+pub(crate) async fn apply(visit: &Visit) -> Result<Reply, NotShown> {
+    let (class, text) = (Class::of(visit).await?, table(visit));
+    let changes = match class.changes(&text) {
+        Ok(changes) => changes,
+        Err(faults) => return with(visit, &class, (text, faults), no_staff()).await,
+    };
+    if visit.fields.get("shown") != Some(seal(&text, &changes).as_str()) {
+        let message = "the roster is no longer as it was when these changes were shown";
+        return Err(NotShown::Conflict(message.to_owned()));
+    }
+    let Course { key, .. } = *visit.course()?;
+    let others = visit.store().people().await?;
+    let mut random = session::random;
+    let records = roster_records(&changes, (key, &class.pairs()), &others, visit.now, &mut random);
+    let count = |kind: &str| changes.iter().filter(|change| class.shown(change).kind == kind).count();
+    let detail = ["new", "back", "renamed", "moved", "gone"].map(|kind| format!("{} {kind}", count(kind))).join(", ");
+    let entry = visit.entry("roster changed", detail);
+    person_form::unless_taken(visit.store().save_members(&records.people, &records.members, &entry).await)?;
+    Ok(Reply::To(visit.in_course("/roster?done=yes")?))
+}
+
+/// The roles of staff.
+pub(super) fn staff_role(name: &str) -> Option<Role> {
+    Role::named(name).filter(|role| role.is_staff())
+}

@@ -1,0 +1,44 @@
+//! What the pages of courses share.
+
+use std::sync::Arc;
+
+use momentous_store::Store;
+
+use super::clock::Clock;
+use super::hidden::Hidden;
+use super::library::CourseLibrary;
+use super::limits::Limits;
+use super::processes::Processes;
+
+/// What the pages of courses share: the records, the time, and the problems as their sheets were drawn.
+pub struct Courses {
+    pub(super) store: Store,
+    pub(super) clock: Clock,
+    pub(super) limits: Limits,
+    pub(super) library: CourseLibrary,
+    /// Who has a teacher's file read or checked in a process of its own.
+    pub(super) processes: Arc<Processes>,
+    /// The kinds of problems that are not solved at the moment.
+    pub(super) hidden: Hidden,
+}
+
+impl Courses {
+    /// Courses whose records are kept here.
+    #[must_use]
+    pub fn new(store: Store, clock: Clock) -> Self {
+        Self {
+            store,
+            clock,
+            limits: Limits::new(),
+            library: CourseLibrary::default(),
+            processes: Processes::new(),
+            hidden: Hidden::default(),
+        }
+    }
+
+    /// The records.
+    #[must_use]
+    pub fn store(&self) -> &Store {
+        &self.store
+    }
+}

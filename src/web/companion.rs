@@ -1,0 +1,121 @@
+//! What is served beside the pages of problems and may withhold some of them: the courses, which know these pages while these pages
+//! know nothing of courses.
+
+use std::fmt;
+use std::pin::Pin;
+use std::sync::Arc;
+
+use axum::Router;
+use axum::http::HeaderMap;
+
+use momentous_exercise::calls::{Problems, Refused};
+use momentous_problem::Problem;
+
+use super::app::{App, SharedApp};
+use super::workers::Lane;
+
+/// A result that is waited for.
+pub type Awaited<'a, T> = Pin<Box<dyn Future<Output = T> + Send + 'a>>;
+
+/// What is served beside the pages of problems.
+pub trait Companion: Send + Sync {
+    /// Adds its addresses to those of the pages.
+    fn add_routes(self: Arc<Self>, router: Router<SharedApp>) -> Router<SharedApp>;
+
+    /// The person who asks, by what a browser sends along.
+    fn visitor<'a>(
+        &'a self,
+        app: &'a App,
+        headers: &'a HeaderMap,
+    ) -> Awaited<'a, Result<Box<dyn Visitor + 'a>, Unreachable>>;
+
+    /// Somebody who is not known.
+    fn stranger<'a>(&'a self, app: &'a App) -> Box<dyn Visitor + 'a>;
+
+    /// The simulators that no page leads to at the moment, by their names in addresses.
+    fn hidden_simulators(&self) -> Vec<&'static str>;
+
+    /// Whether it keeps what it is given; a line for whoever watches the server where it does not.
+    fn health(&self) -> Awaited<'_, Result<(), &'static str>>;
+
+    /// What has been read and kept since the start.
+    fn counts(&self) -> Counts;
+}
+
+/// How often something was read from the records, and how many attempts were kept.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Reads of the records.
+    pub reads: u64,
+    /// Attempts that were kept.
+    pub attempts: u64,
+}
+
+/// A person who asks for a page.
+pub trait Visitor: Send + Sync {
+    /// The queue in which the person waits.
+    fn lane(&self) -> Lane;
+
+    /// What is withheld from the person on the pages of problems.
+    fn withheld<'a>(&'a self) -> Awaited<'a, Result<Box<dyn Withheld>, Unreachable>>;
+
+    /// What is withheld on the pages of simulators, which are shown whether or not the records can be reached.
+    fn withheld_in_simulators<'a>(&'a self) -> Awaited<'a, Box<dyn Withheld>>;
+}
+
+/// What is shown and solved nowhere at the moment.
+pub trait Withheld: Send + Sync {
+    /// Refuses a problem that is withheld, by its id.
+    ///
+    /// # Errors
+    /// The problem is withheld: why, and until when.
+    fn check(&self, problem: &str) -> Result<(), Refused>;
+
+    /// Refuses to solve a problem with numbers of whoever asks.
+    ///
+    /// # Errors
+    /// Problems of this kind are not solved: why, and until when.
+    fn check_own_numbers(&self, problem: &Problem) -> Result<(), Refused>;
+}
+
+/// Nothing is withheld: there are no courses.
+pub(super) struct Nothing;
+
+impl Withheld for Nothing {
+    fn check(&self, _: &str) -> Result<(), Refused> {
+        Ok(())
+    }
+
+    fn check_own_numbers(&self, _: &Problem) -> Result<(), Refused> {
+        Ok(())
+    }
+}
+
+/// The records that say what is withheld cannot be reached: the reason for the log.
+#[derive(Debug)]
+pub struct Unreachable(pub String);
+
+impl fmt::Display for Unreachable {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.0)
+    }
+}
+
+/// The problems without those that are withheld.
+pub(super) struct Open<'a> {
+    /// All problems.
+    pub(super) problems: &'a dyn Problems,
+    /// Those that are withheld.
+    pub(super) withheld: &'a dyn Withheld,
+}
+
+impl Problems for Open<'_> {
+    fn problem(&self, id: &str) -> Result<Arc<Problem>, Refused> {
+        self.withheld.check(id)?;
+        self.problems.problem(id)
+    }
+
+    fn own_numbers(&self, problem: &Problem) -> Result<(), Refused> {
+        self.withheld.check_own_numbers(problem)
+    }
+}
