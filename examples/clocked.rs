@@ -12,13 +12,13 @@ use std::sync::atomic::Ordering::SeqCst;
 use std::thread::spawn;
 
 use momentous::course::Moment;
+use momentous::course_pages::{Clock, serve};
 use momentous::store::Address;
-use momentous::web::{Clock, Settings, serve};
+use momentous::web::Settings;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let settings = Settings {
         bind: ([127, 0, 0, 1], 0).into(),
-        data: Some(Address::Folder("momentous-data".into())),
         program: env::args_os().nth(1).map(PathBuf::from),
         ..Settings::default()
     };
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let now = Arc::new(AtomicI64::new(first));
     let read = Arc::clone(&now);
     let clock = Clock::new(move || Moment::from_millis(read.load(SeqCst)));
-    serve(settings, clock, |address, link| {
+    serve(settings, &Address::Folder("momentous-data".into()), clock, |address, link| {
         println!("http://{address}{}", link.unwrap_or_default());
         spawn(move || {
             while let Some(moment) = told() {

@@ -91,7 +91,7 @@ async function paste(page, table) {
 }
 
 test("every page in the table of routes is looked at", () => {
-  const routes = readFileSync(new URL("../../src/web/courses/table.rs", import.meta.url), "utf8");
+  const routes = readFileSync(new URL("../../src/course_pages/table.rs", import.meta.url), "utf8");
   const shown = [...routes.matchAll(/^ +Shows +"([^"]+)"/gm)].map(([, address]) => String(address));
   assert.ok(shown.length > 25, "the table was read");
   const pages = shown.filter((address) => !FILES.some((end) => address.endsWith(end)));

@@ -18,5 +18,7 @@ mod readme;
 mod room;
 mod trust;
 mod trusted_tables;
+#[cfg(all(feature = "serve", not(feature = "courses")))]
+mod without_courses;
 #[path = "../support/works.rs"]
 mod works;

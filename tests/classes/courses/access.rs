@@ -1,7 +1,7 @@
 //! Nobody sees or does what is not theirs: every address, as everybody.
 
 use momentous::course::{Course, Member, Role};
-use momentous::web::{Who, addresses};
+use momentous::course_pages::{Who, addresses};
 
 use super::university::{DAY, RELEASED, University};
 

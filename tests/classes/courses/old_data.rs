@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use momentous::course::{Extension, Key, Moment, Override, OverrideRule};
+use momentous::store::sqlx::{AnyConnection, Connection, Executor};
 use momentous::store::{Address, Inspection, Store};
 use momentous::web::Settings;
-use sqlx::{AnyConnection, Connection, Executor};
 
 use super::student::{form, right};
 use super::university::{BEGIN, DAY, University};

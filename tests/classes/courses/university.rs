@@ -10,10 +10,11 @@ use momentous::course::{
     Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
     Unsubmitted,
 };
+use momentous::course_pages::{Clock, Courses, invite};
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
 use momentous::store::{Address, AssignmentWithItems, Entry, Reach, Store, Ticket, TicketKind};
-use momentous::web::{App, Clock, Courses, Settings, invite, router};
+use momentous::web::{App, Settings, router};
 use tempfile::TempDir;
 use tokio::runtime::{Builder, Runtime};
 use tower::ServiceExt;
@@ -75,7 +76,7 @@ impl University {
         let store = runtime.block_on(Store::serve(&Address::Folder(folder.path().join("data")))).unwrap();
         let clock_of_server = Clock::new(move || Moment::from_millis(read.load(Ordering::SeqCst)));
         let courses = Courses::new(store.clone(), clock_of_server);
-        let app = App::new(settings).unwrap().with_courses(courses);
+        let app = App::new(settings).unwrap().with_companion(Arc::new(courses));
         let [course, other] = [("Mechanics <1>", 1), ("Mechanics 2", 2)].map(|(title, number)| Course {
             key: Key::new([number; 16]),
             title: title.to_owned(),

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use sqlx::{AnyConnection, Connection, Executor};
+use momentous::store::sqlx;
+use momentous::store::sqlx::{AnyConnection, Connection, Executor};
 
 use super::server::{Server, folder, run};
 

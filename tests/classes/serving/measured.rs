@@ -7,10 +7,11 @@ use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::http::Request;
 use momentous::course::Moment;
+use momentous::course_pages::{Clock, Courses};
+use momentous::store::sqlx::{AnyConnection, Connection, Executor};
 use momentous::store::{Address, Store};
-use momentous::web::{App, Clock, Courses, Settings, metrics_router, router};
+use momentous::web::{App, Settings, metrics_router, router};
 use serde_json::Value;
-use sqlx::{AnyConnection, Connection, Executor};
 use tower::ServiceExt;
 
 use super::server::{Server, folder};
@@ -38,7 +39,7 @@ fn requests_are_counted_by_the_class_of_their_status() {
     block_on(async {
         let store = Store::serve(&Address::Folder(room.path().join("data"))).await.unwrap();
         let courses = Courses::new(store.clone(), Clock::default());
-        let app = Arc::new(App::new(Settings::default()).unwrap().with_courses(courses));
+        let app = Arc::new(App::new(Settings::default()).unwrap().with_companion(Arc::new(courses)));
         let (pages, metrics) = (router(Arc::clone(&app)), metrics_router(app));
         for (path, status) in
             [("/simulators/collision", 200), ("/no/such/page", 404), ("/courses", 303), ("/health", 200)]
@@ -73,7 +74,9 @@ fn the_health_of_the_database_is_told() {
     let data = room.path().join("data");
     block_on(async {
         let store = Store::serve(&Address::Folder(data.clone())).await.unwrap();
-        let app = App::new(Settings::default()).unwrap().with_courses(Courses::new(store.clone(), Clock::default()));
+        let app = App::new(Settings::default())
+            .unwrap()
+            .with_companion(Arc::new(Courses::new(store.clone(), Clock::default())));
         let pages = router(Arc::new(app));
         // Nothing new is taken, and that is said before anybody hands in.
         let url = format!("sqlite://{}", data.join("momentous.sqlite").display());

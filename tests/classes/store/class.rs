@@ -6,10 +6,10 @@ use momentous::course::{
     Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
     Unsubmitted,
 };
+use momentous::course_pages::{Clock, invite};
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
 use momentous::store::{AssignmentWithItems, Entry, Store};
-use momentous::web::{Clock, invite};
 
 use super::client::Client;
 

@@ -2,8 +2,9 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use momentous::store::sqlx;
+use momentous::store::sqlx::{AnyConnection, Connection, Executor};
 use momentous::store::{Address, Store};
-use sqlx::{AnyConnection, Connection, Executor};
 
 /// A database of a test's own.
 pub enum Database {

@@ -8,8 +8,9 @@ use std::sync::mpsc::channel;
 use std::thread;
 
 use momentous::course::Moment;
+use momentous::course_pages::{Clock, serve};
 use momentous::store::Address;
-use momentous::web::{Clock, Settings, serve};
+use momentous::web::Settings;
 
 use super::class::Class;
 use super::client::Client;
@@ -17,12 +18,12 @@ use super::database::on_both;
 
 /// A server in this process, with a clock that the test sets: its address.
 fn started(data: Address, clock: &Arc<AtomicI64>) -> String {
-    let settings = Settings { bind: ([127, 0, 0, 1], 0).into(), data: Some(data), ..Settings::default() };
+    let settings = Settings { bind: ([127, 0, 0, 1], 0).into(), ..Settings::default() };
     let read = Arc::clone(clock);
     let clock = Clock::new(move || Moment::from_millis(read.load(Ordering::SeqCst)));
     let (tell, told) = channel();
     // It serves until the tests end.
-    thread::spawn(move || serve(settings, clock, |address, _| tell.send(address.to_string()).unwrap()));
+    thread::spawn(move || serve(settings, &data, clock, |address, _| tell.send(address.to_string()).unwrap()));
     told.recv().unwrap()
 }
 

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use momentous::course::{Correction, CorrectionChoice, Draft, Key, Moment};
+use momentous::store::sqlx;
+use momentous::store::sqlx::{AnyConnection, Executor, Row};
 use momentous::store::{AssignmentWithItems, HandIn, HandedIn, Inspection, Regrade};
-use sqlx::{AnyConnection, Executor, Row};
 use tokio::task::JoinHandle;
 
 use super::NOW;

@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use momentous::store::Address;
-use sqlx::any::AnyRow;
-use sqlx::{AnyConnection, AssertSqlSafe, Column, Connection, Executor, Row};
+use momentous::store::sqlx;
+use momentous::store::sqlx::any::AnyRow;
+use momentous::store::sqlx::{AnyConnection, AssertSqlSafe, Column, Connection, Executor, Row};
 
 use super::super::database::Database;
 use super::writes::{Tried, WRITES};

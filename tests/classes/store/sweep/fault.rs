@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
+use momentous::store::sqlx;
+use momentous::store::sqlx::{AnyConnection, AssertSqlSafe, Connection, Executor, Row};
 use momentous::store::{Address, Store};
-use sqlx::{AnyConnection, AssertSqlSafe, Connection, Executor, Row};
 
 use super::super::database::Database;
 use super::base::tables;
