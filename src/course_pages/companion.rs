@@ -24,7 +24,8 @@ impl Companion for Courses {
         headers: &'a HeaderMap,
     ) -> Awaited<'a, Result<Box<dyn momentous_web::Visitor + 'a>, Unreachable>> {
         Box::pin(async move {
-            let visitor = Visitor::at(&self.store, headers, self.clock.now()).await.map_err(unreachable)?;
+            let visitor =
+                Visitor::at(&self.store, headers, self.clock.now()).await.map_err(|fault| unreachable(&fault))?;
             let reader: Box<dyn momentous_web::Visitor + 'a> = Box::new(Reader { courses: self, app, visitor });
             Ok(reader)
         })
@@ -64,15 +65,17 @@ impl momentous_web::Visitor for Reader<'_> {
         if self.visitor.is_some() { Lane::SignedIn } else { Lane::Anyone }
     }
 
-    fn withheld<'a>(&'a self) -> Awaited<'a, Result<Box<dyn momentous_web::Withheld>, Unreachable>> {
+    fn withheld(&self) -> Awaited<'_, Result<Box<dyn momentous_web::Withheld>, Unreachable>> {
         Box::pin(async {
-            let withheld = Withheld::from(self.courses, self.app, self.visitor.as_ref()).await.map_err(unreachable)?;
+            let withheld = Withheld::from(self.courses, self.app, self.visitor.as_ref())
+                .await
+                .map_err(|fault| unreachable(&fault))?;
             let withheld: Box<dyn momentous_web::Withheld> = Box::new(withheld);
             Ok(withheld)
         })
     }
 
-    fn withheld_in_simulators<'a>(&'a self) -> Awaited<'a, Box<dyn momentous_web::Withheld>> {
+    fn withheld_in_simulators(&self) -> Awaited<'_, Box<dyn momentous_web::Withheld>> {
         Box::pin(async {
             let withheld = Withheld::of_simulators(self.courses, self.app, self.visitor.as_ref()).await;
             let withheld: Box<dyn momentous_web::Withheld> = Box::new(withheld);
@@ -81,6 +84,6 @@ impl momentous_web::Visitor for Reader<'_> {
     }
 }
 
-fn unreachable(fault: StoreFault) -> Unreachable {
+fn unreachable(fault: &StoreFault) -> Unreachable {
     Unreachable(fault.to_string())
 }

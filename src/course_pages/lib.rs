@@ -1,4 +1,4 @@
-//! The pages of courses: who may see which is said in one table, and each page is one function of a [`Visit`](visit::Visit).
+//! The pages of courses: who may see which is said in one table, and each page is one function of a `Visit`.
 
 mod account;
 mod around;

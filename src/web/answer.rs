@@ -99,7 +99,7 @@ fn filled(
 }
 
 /// The page of a refusal, to see whether its template can be filled.
-pub fn tried(app: &App) -> Result<String, Refused> {
+pub(super) fn tried(app: &App) -> Result<String, Refused> {
     let refused =
         Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem");
     filled(app, (StatusCode::NOT_FOUND, "Not found"), &refused, None)
@@ -116,6 +116,7 @@ const fn status(reason: NotDone) -> StatusCode {
 }
 
 /// The same of a call.
+#[must_use]
 pub fn no_call(reason: NotDone) -> Response {
     (status(reason), SOON, format!("{reason}\n")).into_response()
 }

@@ -94,11 +94,17 @@ impl App {
     }
 
     /// A page through the template of that name.
+    ///
+    /// # Errors
+    /// The template is at fault.
     pub fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
         self.filled(None::<&()>, name, page)
     }
 
     /// A page of a course.
+    ///
+    /// # Errors
+    /// The template is at fault.
     pub fn page_for(&self, who: &impl Serialize, name: &str, page: &impl Serialize) -> Result<String, Refused> {
         self.filled(Some(who), name, page)
     }

@@ -57,10 +57,10 @@ pub trait Visitor: Send + Sync {
     fn lane(&self) -> Lane;
 
     /// What is withheld from the person on the pages of problems.
-    fn withheld<'a>(&'a self) -> Awaited<'a, Result<Box<dyn Withheld>, Unreachable>>;
+    fn withheld(&self) -> Awaited<'_, Result<Box<dyn Withheld>, Unreachable>>;
 
     /// What is withheld on the pages of simulators, which are shown whether or not the records can be reached.
-    fn withheld_in_simulators<'a>(&'a self) -> Awaited<'a, Box<dyn Withheld>>;
+    fn withheld_in_simulators(&self) -> Awaited<'_, Box<dyn Withheld>>;
 }
 
 /// What is shown and solved nowhere at the moment.

@@ -39,7 +39,7 @@ struct Shelf {
 
 impl Library {
     /// The bank of the current folder, or of the folder that is watched.
-    pub fn open(watched: Option<&Path>) -> Result<Self, Faults> {
+    pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
         let stamp = watched.map_or(0, stamp);
         let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), cards: None };
         Ok(Self {
@@ -61,6 +61,9 @@ impl Library {
     }
 
     /// The cards of all problems that load, in the order of their identities.
+    ///
+    /// # Errors
+    /// The folder cannot be read.
     pub fn cards(&self) -> Result<Arc<Vec<Card>>, Refused> {
         let bank = {
             let shelf = self.shelf()?;
@@ -76,6 +79,9 @@ impl Library {
     }
 
     /// The file of a problem of the bank.
+    ///
+    /// # Errors
+    /// There is no such problem, or the folder cannot be read.
     pub fn source(&self, id: &str) -> Result<Source, Refused> {
         let shelf = self.shelf()?;
         // The scenes of the simulators are there whatever bank is shown.

@@ -11,32 +11,40 @@ pub struct Parameters(Vec<(String, String)>);
 
 impl Parameters {
     /// The fields, where there are not too many.
+    ///
+    /// # Errors
+    /// There are more than the limits allow.
     pub fn new(fields: Vec<(String, String)>, limits: &Limits) -> Result<Self, Refused> {
         within(fields.len(), limits.fields, "fields are read")?;
         Ok(Self(fields))
     }
 
     /// The fields as they are, to be shown again.
+    #[must_use]
     pub const fn all_of(fields: Vec<(String, String)>) -> Self {
         Self(fields)
     }
 
     /// Every field.
+    #[must_use]
     pub fn pairs(&self) -> &[(String, String)] {
         &self.0
     }
 
     /// The value of a name; nothing where it is empty.
+    #[must_use]
     pub fn get(&self, name: &str) -> Option<&str> {
         self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
     }
 
     /// What stands in a field; an empty text where it is not there.
+    #[must_use]
     pub fn text(&self, name: &str) -> &str {
         self.get(name).unwrap_or_default()
     }
 
     /// Whether a name is there, but without a value.
+    #[must_use]
     pub fn is_empty(&self, name: &str) -> bool {
         self.0.iter().find(|(own, _)| own == name).is_some_and(|(_, value)| value.trim().is_empty())
     }
@@ -47,6 +55,9 @@ impl Parameters {
     }
 
     /// A whole number, where there is one.
+    ///
+    /// # Errors
+    /// The field holds anything else.
     pub fn number(&self, name: &str) -> Result<Option<u64>, Refused> {
         let Some(text) = self.get(name) else { return Ok(None) };
         let wrong = |_| {
@@ -57,11 +68,15 @@ impl Parameters {
     }
 
     /// A small whole number, 0 where there is none.
+    ///
+    /// # Errors
+    /// The field holds anything else.
     pub fn count(&self, name: &str) -> Result<usize, Refused> {
         Ok(usize::try_from(self.number(name)?.unwrap_or(0)).unwrap_or(usize::MAX))
     }
 
     /// What stands behind a prefix: `set.m_A` as `m_A`. Empty values are left out.
+    #[must_use]
     pub fn behind(&self, prefix: &str) -> BTreeMap<String, String> {
         let own = |(name, value): &(String, String)| {
             let name = name.strip_prefix(prefix)?;
@@ -72,7 +87,7 @@ impl Parameters {
 
     /// The variant of a problem that the fields name: `form`, `seed`, values of the reader's own as `set.m_A`, and in `find` names
     /// between spaces or commas.
-    pub fn variant(&self, problem: String) -> Result<VariantRequest, Refused> {
+    pub(super) fn variant(&self, problem: String) -> Result<VariantRequest, Refused> {
         let names = self.text("find").split([' ', ',']).filter(|name| !name.is_empty());
         let find = names.map(str::to_owned).collect();
         let form = self.get("form").map(str::to_owned);
@@ -80,6 +95,7 @@ impl Parameters {
     }
 
     /// The decimal mark that the reader writes.
+    #[must_use]
     pub fn decimal(&self) -> DecimalMark {
         match self.get("decimal") {
             Some("point") => DecimalMark::Point,

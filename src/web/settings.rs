@@ -54,11 +54,13 @@ impl Default for Settings {
 
 impl Settings {
     /// How readers reach the pages.
+    #[must_use]
     pub const fn scheme(&self) -> &'static str {
         if self.is_secure { "https" } else { "http" }
     }
 
     /// The address at which this machine reaches the pages.
+    #[must_use]
     pub fn local(&self) -> SocketAddr {
         match self.bind.ip() {
             ip if !ip.is_unspecified() => self.bind,
