@@ -58,7 +58,12 @@ impl Builder<'_> {
         let meaning = "the coefficient of kinetic friction";
         let kinetic = self.read_positive(&friction.kinetic, Dimension::NONE, meaning, &path.key("kinetic"));
         let contact = self.contact(pushed, kinetic, axis);
-        self.note_impulse(index, body, pushed.acting.first().map_or("friction", |force| &force.name), Vec::new());
+        // Where static friction may hold the body first, its impulse is that of each way for itself.
+        let impulse =
+            friction.at_rest.is_none().then(|| contact.net().definite(pushed.clock, &pushed.start, &pushed.end));
+        let impulse = impulse.flatten().map(|own| (Expr::integer(pushed.sign) * own).simplify());
+        let called = pushed.acting.first().map_or("friction", |force| &force.name);
+        self.note_impulse(index, body, called, impulse.into_iter().collect());
         self.neglect("air resistance", "the problem gives none");
         let begins = friction.at_rest.as_ref().map(|_| self.begins(index, &name));
         let acts = Acts { stage: index, on: body, during: [begins.as_ref().unwrap_or(&pushed.start), &pushed.end] };

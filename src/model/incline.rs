@@ -6,8 +6,10 @@ use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_scene::Plane;
 use momentous_scene::Term;
+use momentous_solve::Relation;
 
 use super::Builder;
+use super::Reason;
 use super::acting::Slope;
 use super::frame::Direction;
 use super::frame::above_or_below;
@@ -79,6 +81,7 @@ impl Builder<'_> {
     fn slope(&mut self, term: &Term, path: &Path) -> Incline {
         let (sign, angle) = self.incline_angle(term, path);
         let (along, press) = (angle.clone().sin().simplify(), angle.clone().cos().simplify());
+        self.require(press.clone(), Relation::AtLeast, Expr::zero(), Reason::Overhangs);
         Incline { angle, sign, along, press }
     }
 
@@ -117,6 +120,14 @@ impl Builder<'_> {
             let direction = self.direction(term, path);
             // What rises towards -x falls towards +x.
             let sign = if direction.quarters == 2 { -above } else { above };
+            if let Some((_, senses)) = self.axes.first()
+                && senses.climb().is_some_and(|climb| climb != sign)
+            {
+                let words = if sign > 0 { "rises" } else { "falls" };
+                let message = format!("the axis points {}, and `{}` says that it {words}", senses.positive, term.0);
+                let help = "give the angle alone: the axis says to which side the slope rises";
+                self.faults.push(Fault::new(Code::OverDetermined, message).help(help).at_path(path.clone()));
+            }
             return (sign, (Expr::integer(sign) * direction.turn).simplify());
         }
         let sign = self.axes.first().and_then(|(_, senses)| senses.climb());

@@ -113,6 +113,7 @@ impl<'s> Builder<'s> {
     /// The symbol of a name that the problem mentions, with its definition added to the model.
     pub fn mention(&mut self, name: &str) -> Option<Symbol> {
         let symbol = self.resolve(name)?;
+        self.counts_all_that_turns(symbol);
         self.mentions.insert(name.to_owned(), symbol);
         Some(symbol)
     }

@@ -146,6 +146,12 @@ pub enum Reason {
     /// A body that moves round a point would not come so near to it, or so far from it.
     #[error("{0} would not reach that distance")]
     OutOfReach(String),
+    /// A slope would be steeper than upright.
+    #[error("the slope would lean over, beyond the upright")]
+    Overhangs,
+    /// A distance from the centre that an orbit does not have.
+    #[error("{0} would not come to that distance: its orbit lies between its least and its greatest distance")]
+    OffTheOrbit(String),
     /// A body that a push finds at rest moves already.
     #[error("{0} moves when the push begins")]
     MovesAlready(String),

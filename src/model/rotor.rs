@@ -1,12 +1,16 @@
 //! Bodies with a moment of inertia that turn about a fixed axis.
 
 use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_fault::Code;
+use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::energy;
 use momentous_quantity::Dimension;
 use momentous_scene::Term;
 
 use super::Builder;
+use super::Instant;
 use super::Name;
 use super::QuantityKind;
 use super::stage::Description;
@@ -58,5 +62,36 @@ impl Builder<'_> {
     pub(super) fn momentum_about(&mut self, body: &str, point: &str, instant: usize) -> Option<Expr> {
         let (about, turn) = self.turn_of_rotor(body, instant)?;
         if about == point { self.momentum_of_rotor(Some(body), &turn) } else { None }
+    }
+
+    /// On a circle the angular momentum about its centre is that of all bodies only where each of them turns about it: of any other
+    /// nobody tells how it lies to the centre.
+    pub(super) fn counts_all_that_turns(&mut self, symbol: Symbol) {
+        let name = self.name(symbol).clone();
+        let (QuantityKind::AngularMomentum, Some(Instant::Number(instant))) = (&name.kind, &name.instant) else {
+            return;
+        };
+        if self.axes.len() > 1 || name.is_of_mass_centre() {
+            return;
+        }
+        let scene = self.scene;
+        let turning: Vec<&str> = (scene.stages.iter())
+            .map(|stage| Description::of(scene, stage))
+            .filter(|own| own.about == Some(name.subject.as_str()))
+            .flat_map(|own| own.bodies)
+            .map(|(body, _)| body)
+            .collect();
+        let alive = self.timeline.alive(*instant);
+        let Some(other) = alive.into_iter().find(|body| !turning.contains(body)).map(|body| self.called(body)) else {
+            return;
+        };
+        let centre = self.point(&name.subject);
+        let message = format!("`{name}` counts every body, and nothing tells how {other} moves about {centre}");
+        let help = "ask for the angular velocity, or leave out the body that does not turn about it";
+        let path = Path::root().key("scene").key("points").key(name.subject.as_str());
+        let fault = Fault::new(Code::UnderDetermined, message).help(help).at_path(path);
+        if !self.faults.contains(&fault) {
+            self.faults.push(fault);
+        }
     }
 }

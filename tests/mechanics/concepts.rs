@@ -190,9 +190,17 @@ fn what_acts_along_the_way_decides() {
         (
             "connected: { trailing: { body: A }, leading: { body: B }, duration: dt }",
             "{ conserved: energy, of: [A] }",
-            both,
+            "m_A: 1 kg, m_B: 2 kg, v_A1: 0 m/s, dt: 1 s",
             "no",
             "the string does work on block A",
+        ),
+        // Equal masses hang in balance.
+        (
+            "connected: { trailing: { body: A }, leading: { body: B }, duration: dt }",
+            "{ conserved: energy, of: [A] }",
+            both,
+            "yes",
+            "the total power of the other forces is zero",
         ),
         (
             "impact: { between: [A, B], elastic: true }",

@@ -4,6 +4,7 @@
 mod angular;
 mod kinetic;
 mod mass_centre;
+mod moment_while;
 mod phases;
 mod relative;
 mod speed;

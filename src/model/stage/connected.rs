@@ -5,7 +5,6 @@ use crate::Builder;
 use crate::Influence;
 use crate::QuantityKind;
 use crate::Reason;
-use crate::Work;
 use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -45,7 +44,6 @@ impl Builder<'_> {
         let trailing = self.strand(index, &stage.trailing, -1, stops, &path.key("trailing"));
         let leading = self.strand(index, &stage.leading, 1, stops, &path.key("leading"));
         let pulley = stage.over.clone().unwrap_or_else(|| "the pulley".into());
-        self.string_acts(index, stage, &pulley);
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
         let because = "the string stays taut and does not stretch";
         let is_plain = leading.strands == trailing.strands;
@@ -63,6 +61,7 @@ impl Builder<'_> {
         let meaning = format!("the tension of the string during {}", self.stage_phrase(index));
         let tension = Expr::from(self.symbol(self.in_stage(QuantityKind::Tension, "", index), meaning));
         let sides = [&trailing, &leading];
+        self.string_acts(index, stage, &pulley, [trailing.of_string(&tension), -leading.of_string(&tension)]);
         let fact = format!(
             "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it",
             trailing.name, leading.name
@@ -123,11 +122,11 @@ impl Builder<'_> {
     }
 
     /// The string takes from one body what it gives to the other, and the pulley turns it.
-    fn string_acts(&mut self, index: usize, stage: &Connected, pulley: &str) {
+    fn string_acts(&mut self, index: usize, stage: &Connected, pulley: &str, pulls: [Expr; 2]) {
         let [trailing, leading] = [&stage.trailing, &stage.leading];
-        for [own, other] in [[trailing, leading], [leading, trailing]] {
-            let string = Influence::outside(index, &own.body, "the string").by(&[&other.body]);
-            self.acts(Influence { work: Work::OfForce, ..string });
+        for ([own, other], pull) in [[trailing, leading], [leading, trailing]].into_iter().zip(pulls) {
+            let pull = pull.simplify();
+            self.acts(Influence::outside(index, &own.body, "the string").by(&[&other.body]).force(vec![pull]));
             self.acts(Influence::outside(index, &own.body, pulley).workless());
         }
     }

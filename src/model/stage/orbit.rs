@@ -3,6 +3,7 @@
 use crate::Builder;
 use crate::Name;
 use crate::QuantityKind;
+use crate::Reason;
 use momentous_expr::Expr;
 use momentous_fault::Path;
 use momentous_laws::kinematics;
@@ -10,6 +11,7 @@ use momentous_laws::orbit;
 use momentous_quantity::Dimension;
 use momentous_scene::stage::Central;
 use momentous_scene::stage::Orbit;
+use momentous_solve::Relation;
 
 /// Gravity's parameter GM.
 const PARAMETER: Dimension = Dimension::new(0, 3, -2);
@@ -82,13 +84,24 @@ impl Builder<'_> {
         let sides = [
             (least.clone(), axis.clone() * (one.clone() - eccentricity.clone())),
             (greatest.clone(), axis.clone() * (one + eccentricity.clone())),
-            (Expr::integer(2) * axis.clone(), least + greatest),
+            (Expr::integer(2) * axis.clone(), least.clone() + greatest.clone()),
         ];
         for sides in sides {
             self.law(&orbit::APSES, index, because, sides);
         }
         self.law(&orbit::PERIOD, index, because, orbit::period(&round.gravity, &axis, &period));
         let parameter = orbit::parameter(&axis, &eccentricity);
+        let ends = [
+            [least.clone(), greatest.clone()],
+            [-1, 1].map(|sign| axis.clone() * (Expr::one() + Expr::integer(sign) * eccentricity.clone())),
+        ];
+        for ([radius, ..], [least, greatest]) in
+            round.states.iter().flat_map(|state| ends.iter().map(move |own| (state, own)))
+        {
+            let reason = || Reason::OffTheOrbit(round.name.clone());
+            self.require(radius.clone(), Relation::AtLeast, least.clone(), reason());
+            self.require(greatest.clone(), Relation::AtLeast, radius.clone(), reason());
+        }
         let bound = -(round.gravity.clone() / (Expr::integer(2) * axis.clone()));
         let mut times = Vec::new();
         for (side, (energy, [radius, radial, across])) in energies.into_iter().zip(&round.states).enumerate() {

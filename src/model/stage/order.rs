@@ -1,10 +1,6 @@
 //! Who lies behind whom along a line of impact: the first body catches up with the second, which lies ahead.
 
-use std::collections::BTreeSet;
-
 use crate::Builder;
-use crate::Name;
-use crate::QuantityKind;
 use crate::Reason;
 use crate::guide::dot;
 use momentous_scene::Axis;
@@ -25,9 +21,7 @@ impl Builder<'_> {
 
     /// Along the line of impact the first body lies behind the second, where the problem gives the places of both.
     pub(super) fn lies_behind(&mut self, contact: &Contact<'_>, bodies: [&str; 2]) {
-        let is_place = |kind: &QuantityKind| matches!(kind, QuantityKind::Position | QuantityKind::Coordinate(_));
-        let placed = self.given.iter().filter_map(|name| Name::parse(name));
-        let placed: BTreeSet<String> = placed.filter(|name| is_place(&name.kind)).map(|name| name.subject).collect();
+        let placed = self.placed();
         let Some(frame) = self.line_of_impact(contact).filter(|_| bodies.iter().all(|body| placed.contains(*body)))
         else {
             return;

@@ -169,7 +169,7 @@ impl Builder<'_> {
         let [(axis, _)] = self.axes[..] else { return None };
         let part = self.components(&burn.direction).into_iter().next()?;
         let (name, phrase) = (self.called(&burn.body), self.stage_phrase(burn.index));
-        let meaning = format!("the distance travelled by {name} during {phrase}");
+        let meaning = format!("the displacement of {name} during {phrase}");
         let way = self.symbol(self.in_stage(QuantityKind::Displacement, &burn.body, burn.index), meaning);
         let before = self.velocity(&burn.body, burn.index + 1, axis);
         let driven = part * variable_mass::way(&burn.exhaust, [start, end], time);
@@ -178,7 +178,7 @@ impl Builder<'_> {
             Expr::product([Expr::ratio(down, 2), gravity, time.clone().powi(2)])
         });
         let [from, to] = [1, 2].map(|side| self.place(&burn.body, burn.index + side, axis));
-        let because = format!("the final position of {name} is its initial position plus the distance travelled");
+        let because = format!("the final position of {name} is its initial position plus its displacement");
         self.law(&variable_mass::BURN_HEIGHT, Some(burn.index), because, (to, from + Expr::from(way)));
         Some((way.into(), Expr::sum([before * time.clone(), driven].into_iter().chain(fallen))))
     }

@@ -9,7 +9,6 @@ use crate::Impulse;
 use crate::Influence;
 use crate::QuantityKind;
 use crate::Reason;
-use crate::Work;
 use crate::forces::Acts;
 use crate::incline::Incline;
 use crate::name::is_bare_name;
@@ -94,8 +93,8 @@ impl Builder<'_> {
             let acts = Acts { stage: index, on: &names[own], during: [&Expr::zero(), duration] };
             let towards = Direction::axis(self.axis_place(0), reversed);
             self.forces.push(acts.force(ForceKind::Pull, joint, symbol.into(), towards));
-            let pulls = Influence::outside(index, &names[own], joint).by(&[&names[other]]);
-            self.acts(Influence { work: Work::OfForce, ..pulls });
+            let pull = if reversed { -Expr::from(symbol) } else { symbol.into() };
+            self.acts(Influence::outside(index, &names[own], joint).by(&[&names[other]]).force(vec![pull]));
             self.impulses.push(Impulse {
                 stage: index,
                 on: names[own].clone(),

@@ -79,12 +79,16 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         if form.known.iter().any(|known| known.origin.is_drawn()) {
             return None;
         }
-        let reason = Sampler::new(problem, position).and_then(|mut sampler| sampler.draw(0)).err()?;
+        let mut sampler = Sampler::new(problem, position).ok()?;
+        let reason = sampler.draw(0).err()?;
         let path = form.question.path.key("ask");
         let code = match reason.rejection() {
             Some(Rejection::Several(count)) => {
                 let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
-                let help = "say which is meant: `where: v_A2 > 0 m/s`; or ask for every one: `roots: all`";
+                let example = sampler.between_solutions().unwrap_or_else(|| "v_A2 > 0 m/s".to_owned());
+                let help = format!(
+                    "say which is meant by a condition that the other one breaks: `where: {example}`; or ask for every one: `roots: all`"
+                );
                 return Some(fault.help(help).at_path(path));
             }
             Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
@@ -92,8 +96,10 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         };
         let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));
         let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
-        let help =
-            "give fewer or other values; if the result is meant to be unphysical, declare it under `allow` or `expect`";
+        let help = match reason.allowed_by() {
+            Some(name) => format!("give other values; if it is meant so, write `allow: [{name}]`"),
+            None => "give fewer or other values".to_owned(),
+        };
         Some(fault.help(help).at_path(path))
     };
     problem.forms().iter().enumerate().filter_map(trouble).collect()

@@ -84,12 +84,14 @@ fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> + '_ {
     })
 }
 
-/// The same, where no unit says what they are: as their formulas are asked.
+/// The same, where no unit says what they are: as their formulas are asked, or as they may be anything.
 pub(crate) fn unmeasured(loaded: &Loaded) -> BTreeSet<String> {
     let asked = loaded.questions.iter().flat_map(|question| &question.ask);
     let names = asked.filter_map(|ask| match ask {
         Ask::Find(find) if find.unit.as_deref().is_none_or(|unit| Unit::parse(unit).is_err()) => Some(&find.find),
         _ => None,
     });
-    names.filter(|name| loaded.spoken.is_within_only(name) && loaded.given.get(name).is_none()).cloned().collect()
+    let asked = names.filter(|name| loaded.given.get(name).is_none()).map(String::as_str);
+    let open = loaded.given.iter().filter(|(_, given)| matches!(given, Given::Any(None))).map(|(name, _)| name);
+    asked.chain(open).filter(|name| loaded.spoken.is_within_only(name)).map(str::to_owned).collect()
 }

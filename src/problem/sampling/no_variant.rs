@@ -90,12 +90,12 @@ pub enum Rejection {
          figures (`figures: 4`), or widen its `tolerance`"
     )]
     IllChosen(String),
-    /// They leave no real solution.
-    #[error("there is no real solution")]
-    NotReal,
-    /// They make a quantity negative that never is.
-    #[error("a quantity that must be positive would be negative")]
-    NotPositive,
+    /// They leave no real value for these quantities.
+    #[error("there is no real solution{}", for_what(.0))]
+    NotReal(Vec<String>),
+    /// They make a quantity negative that never is; those among which it is.
+    #[error("a quantity that must be positive would be negative{}", among(.0))]
+    NotPositive(Vec<String>),
 }
 
 impl NoVariant {
@@ -129,4 +129,12 @@ fn because(reason: Option<&Rejection>) -> String {
 
 fn within(stage: Option<&str>) -> String {
     stage.map_or_else(String::new, |stage| format!("in {stage}, "))
+}
+
+fn for_what(names: &[String]) -> String {
+    if names.is_empty() { String::new() } else { format!(" for {}", names.join(", ")) }
+}
+
+fn among(names: &[String]) -> String {
+    if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) }
 }

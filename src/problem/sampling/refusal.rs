@@ -5,12 +5,17 @@ use momentous_model::Reason;
 use momentous_scene::Stage;
 use momentous_solve::Bounded;
 use momentous_solve::Cause;
+use momentous_solve::Step;
 
 use super::super::questions::choices::choice::ChoicePart;
+use super::super::questions::part::AskedUnit;
 use super::super::questions::part::PartKind;
 use super::no_variant::Rejection;
 use super::sampler::Sampler;
 use super::variant::Worked;
+
+/// A bound between two solutions is written with no more decimals than this.
+const MOST_DECIMALS: usize = 9;
 
 impl Sampler<'_> {
     /// Why the numbers solved last have no admissible solution.
@@ -44,6 +49,7 @@ impl Sampler<'_> {
         if let Some(direction) = lost {
             return Some(self.no_direction(direction));
         }
+        let step = furthest.and_then(|dead| leaf.audit.plan.steps.get(dead.step?));
         let reason = match furthest?.cause {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position)?;
@@ -55,8 +61,8 @@ impl Sampler<'_> {
                 let law = model.instances.get(equation.tag)?.law.name;
                 Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
             }
-            Cause::NotReal => Rejection::NotReal,
-            Cause::NotPositive => Rejection::NotPositive,
+            Cause::NotReal => Rejection::NotReal(self.named(step, |_| true)),
+            Cause::NotPositive => Rejection::NotPositive(self.named(step, |own| leaf.system.positive.contains(&own))),
         };
         let range = self.form.parts.iter().find_map(|part| match &part.kind {
             PartKind::Range(range) => Some(range.number.symbol),
@@ -67,6 +73,36 @@ impl Sampler<'_> {
                 Rejection::Boundary { name: model.symbols.entry(symbol).name.clone(), reason: Box::new(reason) }
             }
             None => reason,
+        })
+    }
+
+    /// The quantities for which a solution was sought when it was given up, as they are written.
+    fn named(&self, step: Option<&Step>, is_meant: impl Fn(Symbol) -> bool) -> Vec<String> {
+        let unknowns = step.into_iter().flat_map(|step| step.unknowns.iter().copied());
+        let name = |own: Symbol| format!("`{}`", self.problem.model().symbols.entry(own).name);
+        unknowns.filter(|own| is_meant(*own)).map(name).collect()
+    }
+
+    /// A condition of the first number that is asked that one of two solutions breaks; none where both have it alike.
+    pub(crate) fn between_solutions(&self) -> Option<String> {
+        let variant = self.keep(None);
+        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
+        let numbers = self.form.parts.iter().flat_map(|part| part.kind.numbers());
+        numbers.into_iter().find_map(|number| {
+            let AskedUnit::Unit(unit) = &number.unit else { return None };
+            let values = worked.answers(number);
+            let [one, other, ..] = values[..] else { return None };
+            let (low, high) = (one.value.min(other.value), one.value.max(other.value));
+            let middle = f64::midpoint(low, high);
+            let written = (0..MOST_DECIMALS).map(|decimals| format!("{middle:.decimals$}"));
+            let written = if low < 0.0 && high > 0.0 {
+                "0".to_owned()
+            } else {
+                let lies_between = |text: &String| text.parse::<f64>().is_ok_and(|own| low < own && own < high);
+                written.into_iter().find(lies_between)?
+            };
+            let name = &self.problem.model().symbols.entry(number.symbol).name;
+            Some(format!("{name} > {written} {unit}").trim_end().to_owned())
         })
     }
 

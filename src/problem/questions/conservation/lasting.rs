@@ -7,6 +7,8 @@ use momentous_model::Effect;
 use momentous_model::Influence;
 use momentous_model::Moment;
 use momentous_model::Work;
+use momentous_scene::Stage;
+use momentous_scene::stage::Connected;
 
 use super::super::super::language::ask::Conservable;
 use super::super::super::reading::load::Loaded;
@@ -45,8 +47,10 @@ pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         .filter(|own| matches!(own.work, Work::OfForce) && !own.is_within(&balance.ask.of))
         .collect();
     for position in 0..builder.axis_letters().len() {
-        let acting = by_force.iter().map(|own| (own.along(position), work(own, builder)));
-        tests.extend(net(loaded, balance, builder, acting));
+        for moving in moving_alike(&by_force, balance, builder) {
+            let acting = moving.into_iter().map(|own| (own.along(position), work(own, builder)));
+            tests.extend(net(loaded, balance, builder, acting));
+        }
     }
     for own in &acting {
         if let Work::Where(effect, words) = &own.work {
@@ -85,23 +89,44 @@ pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         .filter(|own| matches!(own.work, Work::Nothing) && !own.is_within(&balance.ask.of))
         .map(|own| own.called.clone())
         .collect();
-    let straight = || match (&across[..], tests.is_empty()) {
-        ([], true) => "no force does work".to_owned(),
-        ([], false) => "the total power of the forces is zero at every moment".to_owned(),
-        ([one], _) => format!("{one} acts at right angles to the motion, and no force does work"),
-        _ => format!("{} act at right angles to the motion, and no force does work", join(&across)),
+    let straight = || {
+        let (all, others) = if tests.is_empty() {
+            ("no force does work", "no force does work")
+        } else {
+            (
+                "the total power of the forces is zero at every moment",
+                "the total power of the other forces is zero at every moment",
+            )
+        };
+        match &across[..] {
+            [] => all.to_owned(),
+            [one] => format!("{one} acts at right angles to the motion, and {others}"),
+            several => format!("{} act at right angles to the motion, and {others}", join(several)),
+        }
     };
     let because = round.unwrap_or_else(straight);
     Verdict { tests, because }
 }
 
-pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
+pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Verdict {
+    let acting: Vec<Influence> = from_outside(balance, builder).into_iter().cloned().collect();
+    let known = builder.moment_while(balance.stage, balance.about, &acting);
+    let builder: &Builder<'_> = builder;
     let outside = from_outside(balance, builder);
     let mut tests = Vec::new();
     let mut passing: Vec<String> = Vec::new();
     let named = builder.scene().points.get(balance.about);
     let point = named.map_or("the point", |entry| entry.name.as_str());
-    for own in &outside {
+    if let Some(moments) = &known {
+        let mut words: Vec<String> =
+            outside.iter().map(|own| format!("{} has a moment about {point}", own.called)).collect();
+        words.dedup();
+        for moment in moments {
+            let effect = Effect::Of(moment.clone());
+            tests.extend(net(loaded, balance, builder, std::iter::once((&effect, words.join(", and ")))));
+        }
+    }
+    for own in outside.iter().filter(|_| known.is_none()) {
         let words = || format!("{} has a moment about {point}", own.called);
         match &own.moment {
             Moment::Through(through) if through == balance.about => passing.push(own.called.clone()),
@@ -120,6 +145,9 @@ pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<
     }
     passing.dedup();
     let because = match &passing[..] {
+        [] if known.is_some() && !outside.is_empty() => {
+            format!("the external forces have no moment in all about {point} at any time")
+        }
         [] => format!("no force has a moment about {point}"),
         [one] => format!("{one} has no moment about {point} at any time"),
         _ => format!("{} have no moment about {point} at any time", join(&passing)),
@@ -157,6 +185,24 @@ pub(crate) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case
     let because = join(&ways.iter().map(|(_, what)| what.clone()).collect::<Vec<_>>());
     let because = format!("{because}: the external forces cancel, and nothing moves");
     (!ways.is_empty()).then(|| Case::new(0, Vec::new(), because).only(ways))
+}
+
+/// What acts on bodies that have the same velocity all through the stage, for each such group: only there the power of all forces is
+/// that of their sum. Bodies in a row, or on a plain string, move alike; any other moves by itself.
+fn moving_alike<'i>(acting: &[&'i Influence], balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<Vec<&'i Influence>> {
+    let stage = builder.scene().stages.get(balance.stage);
+    let is_plain = |string: &Connected| string.trailing.strands() == string.leading.strands();
+    if matches!(stage, Some(Stage::Tow(_))) || matches!(stage, Some(Stage::Connected(own)) if is_plain(own)) {
+        return vec![acting.to_vec()];
+    }
+    let mut groups: Vec<Vec<&Influence>> = Vec::new();
+    for own in acting {
+        match groups.iter_mut().find(|group| group.iter().any(|other| other.on == own.on)) {
+            Some(group) => group.push(own),
+            None => groups.push(vec![own]),
+        }
+    }
+    groups
 }
 
 /// What acts on bodies of the system.
