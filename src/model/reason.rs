@@ -6,6 +6,9 @@ pub enum Reason {
     /// A body would pass through another, or through a surface.
     #[error("{0} would pass through {1}")]
     PassesThrough(String, String),
+    /// A body would run through another on their line.
+    #[error("{0} and {1} would run through each other on their line")]
+    RunsThrough(String, String),
     /// A spring that releases would not drive two bodies apart.
     #[error("{0} and {1} would not be pushed apart")]
     NotPushedApart(String, String),
@@ -242,7 +245,7 @@ impl Reason {
     #[must_use]
     pub fn warning(&self) -> Option<Warning> {
         Some(match self {
-            Self::PassesThrough(..) | Self::NotPushedApart(..) => Warning::PassesThrough,
+            Self::PassesThrough(..) | Self::RunsThrough(..) | Self::NotPushedApart(..) => Warning::PassesThrough,
             Self::NoCatchingUp(..)
             | Self::LiesAhead(..)
             | Self::NotCompressed(..)

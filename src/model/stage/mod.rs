@@ -19,6 +19,7 @@ mod flight;
 mod guided;
 mod impact;
 mod interact;
+mod line;
 mod moment;
 mod motion;
 mod orbit;
@@ -110,6 +111,7 @@ impl Builder<'_> {
             if matches!(stage, Stage::Push(_) | Stage::Thrust(_)) {
                 self.others_do_not_fall(index, stage);
             }
+            self.order_on_the_line(index);
             self.reasons_of_stages.push(first..self.reasons.len());
         }
     }

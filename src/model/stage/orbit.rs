@@ -4,6 +4,7 @@ use crate::Builder;
 use crate::Name;
 use crate::QuantityKind;
 use crate::Reason;
+use crate::builder::SECOND_COST;
 use momentous_expr::Expr;
 use momentous_fault::Path;
 use momentous_laws::kinematics;
@@ -53,6 +54,7 @@ impl Builder<'_> {
         let [before, after] = energies.clone();
         self.law(&orbit::ORBIT_ENERGY, Some(index), because, (before, after));
         let round = Round { index, body, name, centre, gravity, states };
+        self.by_both_distances(&round);
         match stage.orbit {
             Some(Orbit::Ellipse) => self.ellipse(&round, energies),
             Some(Orbit::Parabola) => self.parabola(&round, energies),
@@ -110,8 +112,10 @@ impl Builder<'_> {
             let momentum = (radius.clone() * across.clone(), (round.gravity.clone() * parameter.clone()).sqrt());
             self.law(&orbit::ORBIT_SHAPE, index, because, momentum);
             let angle = self.angle_from_nearest(round, instant);
-            let from_focus = radius.clone() * (Expr::one() + eccentricity.clone() * angle.cos());
+            let shape = Expr::one() + eccentricity.clone() * angle.cos();
+            let from_focus = radius.clone() * shape.clone();
             self.law(&orbit::CONIC, index, because, (from_focus, parameter.clone()));
+            self.speed_by_shape(round, instant, [radius, across], &shape);
             let meaning = format!("the eccentric anomaly of {name} {}", self.when(instant));
             let anomaly = Expr::from(self.symbol(Name::of(QuantityKind::EccentricAnomaly, body).at(instant), meaning));
             let value = orbit::anomaly(&round.gravity, &axis, radius, radial);
@@ -122,6 +126,46 @@ impl Builder<'_> {
             times.push(since);
         }
         self.time_between(round, &times);
+    }
+
+    /// Where both radial velocities are told, as at the nearest and the farthest point, energy and angular momentum together give the
+    /// transverse one: each alone has two unknowns.
+    fn by_both_distances(&mut self, round: &Round<'_>) {
+        let radial = |instant: usize| Name::of(QuantityKind::Velocity, round.body).at(instant).along("r").to_string();
+        if ![1, 2].iter().all(|side| self.given.contains(&radial(round.index + side))) {
+            return;
+        }
+        let [[near, inwards, across], [far, outwards, _]] = round.states.clone();
+        let turning = |instant| Name::of(QuantityKind::Velocity, round.body).at(instant).along("theta").to_string();
+        if ![1, 2].iter().any(|side| self.given.contains(&turning(round.index + side))) {
+            self.require(across.clone(), Relation::AtLeast, Expr::zero(), Reason::MovesBack(round.name.clone()));
+        }
+        let two = || Expr::integer(2);
+        let shares = Expr::one() - (near.clone() / far.clone()).power(two());
+        let gained = two() * round.gravity.clone() * (near.powi(-1) - far.powi(-1));
+        let gained = Expr::sum([gained, outwards.power(two()), -inwards.power(two())]);
+        let because = "the transverse velocity at the second position, by the angular momentum, is substituted";
+        self.law_at(
+            SECOND_COST,
+            &orbit::ORBIT_ENERGY,
+            Some(round.index),
+            because,
+            (across.power(two()) * shares, gained),
+        );
+    }
+
+    /// Where eccentricity and transverse velocity are told, the parameter of the orbit drops out: the distance follows at once.
+    fn speed_by_shape(&mut self, round: &Round<'_>, instant: usize, [radius, across]: [&Expr; 2], shape: &Expr) {
+        let told = [
+            Name::of(QuantityKind::Eccentricity, round.body),
+            Name::of(QuantityKind::Velocity, round.body).at(instant).along("theta"),
+        ];
+        if told.iter().all(|name| self.given.contains(&name.to_string())) {
+            let because = "the angular momentum of the orbit is put into its equation";
+            let sides =
+                (radius.clone() * across.clone().power(Expr::integer(2)), round.gravity.clone() * shape.clone());
+            self.law_at(SECOND_COST, &orbit::ORBIT_SHAPE, None, because, sides);
+        }
     }
 
     fn neglect_other_gravity(&mut self) {

@@ -85,9 +85,11 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         let code = match reason.rejection() {
             Some(Rejection::Several(count)) => {
                 let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
-                let example = sampler.between_solutions().unwrap_or_else(|| "v_A2 > 0 m/s".to_owned());
+                let example = sampler
+                    .between_solutions()
+                    .map_or_else(|| ", under `where`".to_owned(), |own| format!(": `where: {own}`"));
                 let help = format!(
-                    "say which is meant by a condition that the other one breaks: `where: {example}`; or ask for every one: `roots: all`"
+                    "say which is meant by a condition that the other one breaks{example}; or ask for every one: `roots: all`"
                 );
                 return Some(fault.help(help).at_path(path));
             }
