@@ -26,8 +26,10 @@ impl Marking<'_> {
                 continue;
             }
             let exactly = own.verdict == Verdict::RoundingSlip;
-            let found =
-                self.misjudged(place).or_else(|| self.diagnosis(self.possible(self.suspects(place, exactly)?, &right)));
+            let found = self.misjudged(place).or_else(|| {
+                let possible = self.possible(self.suspects(place, exactly)?, &right);
+                self.diagnosis(unexplained(own.verdict, possible))
+            });
             let Some(diagnosis) = found else { continue };
             if exactly {
                 // A mistake that gives exactly this value says where it comes from; nothing was rounded.
@@ -64,8 +66,8 @@ impl Marking<'_> {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), written) => {
                 let answer = diagnose::number(right, written).filter(|own| !diagnose::is_coarse(right, *own))?;
                 let (mistakes, values) = self.outcomes(|all, mistake, add| {
-                    // Whose numbers come of another unit may be anywhere: nearness alone says nothing of them.
-                    let exactly = exactly || mistake.is_misreading();
+                    // Numbers that come of other data may be anywhere: nearness alone says nothing of them.
+                    let exactly = exactly || mistake.is_of_data();
                     let is_near = |value: f64| {
                         if exactly {
                             diagnose::is_rounded(right, answer, value)
@@ -101,10 +103,8 @@ impl Marking<'_> {
             };
             let simulated = self.simulated.get_or_init(|| self.worked.simulated());
             let keeps = |mistake: &&Mistake| {
-                // What is only written down wrongly is so in one place.
-                let is_written = mistake.instance.is_none() && !mistake.is_misreading();
                 let values = simulated.answers(mistake, number);
-                is_written
+                mistake.is_of_one_answer()
                     || values.is_empty()
                     || values.iter().any(|value| diagnose::is_near(expected, expected.value, *value))
             };
@@ -155,6 +155,14 @@ impl Marking<'_> {
         }
         Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, &found) })
     }
+}
+
+/// Of some mistakes those that are named: what is wrong with the data only where the verdict leaves open what it is.
+pub(super) fn unexplained(verdict: Verdict, mut found: Vec<&Mistake>) -> Vec<&Mistake> {
+    if !matches!(verdict, Verdict::Wrong | Verdict::RoundingSlip) {
+        found.retain(|own| !own.yields());
+    }
+    found
 }
 
 /// A law says more than a slip of the pen, an author's own words more than ours, and one mistake explains more than several.

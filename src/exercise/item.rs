@@ -22,7 +22,7 @@ use momentous_quantity::Unit;
 use momentous_render::Identity;
 
 use super::Exercise;
-use super::diagnosis::{hints_on, likeliest_first, misjudged};
+use super::diagnosis::{hints_on, likeliest_first, misjudged, unexplained};
 use super::roots::{each_expected, several};
 use super::rules::Rules;
 use super::sheet_numbers::SheetNumbers;
@@ -293,7 +293,7 @@ impl Exercise {
             if found == Verdict::Wrong && behind.is_empty() {
                 continue;
             }
-            let (mistakes, feedback) = self.said(behind);
+            let (mistakes, feedback) = self.said(unexplained(found, behind));
             let points = rubric.points(found, out_of);
             let window = Window { low, high, verdict: found, points, mistakes, feedback };
             match all.last_mut().filter(|last| last.high >= low && last.is_marked_as(&window)) {

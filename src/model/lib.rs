@@ -1,6 +1,7 @@
 //! A scene and the laws, turned into a system of equations.
 
 mod acting;
+mod altered;
 mod alternative;
 mod angle_unit;
 mod bond;

@@ -22,9 +22,9 @@ use super::Model;
 pub struct Mistaken {
     /// The mistake.
     pub of: &'static Misconception,
-    /// The law that is got wrong, as it is used here: a position in [`Model::instances`].
-    pub instance: usize,
-    /// In how many places that law is got wrong.
+    /// The law that is got wrong, as it is used here: a position in [`Model::instances`]; none where the laws are right.
+    pub instance: Option<usize>,
+    /// In how many places the same is got wrong.
     pub places: usize,
     /// The positions of the wrong equations in [`Self::system`].
     pub wrong: BTreeSet<usize>,
@@ -60,7 +60,7 @@ impl Model {
                 let Some(first) = chosen.first() else { return };
                 let (system, wrong) = self.in_place(system, used, chosen);
                 let places = chosen.len();
-                mistaken.push(Mistaken { of: first.of, instance: first.instance, places, wrong, system });
+                mistaken.push(Mistaken { of: first.of, instance: Some(first.instance), places, wrong, system });
             };
             for way in alike {
                 add(&[way]);
@@ -96,10 +96,7 @@ impl Model {
                 Statement::FirstInteger { .. } => None,
             })
             .collect();
-        let unit_acceleration = match units {
-            UnitSystem::Si => Expr::one(),
-            UnitSystem::Us => Expr::ratio(3048, 10_000),
-        };
+        let unit_acceleration = unit_acceleration(units);
         let integral = instance.integral.as_ref();
         let law = Taught {
             sides: &sides,
@@ -152,5 +149,13 @@ impl Model {
             }
         }
         (system.with(equations), wrong)
+    }
+}
+
+/// One unit of acceleration, as a multiple of that of the International System.
+pub(super) fn unit_acceleration(units: UnitSystem) -> Expr {
+    match units {
+        UnitSystem::Si => Expr::one(),
+        UnitSystem::Us => Expr::ratio(3048, 10_000),
     }
 }

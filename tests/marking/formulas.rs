@@ -89,7 +89,8 @@ fn a_wrong_formula_is_traced_to_the_wrong_form_that_gives_it() {
     let traced = |answer: &str| marked(&coupling, "v_C2", answer).1;
     // Energy in place of momentum: m_A v_A1^2 = (m_A + m_B) v_C2^2.
     assert!(traced("sqrt(m_A/(m_A + m_B)) v_A1").contains(&"energy-for-momentum"));
-    assert_eq!(traced("m_B v_A1/(m_A + m_B)"), Vec::<&str>::new());
+    assert_eq!(traced("m_B v_A1/(m_A + m_B)"), ["masses-exchanged"]);
+    assert_eq!(traced("m_A v_A1/(m_A + 3 m_B)"), Vec::<&str>::new());
 }
 
 /// With half the right velocity `m_A v_A1/(2 (m_A + m_B))` a quarter of the energy is left that should be, so that

@@ -119,3 +119,27 @@ fn a_height_from_the_centre_is_recognised() {
     let found = named("chains/crate-on-a-track.yaml", 1, &track, "v_C3", "0.863 m/s");
     assert!(found.contains(&"height-from-fixed-end"), "{found:?}");
 }
+
+/// A capsule is braked: 3.25 - 550 * 16/8500 = 2.21 m/s. A ram strikes a pile, and the ground stops both: the common velocity is
+/// 600/900 of sqrt(2 * 9.81 * 1.5), which leaves 5886 J, and 5886/(80000 - 8829) = 82.7 mm.
+#[test]
+fn what_is_given_may_be_left_out_or_stand_in_another_place() {
+    let capsule = [("m", "8.5 t"), ("v_S1", "3.25 m/s"), ("F", "550 N"), ("dt", "16 s")];
+    for (answer, code) in [
+        ("1.04 m/s", "velocity-left-out"), // 1.035
+        ("3.14 m/s", "weight-for-mass"),   // 3.25 - 1.035/9.81
+        ("3.19 m/s", "duration-left-out"), // 3.25 - 550/8500
+    ] {
+        let found = named("impulse/capsule-braking.yaml", 0, &capsule, "v_S2", answer);
+        assert!(found.contains(&code), "{answer}: {found:?}");
+    }
+    assert!(named("impulse/capsule-braking.yaml", 0, &capsule, "v_S2", "1.62 m/s").is_empty());
+    let driver = [("m_A", "600 kg"), ("m_B", "300 kg"), ("h", "1.5 m"), ("R", "80 kN")];
+    for (answer, code) in [
+        ("20.7 mm", "masses-exchanged"),         // 300/900 of the velocity: 1471.5/71171
+        ("73.6 mm", "work-of-weight-forgotten"), // 5886/80000
+    ] {
+        let found = named("chains/pile-driver.yaml", 0, &driver, "d", answer);
+        assert!(found.contains(&code), "{answer}: {found:?}");
+    }
+}

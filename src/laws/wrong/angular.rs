@@ -42,6 +42,13 @@ pub const MOMENTS_ADDED: Misconception = Misconception {
     ask: "In which sense does each component turn about the point?",
     hint: "One of the two moments may be negative: draw both components.",
 };
+/// All of the mass at the rim.
+pub const ROTOR_AS_RING: Misconception = Misconception {
+    id: "rotor-as-ring",
+    does: "leaves out the factor of one half in the moment of inertia of a disc",
+    ask: "How is the mass of a disc spread between its axle and its rim?",
+    hint: "Use the moment of inertia that the problem gives, with every factor.",
+};
 /// Components with the wrong arms.
 pub const ARMS_EXCHANGED: Misconception = Misconception {
     id: "arms-exchanged",
@@ -121,7 +128,8 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &RADIUS_FORGOTTEN, write: radius_forgotten },
     WrongForm { of: &DISTANCE, write: |law| moment(law, distance) },
     WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
-    WrongForm { of: &ARMS_EXCHANGED, write: |law| moment(law, |[x, y], [u, v]| x * u - y * v) },
+    WrongForm { of: &ARMS_EXCHANGED, write: arms_exchanged },
+    WrongForm { of: &ROTOR_AS_RING, write: rotor_as_ring },
     WrongForm { of: &FACTORS_EXCHANGED, write: reversed },
     WrongForm { of: &ROTOR_FORGOTTEN, write: rotor_forgotten },
 ];
@@ -166,6 +174,25 @@ fn rotor_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     let turns = Dimension::new(0, 0, -1);
     let rest: Vec<Expr> = all.iter().filter(|term| !law.has(term, turns)).cloned().collect();
     if rest.is_empty() || rest.len() == all.len() { Vec::new() } else { one((law.left(), Expr::sum(rest))) }
+}
+
+/// Moments of inertia without the factor of one half.
+fn rotor_as_ring(law: &Taught<'_>) -> Vec<Wrong> {
+    let turns = Dimension::new(0, 0, -1);
+    let whole = |term: Expr| if law.has(&term, turns) { Expr::integer(2) * term } else { term };
+    let halved = |term: &Expr| factors(term).iter().any(|part| part.as_number().is_some());
+    let all = terms(&law.sides.1);
+    if all.iter().any(|term| law.has(term, turns) && halved(term)) {
+        one((law.left(), Expr::sum(all.into_iter().map(whole))))
+    } else {
+        Vec::new()
+    }
+}
+
+/// `m (x u - y v)`, and the sum of both: the product of what lies along the same axis.
+fn arms_exchanged(law: &Taught<'_>) -> Vec<Wrong> {
+    let difference = moment(law, |[x, y], [u, v]| x * u - y * v);
+    difference.into_iter().chain(moment(law, |[x, y], [u, v]| x * u + y * v)).collect()
 }
 
 fn radius_forgotten(law: &Taught<'_>) -> Vec<Wrong> {

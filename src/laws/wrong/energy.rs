@@ -10,6 +10,7 @@ use super::Wrong;
 use super::WrongForm;
 use super::momentum::FRICTION_FORGOTTEN;
 use super::momentum::FRICTION_REVERSED;
+use super::momentum::OTHER_WEIGHT;
 use super::momentum::friction_forgotten;
 use super::momentum::friction_reversed;
 use super::momentum::rubs;
@@ -81,13 +82,6 @@ pub const SPRING_HALF: Misconception = Misconception {
     ask: "The force of a spring grows from zero: what is its average over the distance?",
     hint: "Draw the force against the deformation: the energy is the area of a triangle.",
 };
-/// The weight of the lower body, or of both, for that of the upper one.
-pub const OTHER_WEIGHT: Misconception = Misconception {
-    id: "friction-of-the-other-body",
-    does: "takes the weight of the lower body, or of both, for the normal force between them",
-    ask: "Which body presses on the surface where the two rub, and with what weight?",
-    hint: "The normal force between the bodies carries the body on top, and nothing else.",
-};
 
 /// The lower body taken as fixed.
 pub const LOWER_FIXED: Misconception = Misconception {
@@ -117,6 +111,7 @@ pub const RUBBING: &[WrongForm] = &[
 pub const HEAT: &[WrongForm] = &[WrongForm { of: &OTHER_WEIGHT, write: other_weight }];
 /// Wrong forms of work and energy.
 pub const WORK: &[WrongForm] = &[
+    WrongForm { of: &HALF, write: |law| law.both(|side| kinetic_doubled(law, side)) },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &WEIGHT_WORK, write: weight_work_forgotten },
@@ -230,10 +225,23 @@ fn unsquared(term: &Expr) -> Expr {
     }
 }
 
+/// Each kinetic energy twice.
+fn kinetic_doubled(law: &Taught<'_>, side: &Expr) -> Expr {
+    let is_kinetic = |part: &Expr| law.has(part, Dimension::VELOCITY) && !law.has_gravity(part);
+    Expr::sum(terms(side).into_iter().map(|part| if is_kinetic(&part) { Expr::integer(2) * part } else { part }))
+}
+
+/// The energy of one body alone, or that of joined bodies with the mass of one.
 fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
     match &law.sides.1 {
         Expr::Sum(bodies) => bodies.iter().map(|own| Wrong::from((law.left(), own.clone()))).collect(),
-        _ => Vec::new(),
+        joined => {
+            let parts = factors(joined);
+            let masses = parts.iter().find(|part| matches!(part, Expr::Sum(_)) && law.has(part, Dimension::MASS));
+            let Some(together) = masses else { return Vec::new() };
+            let others = Expr::product(parts.iter().filter(|part| *part != together).cloned());
+            terms(together).into_iter().map(|mass| Wrong::from((law.left(), mass * others.clone()))).collect()
+        }
     }
 }
 

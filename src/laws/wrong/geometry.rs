@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use momentous_expr::Expr;
 use momentous_expr::Function;
+use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 
 use super::Misconception;
@@ -14,6 +15,7 @@ use super::rewrite::factors;
 use super::rewrite::one;
 use super::rewrite::sine_and_cosine;
 use super::rewrite::terms;
+use super::rewrite::whole;
 
 /// Sine and cosine exchanged.
 pub const SINE_COSINE: Misconception = Misconception {
@@ -21,6 +23,27 @@ pub const SINE_COSINE: Misconception = Misconception {
     does: "exchanges sine and cosine",
     ask: "From which line is the angle measured? Which component grows as the angle becomes small?",
     hint: "Try the limit of a very small angle: the component along the line from which it is measured must be nearly the whole.",
+};
+/// The whole for a component.
+pub const WHOLE: Misconception = Misconception {
+    id: "whole-for-component",
+    does: "uses a whole vector where one of its components belongs",
+    ask: "Does the whole vector lie along this axis, or only a component of it?",
+    hint: "Draw the vector and the axis: the component along the axis is smaller than the vector.",
+};
+/// A part for the whole, or the whole for a part.
+pub const COMPONENT_FOR_MAGNITUDE: Misconception = Misconception {
+    id: "component-for-magnitude",
+    does: "gives one component for another, or for the whole, or the whole for a component",
+    ask: "Is the magnitude asked, or a component, and which one? What have you written down?",
+    hint: "Draw the arrow with its components, and mark the one that is asked.",
+};
+/// Sizes of momenta for an arrow between them.
+pub const SIZES: Misconception = Misconception {
+    id: "sizes-for-vectors",
+    does: "adds or subtracts the sizes of two vectors that do not lie along one line",
+    ask: "Do both velocities lie along one line? How are arrows of different directions subtracted?",
+    hint: "Subtract component by component, and only then find the magnitude.",
 };
 /// Magnitudes of perpendicular parts added.
 pub const ADDED: Misconception = Misconception {
@@ -58,6 +81,13 @@ pub const RADIUS: Misconception = Misconception {
     hint: "Check the units: an angular velocity contains no length.",
 };
 
+/// The radius of another instant.
+pub const OTHER_RADIUS: Misconception = Misconception {
+    id: "wrong-radius",
+    does: "uses the radius of another body or another instant",
+    ask: "How far from the axis is the body at this instant?",
+    hint: "The radius, the speed and the angular velocity in one equation belong to the same instant.",
+};
 /// The tangent turned over.
 pub const TANGENT_INVERTED: Misconception = Misconception {
     id: "tangent-inverted",
@@ -79,9 +109,17 @@ pub const HEIGHT_ON_CIRCLE: &[WrongForm] =
 /// Wrong forms of a height in a bowl.
 pub const HEIGHT_IN_BOWL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of components.
-pub const COMPONENTS: &[WrongForm] = &[WrongForm { of: &SINE_COSINE, write: sine_and_cosine }];
+pub const COMPONENTS: &[WrongForm] = &[
+    WrongForm { of: &SINE_COSINE, write: sine_and_cosine },
+    WrongForm { of: &WHOLE, write: whole },
+    WrongForm { of: &ADDED, write: added_in_components },
+];
 /// Wrong forms of a magnitude.
-pub const MAGNITUDE: &[WrongForm] = &[WrongForm { of: &ADDED, write: added }];
+pub const MAGNITUDE: &[WrongForm] = &[
+    WrongForm { of: &ADDED, write: added },
+    WrongForm { of: &COMPONENT_FOR_MAGNITUDE, write: one_component },
+    WrongForm { of: &SIZES, write: sizes },
+];
 /// Wrong forms of a direction.
 pub const DIRECTION: &[WrongForm] = &[
     WrongForm { of: &OTHER_AXIS, write: other_axis },
@@ -89,7 +127,8 @@ pub const DIRECTION: &[WrongForm] = &[
     WrongForm { of: &LINE_FORGOTTEN, write: line_forgotten },
 ];
 /// Wrong forms of speed on a circle.
-pub const ARC: &[WrongForm] = &[WrongForm { of: &RADIUS, write: radius }];
+pub const ARC: &[WrongForm] =
+    &[WrongForm { of: &RADIUS, write: radius }, WrongForm { of: &OTHER_RADIUS, write: other_radius }];
 
 /// `h = L cos(angle)` for `h = L - L cos(angle)`.
 fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {
@@ -99,14 +138,54 @@ fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {
     }
 }
 
-fn added(law: &Taught<'_>) -> Vec<Wrong> {
-    let Expr::Power(pair) = &law.sides.1 else { return Vec::new() };
-    let size = |term: Expr| match term {
-        Expr::Power(own) if own.1 == Expr::integer(2) => Some(Expr::apply(Function::Abs, own.0.clone())),
+/// The legs of a root of a sum of squares.
+fn legs(root: &Expr) -> Option<Vec<Expr>> {
+    let Expr::Power(pair) = root else { return None };
+    let leg = |term: Expr| match term {
+        Expr::Power(own) if own.1 == Expr::integer(2) => Some(own.0.clone()),
         _ => None,
     };
-    let sizes: Option<Vec<Expr>> = terms(&pair.0).into_iter().map(size).collect();
-    sizes.map(|sizes| Wrong::from((law.left(), Expr::sum(sizes)))).into_iter().collect()
+    terms(&pair.0).into_iter().map(leg).collect()
+}
+
+fn size(leg: &Expr) -> Expr {
+    Expr::apply(Function::Abs, leg.clone())
+}
+
+fn added(law: &Taught<'_>) -> Vec<Wrong> {
+    let sum = legs(&law.sides.1).map(|legs| Expr::sum(legs.iter().map(size)));
+    sum.map(|sum| Wrong::from((law.left(), sum))).into_iter().collect()
+}
+
+/// The magnitude as a sum, where it is found from components and a direction.
+fn added_in_components(law: &Taught<'_>) -> Vec<Wrong> {
+    let factors = factors(&law.sides.1);
+    let magnitudes = law.beside("magnitude").filter(|(magnitude, _)| factors.contains(magnitude));
+    let sums = magnitudes.filter_map(|(magnitude, root)| Some((magnitude.clone(), legs(root)?)));
+    sums.filter(|(_, legs)| legs.contains(&law.sides.0))
+        .map(|(magnitude, legs)| Wrong::from((magnitude, Expr::sum(legs.iter().map(size)))))
+        .collect()
+}
+
+/// One component in the place of the magnitude.
+fn one_component(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(legs) = legs(&law.sides.1) else { return Vec::new() };
+    legs.iter().map(|leg| Wrong::from((law.left(), size(leg)))).collect()
+}
+
+/// `J = m |v_2| - m |v_1|`, or the sum of both.
+fn sizes(law: &Taught<'_>) -> Vec<Wrong> {
+    let balance = |leg: &Expr| law.beside("impulse-momentum").find(|(start, _)| terms(start).contains(leg));
+    let ends = |leg: &Expr| {
+        let (start, after) = balance(leg)?;
+        let before = terms(start).into_iter().filter(|term| term != leg);
+        Some([Expr::sum(before), after.clone()])
+    };
+    let Some(legs) = legs(&law.sides.1) else { return Vec::new() };
+    let Some(ends) = legs.iter().map(ends).collect::<Option<Vec<_>>>() else { return Vec::new() };
+    let length = |end: usize| Expr::sum(ends.iter().map(|own| own[end].clone().powi(2))).sqrt();
+    let [before, after] = [length(0), length(1)];
+    vec![Wrong::from((law.left(), size(&(after.clone() - before.clone())))), Wrong::from((law.left(), after + before))]
 }
 
 /// The right side with what stands in the two places of its direction rewritten.
@@ -149,6 +228,14 @@ fn line_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
         Expr::Sum(parts) => parts.iter().filter(points).map(|own| Wrong::from((law.left(), own.clone()))).collect(),
         _ => Vec::new(),
     }
+}
+
+/// `v_2 = r_1 omega_2`.
+fn other_radius(law: &Taught<'_>) -> Vec<Wrong> {
+    let radii = law.quantities(Dimension::LENGTH);
+    let is_other = |own: &Symbol| law.is(*own, Dimension::LENGTH) && !radii.contains(own);
+    let others = law.known.iter().copied().filter(is_other);
+    others.flat_map(|other| law.replaced(&|symbol| radii.contains(&symbol).then(|| other.into()))).collect()
 }
 
 /// `v r = omega`.

@@ -7,6 +7,7 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::momentum::GRAVITY_REVERSED;
 use super::momentum::SIGN_LOST;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
@@ -70,13 +71,6 @@ pub const STRANDS: &[WrongForm] = &[
     WrongForm { of: &STRANDS_FORGOTTEN, write: |law| strands_to(law, 0) },
 ];
 
-/// Gravity that speeds a rising body up.
-pub const GRAVITY_REVERSED: Misconception = Misconception {
-    id: "gravity-reversed",
-    does: "takes gravity in the opposite direction",
-    ask: "Which way does the axis point, and which way does gravity?",
-    hint: "Give the velocity and gravity their signs along the same axis.",
-};
 /// The place at the start left out.
 pub const START_PLACE: Misconception = Misconception {
     id: "start-place-forgotten",

@@ -1,9 +1,11 @@
 //! The common mistakes, as data: what a student does, what to ask about it, and the equation that comes of it. A law's row
-//! names its wrong forms; [`reading`] holds the mistakes that are made before any law is used, and after.
+//! names its wrong forms; [`reading`] holds the mistakes that are made before any law is used, and after, and [`data`] those about
+//! what is given and asked.
 
 pub mod angular;
 pub mod bouncing;
 pub mod concept;
+pub mod data;
 pub mod energy;
 pub mod force;
 pub mod geometry;
@@ -44,6 +46,8 @@ pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
         .map(|(chapter, laws)| (chapter, once(&mut laws.iter().flat_map(|law| law.wrong).map(|form| form.of))))
         .collect();
     rows.push(("Reading the question", once(&mut reading::MISREADINGS.iter().map(|row| row.of))));
+    rows.push(("Using the data", once(&mut data::ALTERED.iter().map(|row| row.of))));
+    rows.push(("Answering another question", once(&mut data::TAKEN.iter().copied())));
     rows.push(("Writing the answer", once(&mut reading::SLIPS.iter().map(|row| row.of))));
     rows.push(("Judging a scene", once(&mut concept::CONCEPTS.iter().copied())));
     rows.retain(|(_, kinds)| !kinds.is_empty());

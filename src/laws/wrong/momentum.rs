@@ -16,6 +16,7 @@ use super::rewrite::sign_lost;
 use super::rewrite::sine_and_cosine;
 use super::rewrite::start_forgotten;
 use super::rewrite::terms;
+use super::rewrite::whole;
 
 /// Speeds for velocities.
 pub const SIGN_LOST: Misconception = Misconception {
@@ -30,6 +31,20 @@ pub const START_FORGOTTEN: Misconception = Misconception {
     does: "leaves out the momentum that the body had at the start",
     ask: "An impulse changes momentum: from which momentum to which?",
     hint: "Did the body have momentum before? The impulse is the difference of the two.",
+};
+/// `m v_1 + J = 0`.
+pub const END_FORGOTTEN: Misconception = Misconception {
+    id: "end-momentum-forgotten",
+    does: "leaves out the momentum that the body has at the end",
+    ask: "An impulse changes momentum: from which momentum to which?",
+    hint: "Does the body still move afterwards? The impulse is the difference of the two momenta.",
+};
+/// The mass of another body.
+pub const OTHER_MASS: Misconception = Misconception {
+    id: "mass-of-another-body",
+    does: "uses the mass of another body",
+    ask: "Whose momentum changes here, and what is the mass of this body?",
+    hint: "The mass, the velocities and the impulse in one equation all belong to the same body.",
 };
 /// A force that opposes the motion counted as one that helps it.
 pub const IMPULSE_REVERSED: Misconception = Misconception {
@@ -51,6 +66,20 @@ pub const FRICTION_FORGOTTEN: Misconception = Misconception {
     does: "leaves out friction",
     ask: "Draw every force that acts on the body in this time. Is one missing from your sum?",
     hint: "The body slides: what does the floor do along the motion?",
+};
+/// Gravity that speeds a rising body up.
+pub const GRAVITY_REVERSED: Misconception = Misconception {
+    id: "gravity-reversed",
+    does: "takes gravity in the opposite direction",
+    ask: "Which way does the axis point, and which way does gravity?",
+    hint: "Give the velocity and gravity their signs along the same axis.",
+};
+/// The weight of the lower body, or of both, for that of the upper one.
+pub const OTHER_WEIGHT: Misconception = Misconception {
+    id: "friction-of-the-other-body",
+    does: "takes the weight of the lower body, or of both, for the normal force between them",
+    ask: "Which body presses on the surface where the two rub, and with what weight?",
+    hint: "The normal force between the bodies carries the body on top, and nothing else.",
 };
 /// Friction along the motion.
 pub const FRICTION_REVERSED: Misconception = Misconception {
@@ -132,30 +161,73 @@ pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &PLAIN_MEAN, write: plain_mean },
     WrongForm { of: &PARTNER_FORGOTTEN, write: partner_forgotten },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+    WrongForm { of: &super::geometry::WHOLE, write: whole },
 ];
 /// Wrong forms of impulse and momentum.
 pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &SIGN_LOST, write: sign_lost },
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
+    WrongForm { of: &END_FORGOTTEN, write: end_forgotten },
+    WrongForm { of: &OTHER_MASS, write: other_mass },
+    WrongForm { of: &OTHER_WEIGHT, write: friction_of_other },
     WrongForm { of: &IMPULSE_REVERSED, write: gain_reversed },
     WrongForm { of: &WEIGHT_FORGOTTEN, write: weight_forgotten },
+    WrongForm { of: &GRAVITY_REVERSED, write: weight_reversed },
     WrongForm { of: &WEIGHT_IN_IMPACT, write: weight_in_impact },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &ONE_MASS, write: one_of_several },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+    WrongForm { of: &super::geometry::WHOLE, write: whole },
 ];
 /// Wrong forms of impulse and momentum of a system.
 pub const SYSTEM: &[WrongForm] = &[
     WrongForm { of: &SIGN_LOST, write: sign_lost },
     WrongForm { of: &ONE_MASS, write: one_of_several },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+    WrongForm { of: &super::geometry::WHOLE, write: whole },
 ];
 /// Wrong forms of the third law.
 pub const THIRD_LAW: &[WrongForm] =
     &[WrongForm { of: &SAME_SIGN, write: same_sign }, WrongForm { of: &HEAVIER_HARDER, write: heavier_harder }];
 /// Wrong forms of what a smooth contact leaves as it is.
 pub const NO_IMPULSE: &[WrongForm] = &[WrongForm { of: &WHOLE_VELOCITY, write: whole_velocity }];
+
+/// `m v_1 + J = 0`.
+fn end_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    let moves = law.has(&law.sides.1, Dimension::VELOCITY);
+    if moves { one((law.left(), Expr::zero())) } else { Vec::new() }
+}
+
+/// The mass of another body throughout.
+fn other_mass(law: &Taught<'_>) -> Vec<Wrong> {
+    let beside = law.beside("impulse-momentum").flat_map(|(_, end)| end.symbols());
+    let others: Vec<Symbol> = beside.filter(|own| law.is(*own, Dimension::MASS)).collect();
+    match law.quantities(Dimension::MASS)[..] {
+        [_] => law.of_other_mass(&others, &|_| true),
+        _ => Vec::new(),
+    }
+}
+
+/// The weight of another body where friction stands.
+fn friction_of_other(law: &Taught<'_>) -> Vec<Wrong> {
+    let others = law.quantities(Dimension::MASS);
+    law.of_other_mass(&others, &|term| {
+        rubs(law, term) && !factors(term).iter().any(|part| matches!(part, Expr::Sum(_)))
+    })
+}
+
+/// Weight that acts upwards.
+fn weight_reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_weight = |term: &Expr| is_impulse_of_gravity(law, term) && !rubs(law, term);
+    let reversed =
+        |side: &Expr| Expr::sum(terms(side).into_iter().map(|term| if is_weight(&term) { -term } else { term }));
+    law.both(reversed)
+}
+
+fn is_impulse_of_gravity(law: &Taught<'_>, term: &Expr) -> bool {
+    law.has_gravity(term) && !law.has(term, Dimension::VELOCITY)
+}
 
 /// `m_A v_A1^2 + m_B v_B1^2 = (m_A + m_B) v^2`, where the bodies stay together.
 fn energy_conserved(law: &Taught<'_>) -> Vec<Wrong> {
@@ -167,7 +239,7 @@ fn energy_conserved(law: &Taught<'_>) -> Vec<Wrong> {
 
 /// Whether one velocity stands for both bodies afterwards.
 fn joined(law: &Taught<'_>) -> bool {
-    matches!(&factors(&law.sides.1)[..], [Expr::Sum(_), _])
+    matches!(&factors(&law.sides.1)[..], [Expr::Sum(_), _]) || law.beside("same-velocity").next().is_some()
 }
 
 fn joint_mass(law: &Taught<'_>) -> Vec<Wrong> {
@@ -222,7 +294,9 @@ fn one_of_several(law: &Taught<'_>) -> Vec<Wrong> {
 }
 
 fn weight_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
-    law.without(&|term| law.has_gravity(term) && !law.has(term, Dimension::VELOCITY))
+    let all = law.without(&|term| is_impulse_of_gravity(law, term));
+    let but_friction = law.without(&|term| is_impulse_of_gravity(law, term) && !rubs(law, term));
+    all.into_iter().chain(but_friction).collect()
 }
 
 /// `m v_1 + J - m g dt = m v_2`, or with the other sign, where the duration of an impact is told and gravity spoken of.

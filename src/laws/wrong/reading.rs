@@ -1,6 +1,7 @@
 //! Mistakes outside the laws: a given taken in another unit, a slip in writing the answer down.
 
 use super::Misconception;
+use super::force::WEIGHT_AS_MASS;
 use super::geometry::OTHER_AXIS;
 
 /// Prefixes and multiples overlooked.
@@ -125,6 +126,7 @@ pub const MISREADINGS: &[Misreading] = &[
     Misreading { of: &FORCES, given: "kN", taken: "N", alone: true },
     Misreading { of: &FORCES, given: "kN m", taken: "N m", alone: true },
     Misreading { of: &OUNCES, given: "oz", taken: "lb", alone: true },
+    Misreading { of: &WEIGHT_AS_MASS, given: "lbm", taken: "slug", alone: true },
 ];
 
 /// A slip in writing an answer down.

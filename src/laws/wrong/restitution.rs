@@ -39,8 +39,8 @@ pub const ADDED: Misconception = Misconception {
 /// e as the ratio of the velocities of one body.
 pub const ONE_BODY: Misconception = Misconception {
     id: "restitution-of-one-body",
-    does: "makes one body rebound with e times its own velocity",
-    ask: "Does restitution compare the velocities of one body, or the relative velocities of two?",
+    does: "gives one body e times a single velocity",
+    ask: "Does restitution compare single velocities, or the relative velocities of two bodies?",
     hint: "Only from a fixed wall does a body rebound with e times its own speed.",
 };
 /// e left out.
@@ -108,6 +108,7 @@ pub const BODIES: &[WrongForm] = &[
     WrongForm { of: &EXCHANGED, write: exchanged },
     WrongForm { of: &AS_ENERGY, write: as_energy },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+    WrongForm { of: &super::geometry::WHOLE, write: super::rewrite::whole },
 ];
 /// Wrong forms at a surface.
 pub const SURFACE: &[WrongForm] = &[
@@ -118,6 +119,7 @@ pub const SURFACE: &[WrongForm] = &[
     WrongForm { of: &AT_REST, write: at_rest },
     WrongForm { of: &ADDED, write: surface_added },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+    WrongForm { of: &super::geometry::WHOLE, write: super::rewrite::whole },
 ];
 
 /// `v_A2 = 0`, where two bodies are used.
@@ -174,10 +176,11 @@ fn added(law: &Taught<'_>) -> Vec<Wrong> {
 }
 
 fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
-    let (Some([[a2, _], [a1, _]]), Some(e)) = (velocities(law), law.coefficient(&law.sides.1)) else {
+    let (Some([[a2, b2], [a1, _]]), Some(e)) = (velocities(law), law.coefficient(&law.sides.1)) else {
         return Vec::new();
     };
-    one((a2, -(e * a1)))
+    let rebounds = e * a1;
+    vec![(a2.clone(), -rebounds.clone()).into(), (a2, rebounds.clone()).into(), (b2, rebounds).into()]
 }
 
 fn exchanged(law: &Taught<'_>) -> Vec<Wrong> {

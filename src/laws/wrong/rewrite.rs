@@ -54,10 +54,30 @@ impl Taught<'_> {
         if sides == *self.sides { Vec::new() } else { one(sides) }
     }
 
-    /// Both sides without the terms that are left out, within brackets too; none where nothing is left of a side.
+    /// Both sides without the terms that are left out, within brackets too; none where that leaves nothing of a side.
     pub(super) fn without(&self, out: &dyn Fn(&Expr) -> bool) -> Vec<Wrong> {
+        let emptied = |(left, right): &Sides| {
+            left.is_zero() && !self.sides.0.is_zero() || right.is_zero() && !self.sides.1.is_zero()
+        };
         let wrong = self.both(|side| thinned(side, out));
-        wrong.into_iter().filter(|wrong| wrong.equations.iter().all(|(l, r)| !l.is_zero() && !r.is_zero())).collect()
+        wrong.into_iter().filter(|wrong| !wrong.equations.iter().any(emptied)).collect()
+    }
+
+    /// The same law with the mass of another body in the place of one of its own, in the terms that are chosen: each mass, each
+    /// other body.
+    pub(super) fn of_other_mass(&self, others: &[Symbol], is_chosen: &dyn Fn(&Expr) -> bool) -> Vec<Wrong> {
+        fn within(term: &Expr, mass: Symbol, other: Symbol, is_chosen: &dyn Fn(&Expr) -> bool) -> Expr {
+            match term {
+                Expr::Product(_) if is_chosen(term) => {
+                    term.substitute(&|symbol| (symbol == mass).then(|| Expr::from(other)))
+                }
+                part => part.map_children(|child| within(child, mass, other, is_chosen)),
+            }
+        }
+        let masses = self.quantities(Dimension::MASS);
+        let pairs = masses.iter().flat_map(|mass| others.iter().map(move |other| (*mass, *other)));
+        let unlike = pairs.filter(|(mass, other)| mass != other);
+        unlike.flat_map(|(mass, other)| self.both(|side| within(side, mass, other, is_chosen))).collect()
     }
 
     /// The right side of a law beside this one.
@@ -134,6 +154,17 @@ pub(super) fn sine_and_cosine(law: &Taught<'_>) -> Vec<Wrong> {
     law.both(turned)
 }
 
+/// Every sine and cosine becomes one: the whole stands for a component.
+pub(super) fn whole(law: &Taught<'_>) -> Vec<Wrong> {
+    fn unturned(term: &Expr) -> Expr {
+        match term {
+            Expr::Apply(Function::Sin | Function::Cos, _) => Expr::one(),
+            other => other.map_children(unturned),
+        }
+    }
+    law.both(unturned)
+}
+
 fn turned(term: &Expr) -> Expr {
     match term {
         Expr::Apply(Function::Sin, parts) => Expr::Apply(Function::Cos, parts.clone()),
@@ -167,14 +198,19 @@ pub(super) fn value_times_time(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(graph) = Graph::of(law) else { return Vec::new() };
     let [low, high] = graph.ends;
     let times = [high.clone(), low.clone(), graph.middle()].into_iter().chain(graph.corners());
-    times.map(|time| Wrong::from((law.left(), graph.at(&time) * graph.duration()))).collect()
+    // Nobody takes a force for zero all the time.
+    let values = times.map(|time| graph.at(&time).simplify()).filter(|value| !value.is_zero());
+    values.map(|value| Wrong::from((law.left(), value * graph.duration()))).collect()
 }
 
 /// The mean of the values at both ends, times the time.
 pub(super) fn ends_averaged(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(graph) = Graph::of(law) else { return Vec::new() };
     let [low, high] = graph.ends;
-    let mean = Expr::ratio(1, 2) * (graph.at(low) + graph.at(high));
+    let mean = (Expr::ratio(1, 2) * (graph.at(low) + graph.at(high))).simplify();
+    if mean.is_zero() {
+        return Vec::new();
+    }
     one((law.left(), mean * graph.duration()))
 }
 

@@ -9,6 +9,7 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::rewrite::factors;
 use super::rewrite::one;
 use super::rewrite::terms;
 
@@ -25,6 +26,13 @@ pub const REVERSED: Misconception = Misconception {
     does: "subtracts the velocities of a relative one in the wrong order",
     ask: "Which body's velocity is it, and relative to which other body?",
     hint: "The velocity of A relative to B is that of A minus that of B.",
+};
+/// A velocity relative to what a body was, not to what it is.
+pub const RELATIVE_TO_BEFORE: Misconception = Misconception {
+    id: "relative-to-velocity-before",
+    does: "counts a relative velocity from the velocity that the other body had before",
+    ask: "The relative velocity is that after the separation: which velocity does the other body have then?",
+    hint: "Both velocities in a relative velocity are taken at the same instant.",
 };
 /// Kinetic energy before left out.
 pub const START: Misconception = Misconception {
@@ -76,6 +84,7 @@ pub const GUIDE: &[WrongForm] = &[WrongForm { of: &GUIDE_FORGOTTEN, write: conse
 pub const RELATIVE: &[WrongForm] = &[
     WrongForm { of: &ABSOLUTE, write: absolute },
     WrongForm { of: &REVERSED, write: |law| one((law.left(), -law.right())) },
+    WrongForm { of: &RELATIVE_TO_BEFORE, write: relative_to_before },
 ];
 /// Wrong forms of the balance of energy.
 pub const ENERGY: &[WrongForm] =
@@ -130,6 +139,17 @@ fn absolute(law: &Taught<'_>) -> Vec<Wrong> {
         [own, _] => one((own.clone(), law.right())),
         _ => Vec::new(),
     }
+}
+
+/// `v_A2 - v_1 = u`: the other body's velocity before, from its own balance of momentum.
+fn relative_to_before(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = terms(&law.sides.0);
+    let [own, other] = &parts[..] else { return Vec::new() };
+    let other = -other.clone();
+    let is_velocity = |part: &Expr| law.is_velocity(part);
+    let balances = law.beside("impulse-momentum").filter(|(_, end)| factors(end).contains(&other));
+    let before = balances.flat_map(|(start, _)| terms(start)).flat_map(|term| factors(&term)).filter(is_velocity);
+    before.map(|before| Wrong::from((own.clone() - before, law.right()))).collect()
 }
 
 /// `E = T_2`: the energy released stands last.

@@ -2,6 +2,7 @@
 
 use momentous_expr::Expr;
 use momentous_expr::Function;
+use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 
 use super::Misconception;
@@ -55,6 +56,13 @@ pub const STREAM_ENERGY: Misconception = Misconception {
     ask: "Does all the work of the force become kinetic energy of the stream, or is some of it lost as the stream is slowed or dragged along?",
     hint: "Use momentum: the force is the mass flow times the change of velocity, without a factor of one half.",
 };
+/// `q g` for `q v`.
+pub const STREAM_WEIGHT: Misconception = Misconception {
+    id: "weight-for-momentum-of-stream",
+    does: "multiplies the mass flow by the acceleration of free fall",
+    ask: "Is the force of the stream its weight, or does it come from a change of velocity?",
+    hint: "The force is the mass flow times the change of velocity; weight has no part in it.",
+};
 /// The mass taken to stay.
 pub const MASS_KEPT: Misconception = Misconception {
     id: "rocket-mass-kept",
@@ -104,7 +112,8 @@ pub const STREAM: &[WrongForm] = &[
     WrongForm { of: &LEAVING_FORGOTTEN, write: |law| law.both(|side| leaving(side, &|_| Expr::zero())) },
     WrongForm { of: &BODY_SPEED, write: body_at_rest },
     WrongForm { of: &RETURNED, write: returned },
-    WrongForm { of: &STREAM_ENERGY, write: |law| one((law.left(), law.right() * Expr::ratio(1, 2))) },
+    WrongForm { of: &STREAM_ENERGY, write: stream_energy },
+    WrongForm { of: &STREAM_WEIGHT, write: stream_weight },
 ];
 /// Wrong forms of what arrives.
 pub const FLOW: &[WrongForm] = &[WrongForm { of: &BODY_SPEED, write: body_at_rest }];
@@ -170,6 +179,22 @@ fn returned(law: &Taught<'_>) -> Vec<Wrong> {
     } else {
         Vec::new()
     }
+}
+
+/// `q v^2 / 2` in numbers, as well as `q v / 2`; and `q v^2`.
+fn stream_energy(law: &Taught<'_>) -> Vec<Wrong> {
+    let velocity = |symbol| law.is(symbol, Dimension::VELOCITY);
+    let squared = law.right().substitute(&|symbol| velocity(symbol).then(|| Expr::from(symbol).powi(2)));
+    let half = Expr::ratio(1, 2);
+    let forces = [half.clone() * law.right(), half * squared.clone(), squared];
+    forces.into_iter().map(|force| Wrong::from((law.left(), force))).collect()
+}
+
+/// `F = q g`.
+fn stream_weight(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_flow = |symbol: &Symbol| law.is(*symbol, Dimension::new(1, 0, -1));
+    let flows = law.sides.1.symbols().into_iter().filter(is_flow);
+    flows.map(|flow| Wrong::from((law.left(), Expr::ratio(981, 100) * Expr::from(flow)))).collect()
 }
 
 /// The speed of the body, where it is used, as zero.

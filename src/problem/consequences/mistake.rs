@@ -38,10 +38,33 @@ pub struct Mistake {
 }
 
 impl Mistake {
-    /// Whether a given is taken in another unit.
+    /// Whether the laws are right and the data wrong: an answer tells such a mistake only if it agrees in every figure.
     #[must_use]
-    pub fn is_misreading(&self) -> bool {
-        matches!(self.made, Made::Misread(..))
+    pub fn is_of_data(&self) -> bool {
+        match self.made {
+            Made::Solved(_) => self.instance.is_none(),
+            Made::Misread(..) | Made::Taken(_) => true,
+            Made::Written(..) => false,
+        }
+    }
+
+    /// Whether it is no more than a guess where a verdict explains the answer: a given or the question is mistaken.
+    #[must_use]
+    pub fn yields(&self) -> bool {
+        match self.made {
+            Made::Solved(_) => self.instance.is_none(),
+            Made::Taken(_) => true,
+            Made::Misread(..) | Made::Written(..) => false,
+        }
+    }
+
+    /// Whether the mistake is made in one answer, and leaves the others as they are.
+    #[must_use]
+    pub fn is_of_one_answer(&self) -> bool {
+        match self.made {
+            Made::Written(..) | Made::Taken(_) => true,
+            Made::Solved(_) | Made::Misread(..) => false,
+        }
     }
 }
 
@@ -51,6 +74,8 @@ pub(crate) enum Made {
     Solved(Vec<WrongSystem>),
     /// Some givens are taken too large or too small by a factor; at this place in the batch, where it is in there.
     Misread(Arc<Solver>, Vec<(Symbol, f64)>, Option<usize>),
+    /// The value of another quantity is written down: what is asked, and what is taken for it.
+    Taken(Vec<(Symbol, Symbol)>),
     /// The right value is written down wrongly.
     Written(SlipOf, fn(f64) -> f64),
 }

@@ -23,6 +23,7 @@ use super::mistake::Planned;
 use super::mistake::WrongSystem;
 use super::restricted::Restricted;
 use super::solver::Solver;
+use super::taken::taken;
 
 impl Mistakes {
     fn of_leaf(&self, problem: &Problem, form: &Form, leaf: usize) -> Option<&Planned> {
@@ -37,14 +38,16 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let inputs: Vec<Symbol> = form.told.iter().copied().collect();
     let mut batch = BatchWriter::new(&inputs);
     let mut mistakes: Vec<Mistake> = Vec::new();
-    for mistaken in problem.model().mistaken(&leaf.system, &used, &form.told, problem.units()) {
+    let laws = problem.model().mistaken(&leaf.system, &used, &form.told, problem.units());
+    let data = problem.model().altered(&leaf.system, &used, &form.told, problem.units());
+    for mistaken in laws.into_iter().chain(data) {
         let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
         let solvers = solvers.filter_map(|solver| solver.of_what_depends(&mistaken.system, &mistaken.wrong));
         let ways: Vec<WrongSystem> = solvers
             .map(|solver| WrongSystem { batched: solver.batched(&mistaken.system, &[], &mut batch), solver })
             .collect();
         if !ways.is_empty() {
-            let (of, instance, places) = (mistaken.of, Some(mistaken.instance), mistaken.places);
+            let (of, instance, places) = (mistaken.of, mistaken.instance, mistaken.places);
             mistakes.push(Mistake { of, instance, places, made: Made::Solved(ways) });
         }
     }
@@ -58,6 +61,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
             mistakes.push(Mistake { of, instance: None, places: 1, made });
         }
     }
+    mistakes.extend(taken(problem.model(), &wanted));
     mistakes.extend(SLIPS.iter().map(|slip| Mistake {
         of: slip.of,
         instance: None,

@@ -8,3 +8,4 @@ pub(super) mod mistakes;
 pub(super) mod restricted;
 pub(super) mod simulated;
 pub(super) mod solver;
+pub(super) mod taken;

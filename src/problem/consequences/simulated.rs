@@ -88,6 +88,12 @@ impl Simulated<'_> {
                 values.retain(|value| self.hangs_on(mistake, number.symbol, *value));
                 values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).for_each(add);
             }
+            Made::Taken(pairs) => {
+                let others = pairs.iter().filter(|(asked, _)| *asked == number.symbol);
+                let values = others.filter_map(|(asked, other)| Some((told(*asked)?.value, told(*other)?.value)));
+                // A component for a magnitude is written without its sign, and a magnitude for a component with the one it needs.
+                values.flat_map(|(right, other)| [other, other.copysign(right)]).for_each(&mut keep);
+            }
             Made::Written(to, written) => {
                 let fits = match to {
                     SlipOf::Signed => {

@@ -1,0 +1,173 @@
+//! The system of a student who gets what is given wrong: a given left out, or in the place of another. The laws are right.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::restitution::RESTITUTION;
+use momentous_laws::restitution::RESTITUTION_SURFACE;
+use momentous_laws::wrong::data::ALTERED;
+use momentous_laws::wrong::data::Alteration;
+use momentous_laws::wrong::data::Givens;
+use momentous_quantity::Dimension;
+use momentous_quantity::UnitSystem;
+use momentous_solve::Condition;
+use momentous_solve::Equation;
+use momentous_solve::Statement;
+use momentous_solve::System;
+
+use super::Mistaken;
+use super::Model;
+use super::QuantityKind;
+use super::mistaken::unit_acceleration;
+
+/// What stands in the place of each given.
+type InPlace = BTreeMap<Symbol, Expr>;
+
+impl Model {
+    /// Every system that comes of one common mistake about what is told.
+    #[must_use]
+    pub fn altered(
+        &self,
+        system: &System,
+        used: &BTreeSet<usize>,
+        told: &BTreeSet<Symbol>,
+        units: UnitSystem,
+    ) -> Vec<Mistaken> {
+        let mut mistaken = Vec::new();
+        for row in ALTERED {
+            let is_zero = |symbol: &Symbol| system.values.get(symbol).is_some_and(Expr::is_zero);
+            let groups = self.givens(row.givens, system, told).into_iter();
+            let groups = groups.map(|group| group.into_iter().filter(|own| !is_zero(own)).collect::<Vec<_>>());
+            let unit = one(row.givens, units);
+            for in_place in groups.flat_map(|group| self.alterations(&group, row.how, &unit, told)) {
+                let (system, wrong) = altered(system, used, &in_place);
+                if !wrong.is_empty() {
+                    let places = in_place.len();
+                    mistaken.push(Mistaken { of: row.of, instance: None, places, wrong, system });
+                }
+            }
+        }
+        mistaken
+    }
+
+    /// The givens of a kind, those together that can be compared with each other.
+    fn givens(&self, givens: Givens, system: &System, told: &BTreeSet<Symbol>) -> Vec<Vec<Symbol>> {
+        let of = |is: &dyn Fn(Symbol) -> bool| told.iter().copied().filter(|own| is(*own)).collect::<Vec<_>>();
+        let measured = |dimension: Dimension| of(&|own| self.symbols.entry(own).dimension == dimension);
+        let weights = || of(&|own| self.name(own).kind == QuantityKind::Weight);
+        match givens {
+            Givens::Masses => vec![measured(Dimension::MASS), weights()],
+            Givens::Velocities => vec![measured(Dimension::VELOCITY), measured(Dimension::new(0, 0, -1))],
+            Givens::Gravity if weights().is_empty() => vec![of(&|own| self.name(own).kind == QuantityKind::Gravity)],
+            Givens::Gravity => Vec::new(),
+            Givens::Angles => vec![of(&|own| self.is_direction(own))],
+            Givens::Durations => vec![measured(Dimension::TIME)],
+            Givens::Restitutions => vec![self.restitutions(system, told)],
+        }
+    }
+
+    /// The coefficients of restitution: the pure numbers in the law of restitution.
+    fn restitutions(&self, system: &System, told: &BTreeSet<Symbol>) -> Vec<Symbol> {
+        let is_restitution = |equation: &&Equation| {
+            let law = self.instances.get(equation.tag).map(|own| own.law);
+            law.is_some_and(|law| [&RESTITUTION, &RESTITUTION_SURFACE].contains(&law))
+        };
+        let symbols = system.equations.iter().filter(is_restitution).flat_map(Equation::symbols);
+        let numbers = symbols.filter(|own| told.contains(own) && self.symbols.entry(*own).dimension == Dimension::NONE);
+        numbers.filter(|own| !self.is_direction(*own)).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// Whether a quantity is an angle that turns an arrow.
+    fn is_direction(&self, symbol: Symbol) -> bool {
+        matches!(
+            self.name(symbol).kind,
+            QuantityKind::OwnAngle(_)
+                | QuantityKind::AngleBetween(_)
+                | QuantityKind::Direction(_)
+                | QuantityKind::CountedDirection(_)
+        )
+    }
+
+    /// The ways of altering some givens.
+    fn alterations(&self, group: &[Symbol], how: Alteration, one: &Expr, told: &BTreeSet<Symbol>) -> Vec<InPlace> {
+        let each = |change: &dyn Fn(Symbol) -> Expr| {
+            group.iter().map(|own| InPlace::from([(*own, change(*own))])).collect::<Vec<_>>()
+        };
+        match how {
+            Alteration::Exchanged => {
+                let pairs = group
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(place, first)| group.iter().skip(place + 1).map(move |second| (*first, *second)));
+                pairs.map(|(first, second)| InPlace::from([(first, second.into()), (second, first.into())])).collect()
+            }
+            Alteration::Equal => match group {
+                [first, others @ ..] if !others.is_empty() => {
+                    vec![others.iter().map(|own| (*own, Expr::from(*first))).collect()]
+                }
+                _ => Vec::new(),
+            },
+            Alteration::Zero => {
+                let mut ways = each(&|_| Expr::zero());
+                if group.len() > 1 {
+                    let zero = |own: &Symbol| (*own, Expr::zero());
+                    ways.push(group.iter().map(zero).collect());
+                    // All but one: with two, that is each of them alone.
+                    let kept = group.iter().filter(|_| group.len() > 2);
+                    ways.extend(kept.map(|kept| group.iter().filter(|own| *own != kept).map(zero).collect()));
+                }
+                ways
+            }
+            Alteration::OnlyChange => group.iter().map(|own| self.only_change(*own, told)).collect(),
+            Alteration::Weighed => {
+                let weighed = |own: &Symbol| (*own, Expr::ratio(981, 100) * Expr::from(*own));
+                vec![group.iter().map(weighed).collect()]
+            }
+            Alteration::Reversed => each(&|own| -Expr::from(own)),
+            Alteration::One => each(&|_| one.clone()),
+            Alteration::Squared => each(&|own| Expr::from(own).powi(2)),
+        }
+    }
+
+    /// A given that is zero, and the same quantity at other instants with the opposite sign.
+    fn only_change(&self, given: Symbol, told: &BTreeSet<Symbol>) -> InPlace {
+        let own = self.name(given);
+        let is_later = |symbol: &Symbol| {
+            let name = self.name(*symbol);
+            let alike = name.kind == own.kind && name.subject == own.subject && name.component == own.component;
+            alike && !told.contains(symbol)
+        };
+        let later = self.symbols.iter().map(|(symbol, _)| symbol).filter(is_later);
+        later.map(|symbol| (symbol, -Expr::from(symbol))).chain([(given, Expr::zero())]).collect()
+    }
+}
+
+/// One unit of some givens.
+fn one(givens: Givens, units: UnitSystem) -> Expr {
+    match givens {
+        Givens::Gravity => unit_acceleration(units),
+        Givens::Masses | Givens::Velocities | Givens::Angles | Givens::Durations | Givens::Restitutions => Expr::one(),
+    }
+}
+
+/// The used equations with other things in the place of givens, and which of them that changes.
+fn altered(system: &System, used: &BTreeSet<usize>, in_place: &InPlace) -> (System, BTreeSet<usize>) {
+    let change = |side: &Expr| side.substitute(&|symbol| in_place.get(&symbol).cloned()).simplify();
+    let (mut equations, mut wrong) = (Vec::new(), BTreeSet::new());
+    for equation in used.iter().filter_map(|place| system.equations.get(*place)) {
+        let is_touched = equation.symbols().iter().any(|symbol| in_place.contains_key(symbol));
+        match &equation.statement {
+            Statement::Equal { left, right } if is_touched => {
+                let statement = Statement::Equal { left: change(left), right: change(right) };
+                wrong.insert(equations.len());
+                equations.push(Equation { statement, ..equation.clone() });
+            }
+            Statement::Equal { .. } | Statement::FirstInteger { .. } => equations.push(equation.clone()),
+        }
+    }
+    let judged = |own: &Condition| Condition { left: change(&own.left), right: change(&own.right), ..own.clone() };
+    let conditions = system.conditions.iter().map(judged).collect();
+    (System { conditions, ..system.with(equations) }, wrong)
+}
