@@ -157,10 +157,13 @@ impl Marking<'_> {
     }
 }
 
-/// Of some mistakes those that are named: what is wrong with the data only where the verdict leaves open what it is.
+/// Of some mistakes those that are named: what is wrong with the data only where the verdict leaves open what it is, and of a right
+/// magnitude without its direction nothing but how it was written.
 pub(super) fn unexplained(verdict: Verdict, mut found: Vec<&Mistake>) -> Vec<&Mistake> {
-    if !matches!(verdict, Verdict::Wrong | Verdict::RoundingSlip) {
-        found.retain(|own| !own.yields());
+    match verdict {
+        Verdict::Wrong | Verdict::RoundingSlip => {}
+        Verdict::Sense => found.retain(|own| own.is_written()),
+        _ => found.retain(|own| !own.yields()),
     }
     found
 }

@@ -58,6 +58,12 @@ impl Mistake {
         }
     }
 
+    /// Whether the right value is written down wrongly.
+    #[must_use]
+    pub fn is_written(&self) -> bool {
+        matches!(self.made, Made::Written(..))
+    }
+
     /// Whether the mistake is made in one answer, and leaves the others as they are.
     #[must_use]
     pub fn is_of_one_answer(&self) -> bool {
