@@ -268,12 +268,20 @@ impl<'a> Trial<'a> {
 /// rounding, half a unit in the last place of the largest.
 fn allow_for_zeros(worked: &Worked<'_>, all: &mut BTreeMap<String, (Comparison, f64)>) {
     let symbols = &worked.problem.model().symbols;
+    let largest = |dimension: Dimension| {
+        let alike = symbols.iter().filter(|(_, entry)| entry.dimension == dimension);
+        let sizes = alike.filter_map(|(symbol, _)| Some(worked.variant.value(symbol)?.value.abs()));
+        sizes.fold(0.0, f64::max)
+    };
     for (name, (_, bound)) in all.iter_mut().filter(|(_, (own, _))| own.stated == 0.0) {
         let dimension = symbols.find(name).map(|symbol| symbols.entry(symbol).dimension);
         let Some(dimension) = dimension.filter(|own| *own != Dimension::NONE) else { continue };
-        let alike = symbols.iter().filter(|(_, entry)| entry.dimension == dimension);
-        let sizes = alike.filter_map(|(symbol, _)| Some(worked.variant.value(symbol)?.value.abs()));
-        *bound = bound.max(sizes.fold(0.0, f64::max) * f64::EPSILON / 2.0);
+        *bound = bound.max(largest(dimension) * f64::EPSILON / 2.0);
+        if dimension == Dimension::ENERGY {
+            // The square of a velocity that is nothing but rounding.
+            let rounding = largest(Dimension::VELOCITY) * f64::EPSILON;
+            *bound = bound.max(largest(Dimension::MASS) * rounding * rounding);
+        }
     }
 }
 

@@ -160,8 +160,11 @@ impl Builder<'_> {
         Name { subject, ..name.clone() }.at(since)
     }
 
-    /// A name without a stage, where only one could be meant.
+    /// A name without a stage, where only one could be meant. An angular momentum without a stage is that of all bodies.
     fn only_stage(&self, name: &Name) -> Option<Symbol> {
+        if name.kind == QuantityKind::AngularMomentum {
+            return None;
+        }
         let spelling = name.to_string();
         let is_meant = |own: &Name| own.stage.is_some() && Name { stage: None, ..own.clone() }.to_string() == spelling;
         let mut found = self.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| is_meant(self.name(*symbol)));

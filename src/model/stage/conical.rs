@@ -16,6 +16,7 @@ use momentous_laws::force;
 use momentous_laws::geometry;
 use momentous_quantity::Dimension;
 use momentous_scene::Term;
+use momentous_scene::stage::Arm;
 use momentous_scene::stage::Conical;
 use momentous_solve::Relation;
 
@@ -31,6 +32,9 @@ impl Builder<'_> {
         self.acts(pulls.works(Effect::Of((longer - shorter).simplify()), words));
         let because = format!("the cord's pull and the weight have no moment about the vertical through {centre}");
         let [before, after] = momenta;
+        if matches!(stage.length, Arm::Constant(_)) {
+            self.same_circle(index, &stage.body);
+        }
         self.law(&angular::CONSERVATION, Some(index), because, (before, after));
         self.note_impulse(index, &stage.body, "weight and the cord", Vec::new());
         self.neglect("the mass of the cord", "it is light");
@@ -38,6 +42,18 @@ impl Builder<'_> {
             format!("the motion of {name} while the cord is drawn in"),
             "the question concerns only the steady circles",
         );
+    }
+
+    /// A cord that keeps its length keeps its circle, which needs no equation to be solved for its angle.
+    fn same_circle(&mut self, index: usize, body: &str) {
+        let [start, end] = [index + 1, index + 2].map(|instant| self.timeline.naming_instant(body, instant));
+        let kinds = [QuantityKind::Direction(VectorKind::Velocity), QuantityKind::Velocity, QuantityKind::Position];
+        for kind in kinds {
+            let [before, after] = [start, end].map(|instant| self.quantity(Name::of(kind.clone(), body).at(instant)));
+            let (Some(before), Some(after)) = (before, after) else { continue };
+            let because = "the cord keeps its length, so the circle stays the same";
+            self.law(&force::CONICAL, Some(index), because, (after.into(), before.into()));
+        }
     }
 
     /// One of the two circles; the angular momentum on it.

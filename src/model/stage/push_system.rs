@@ -5,6 +5,7 @@ use crate::Because;
 use crate::Builder;
 use crate::Name;
 use crate::QuantityKind;
+use crate::guide::dot;
 use crate::name::MASS_CENTRE;
 use crate::name::Meaning;
 use momentous_expr::Expr;
@@ -110,9 +111,20 @@ impl Builder<'_> {
         let total = Expr::sum(alive.iter().map(|body| self.mass(body)).collect::<Vec<_>>());
         let forces: Vec<ActingForce> = self.forces.iter().filter(|force| force.stage == index).cloned().collect();
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        // A guide takes up what acts across it.
+        let lines: Vec<Option<Vec<Expr>>> =
+            forces.iter().map(|force| self.guided(&force.on).map(|guide| self.components(&guide.along))).collect();
         let first = usize::from(push.pushed().any(|body| self.scene.follows_a_force(index, body)));
         for (side, instant) in [index + 1, index + 2].into_iter().enumerate().skip(first) {
-            let parts: Vec<Vec<Expr>> = forces.iter().map(|force| self.components_at(force, side == 1)).collect();
+            let parts: Vec<Vec<Expr>> = (forces.iter().zip(&lines))
+                .map(|(force, line)| {
+                    let parts = self.components_at(force, side == 1);
+                    line.as_ref().map_or(parts.clone(), |line| {
+                        let along = dot(&parts, line);
+                        line.iter().map(|share| (share.clone() * along.clone()).simplify()).collect()
+                    })
+                })
+                .collect();
             for (position, axis) in axes.iter().enumerate() {
                 let net = Expr::sum(parts.iter().filter_map(|parts| parts.get(position).cloned()).collect::<Vec<_>>());
                 let [whose, of] =

@@ -186,8 +186,8 @@ impl Builder<'_> {
         momentum
     }
 
-    /// The name of the angular momentum about a point at the start of a stage (0) or at its end (1). Where the stage beside it counts other
-    /// bodies, there are two of them at that instant, and each has the stage in its name.
+    /// The name of the angular momentum about a point at the start of a stage (0) or at its end (1). Without a stage in its name it is
+    /// that of all bodies: where the stage, or the one beside it, counts others, it has its stage in its name.
     pub(crate) fn momentum_on_arm_by_name(&self, index: usize, side: usize, about: &str) -> Name {
         let turning = |stage: usize| -> Option<BTreeSet<&str>> {
             let own = self.scene.stages.get(stage)?;
@@ -198,8 +198,9 @@ impl Builder<'_> {
             (own.about == Some(about)).then(|| own.bodies.iter().map(|(body, _)| *body).collect())
         };
         let beside = if side == 0 { index.checked_sub(1) } else { Some(index + 1) };
-        let others = beside.and_then(turning);
-        let differs = others.is_some_and(|others| turning(index).is_some_and(|own| own != others));
+        let (own, others) = (turning(index), beside.and_then(turning));
+        let alive: BTreeSet<&str> = self.timeline.alive(index + 1 + side).into_iter().collect();
+        let differs = own.is_some_and(|own| own != alive || others.is_some_and(|others| own != others));
         let name = Name::of(QuantityKind::AngularMomentum, about).at(index + 1 + side);
         if differs { name.during(self.stage_label(index)) } else { name }
     }

@@ -100,7 +100,7 @@ impl Builder<'_> {
             }
             None => before.unwrap_or_else(Expr::zero),
         };
-        match (after, travel) {
+        let deformation = match (after, travel) {
             (_, Some(travel)) => {
                 let after = (before.clone() + travel.clone()).simplify();
                 Deformation { before, after, travel }
@@ -110,7 +110,16 @@ impl Builder<'_> {
                 Deformation { before, after, travel }
             }
             (None, None) => Deformation { travel: -before.clone(), before, after: Expr::zero() },
+        };
+        let is_relaxed = |term: Option<&Term>| term.is_none_or(Term::is_written_as_zero);
+        let ends = [&stage.from, &stage.to, &stage.travel];
+        if stage.until.is_none() && stage.carried.is_none() && ends.into_iter().all(|end| is_relaxed(end.as_ref())) {
+            let message = "the spring is relaxed at the start and at the end, which says nothing of what happens between";
+            let help = "write how far it is pressed: `from: s` for a spring that relaxes, `to: s` for one that is pressed, or \
+                `until: rest` for its greatest deformation; one stage for each way";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.clone()));
         }
+        deformation
     }
 
     /// A spring whose other end is fixed.

@@ -87,7 +87,7 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
                 let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
                 let example = sampler
                     .between_solutions()
-                    .map_or_else(|| ", under `where`".to_owned(), |own| format!(": `where: {own}`"));
+                    .map_or_else(|| ", under `where`".to_owned(), |own| format!(": `where: [{own}]`"));
                 let help = format!(
                     "say which is meant by a condition that the other one breaks{example}; or ask for every one: `roots: all`"
                 );

@@ -81,9 +81,10 @@ impl StageRun<'_> {
         let weighed = held.iter().all(|own| self.values.mass(own.body).is_ok());
         let turning = |own: &Held<'_>| Ok(self.values.velocity_before(own.body, axis)? / own.ends[0]);
         let turning_of = held.first().filter(|_| !stage.is_arm()).map_or("", |own| own.body);
+        // A period says nothing of the sense, so it comes last.
         let period = || Ok(TAU / self.values.named(&format!("period_{turning_of}{first}"))?);
-        let started = self.values.named(&format!("omega_{first}")).or_else(|_| period());
-        let before = held.iter().fold(started, |known, own| known.or_else(|_| turning(own)))?;
+        let started = self.values.named(&format!("omega_{turning_of}{first}"));
+        let before = held.iter().fold(started, |known, own| known.or_else(|_| turning(own))).or_else(|_| period())?;
         // What carries the particles is one more, of so much mass that its moment of inertia is the same.
         if let Some(rotor) = &stage.rotor {
             let arm = held.first().map_or(1.0, |own| own.ends[0]);
@@ -140,11 +141,9 @@ impl StageRun<'_> {
         }
         let all = self.values.scene.bodies.len() == stage.turning().len();
         for (instant, side, rate) in [(first, 0, before), (first + 1, 1, after)] {
-            if weighed {
+            if weighed && all {
                 self.note(&format!("H_{}{instant}", stage.about), resists(side) * rate, 0.0);
-                if all {
-                    self.note(&format!("T_{instant}"), resists(side) * rate * rate / 2.0, 0.0);
-                }
+                self.note(&format!("T_{instant}"), resists(side) * rate * rate / 2.0, 0.0);
             }
             self.note(&format!("omega_{turning_of}{instant}"), rate, before);
             self.note(&format!("period_{turning_of}{instant}"), TAU / rate.abs(), 0.0);
