@@ -46,8 +46,10 @@ pub(super) fn columns<'a>(parts: &'a [Part], samples: &'a Samples) -> Vec<Column
 }
 
 impl Column<'_> {
+    /// The largest answer; one that is zero within its bound counts as zero.
     fn largest(&self) -> f64 {
-        self.answers.iter().map(|answer| answer.value.value.abs()).fold(0.0, f64::max)
+        let sizes = self.answers.iter().map(|answer| (answer.value.value.abs(), answer.value.error));
+        sizes.filter(|(size, error)| size > error).map(|(size, _)| size).fold(0.0, f64::max)
     }
 
     fn share(&self, holds: impl Fn(&Answered) -> bool) -> f64 {

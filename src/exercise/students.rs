@@ -26,6 +26,8 @@ impl Exercise {
                     let values = vector.components.first().map(values).unwrap_or_default();
                     self.rounded_vector(vector, &values)
                 }
+                // Nobody types what is left of a zero.
+                PartKind::Number(number) if worked.is_nothing(number.symbol) => self.printed(part),
                 PartKind::Number(number) if worked.answers(number).len() > 1 => self.printed(part),
                 PartKind::Number(number) => match values(number).get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),

@@ -265,7 +265,7 @@ impl<'a> Trial<'a> {
 }
 
 /// Beside a value that is zero by the laws: what a simulation finds as the difference of quantities of one dimension is off by their
-/// rounding, half a unit in the last place of the largest.
+/// rounding, a few units in the last place of the largest.
 fn allow_for_zeros(worked: &Worked<'_>, all: &mut BTreeMap<String, (Comparison, f64)>) {
     let symbols = &worked.problem.model().symbols;
     let largest = |dimension: Dimension| {
@@ -276,10 +276,13 @@ fn allow_for_zeros(worked: &Worked<'_>, all: &mut BTreeMap<String, (Comparison, 
     for (name, (_, bound)) in all.iter_mut().filter(|(_, (own, _))| own.stated == 0.0) {
         let dimension = symbols.find(name).map(|symbol| symbols.entry(symbol).dimension);
         let Some(dimension) = dimension.filter(|own| *own != Dimension::NONE) else { continue };
-        *bound = bound.max(largest(dimension) * f64::EPSILON / 2.0);
+        *bound = bound.max(largest(dimension) * 4.0 * f64::EPSILON);
+        if dimension == Dimension::MOMENTUM {
+            *bound = bound.max(largest(Dimension::MASS) * largest(Dimension::VELOCITY) * 4.0 * f64::EPSILON);
+        }
         if dimension == Dimension::ENERGY {
             // The square of a velocity that is nothing but rounding.
-            let rounding = largest(Dimension::VELOCITY) * f64::EPSILON;
+            let rounding = largest(Dimension::VELOCITY) * 8.0 * f64::EPSILON;
             *bound = bound.max(largest(Dimension::MASS) * rounding * rounding);
         }
     }

@@ -21,7 +21,6 @@ const NUMBERS: &[(&str, &str)] = &[
     ("src/simulate/methods/rapier.rs", "a vector of fewer dimensions has no part along others"),
     ("src/simulate/scene/bounces.rs", "places and times that nobody tells are counted from the start"),
     ("src/simulate/scene/impulsive.rs", "how an impulse grows with the time does not depend on the size of the force"),
-    ("src/simulate/scene/stage/central.rs", "a velocity of which one component is told has no other"),
     ("src/simulate/scene/stage/spring.rs", "the force is the spring that was made first"),
     ("src/simulate/scene/stage/swing.rs", "what is let go is at rest"),
     ("src/simulate/scene/state.rs", "a clock that nobody sets begins at zero"),

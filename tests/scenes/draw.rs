@@ -71,13 +71,7 @@ const FRAMES: &[Frame] = &[
         vertical: false,
         normal: "-x",
     },
-    Frame {
-        name: "slope",
-        axes: "{ x: up the slope }",
-        components: &[""],
-        vertical: false,
-        normal: "-x",
-    },
+    Frame { name: "slope", axes: "{ x: up the slope }", components: &[""], vertical: false, normal: "-x" },
     Frame {
         name: "slope-upright",
         axes: "{ x: down the slope, y: away from the slope }",
@@ -115,7 +109,8 @@ const FRAMES: &[Frame] = &[
 const QUESTIONS: usize = 8;
 
 /// What can be asked of every scene: a velocity, an energy, a momentum, a change.
-const GENERAL: &[&str] = &["v_{A}{j}", "v_{A}{j}", "v_{B}{j}", "T_{A}{j}", "T_gained{s}", "p_{j}", "J_{A}{s}", "speed_{A}{j}"];
+const GENERAL: &[&str] =
+    &["v_{A}{j}", "v_{A}{j}", "v_{B}{j}", "T_{A}{j}", "T_gained{s}", "p_{j}", "J_{A}{s}", "speed_{A}{j}"];
 
 /// Draws one thing after another.
 struct Dice(ChaCha8Rng);
@@ -148,7 +143,7 @@ pub fn draw(table: &Table, kind: &str, seed: u64) -> Drawn {
     let mut bodies = bodies(&format!("{text}{patterns}"));
     for body in ["A", "B"] {
         // A drift and a moment act on every body of the scene.
-        if bodies.len() < 1 + usize::from(shape.has("positions")) && !text.contains('{') {
+        if bodies.len() < 1 + usize::from(shape.has("positions")) && !text.contains("{A}") {
             bodies.push(body.to_owned());
         }
     }
@@ -280,10 +275,13 @@ impl<'a> Given<'a> {
 
     /// The names that the stages use.
     fn within(&mut self, text: &str, dice: &mut Dice) {
-        let words = text.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
-        for word in words {
-            if let Some(kind) = self.table.kind_of(word) {
-                self.add(word, kind, dice);
+        let text = format!(" {text}");
+        let words: Vec<&str> = text.split(|sign: char| !sign.is_alphanumeric() && sign != '_').collect();
+        for pair in words.windows(2) {
+            // Behind a number stands a unit.
+            let is_unit = pair[0].starts_with(|sign: char| sign.is_ascii_digit());
+            if let Some(kind) = self.table.kind_of(pair[1]).filter(|_| !is_unit) {
+                self.add(pair[1], kind, dice);
             }
         }
         if text.contains("{R}") {
@@ -301,7 +299,8 @@ impl Shape {
 impl Drawn {
     /// The scene as a problem file that asks one of the questions.
     pub fn file(&self, question: usize) -> String {
-        let text: String = self.stages.iter().flat_map(|stage| &stage.keys).map(|(_, value)| format!("{value} ")).collect();
+        let text: String =
+            self.stages.iter().flat_map(|stage| &stage.keys).map(|(_, value)| format!("{value} ")).collect();
         let mut file = String::from("id: random/scene\ntitle: A random scene\nlevel: core\nscene:\n");
         let _ = writeln!(file, "  axes: {}", self.frame.axes);
         if self.frame.vertical {

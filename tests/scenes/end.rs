@@ -45,9 +45,8 @@ pub fn end(file: &str, renderer: &Renderer) -> End {
         return End::Refused(reason.clone());
     }
     let broken = form.promises.iter().filter(|own| matches!(own.outcome, Outcome::Broken(_)));
-    let broken: Vec<String> = broken
-        .map(|own| format!("{}: {}", own.promise.name(), own.outcome.remark().unwrap_or_default()))
-        .collect();
+    let broken: Vec<String> =
+        broken.map(|own| format!("{}: {}", own.promise.name(), own.outcome.remark().unwrap_or_default())).collect();
     if !broken.is_empty() {
         return End::Fault(broken.join("; "));
     }

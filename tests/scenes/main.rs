@@ -26,7 +26,16 @@ fn tally() {
     let verbose = std::env::var("SHOW").unwrap_or_default();
     for kind in table.stages.iter().filter(|kind| only.as_ref().is_none_or(|only| *only == kind.name)) {
         let drawn = (0..each).into_par_iter().map(|seed| draw(&table, &kind.name, seed));
-        let ends: Vec<(String, End)> = drawn.map(|drawn| { let start = std::time::Instant::now(); let (file, end) = asked(&drawn, &renderer); if start.elapsed().as_secs() > 10 { println!("SLOW {:?} {end:?}\n{file}", start.elapsed()); } (file, end) }).collect();
+        let ends: Vec<(String, End)> = drawn
+            .map(|drawn| {
+                let start = std::time::Instant::now();
+                let (file, end) = asked(&drawn, &renderer);
+                if start.elapsed().as_secs() > 10 {
+                    println!("SLOW {:?} {end:?}\n{file}", start.elapsed());
+                }
+                (file, end)
+            })
+            .collect();
         let mut counts = BTreeMap::<&str, usize>::new();
         for (file, end) in &ends {
             let (name, text) = match end {

@@ -44,8 +44,7 @@ pub struct Shape {
 impl Table {
     /// The table as it stands.
     pub fn read() -> Self {
-        let mut table =
-            Self { values: BTreeMap::new(), names: BTreeMap::new(), units: Vec::new(), stages: Vec::new() };
+        let mut table = Self { values: BTreeMap::new(), names: BTreeMap::new(), units: Vec::new(), stages: Vec::new() };
         for line in include_str!("stages.txt").lines() {
             let line = line.trim_start();
             let Some((word, rest)) = line.split_once(' ').filter(|_| !line.starts_with('#')) else { continue };

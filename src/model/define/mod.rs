@@ -22,6 +22,7 @@ use momentous_laws::momentum;
 use momentous_scene::Axis;
 use momentous_scene::Stage;
 
+use super::Agent;
 use super::Because;
 use super::Builder;
 use super::ForceKind;
@@ -317,6 +318,8 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         .impulses
         .iter()
         .filter(|impulse| impulse.on == name.subject && in_stage(impulse.stage))
+        // That of a guide has a name of its own: `R_A`.
+        .filter(|impulse| impulse.by != Agent::Guide)
         .filter_map(|impulse| Some((impulse.stage, impulse.components.get(position)?.clone())))
         .collect();
     let stage = acting.first()?.0;

@@ -67,7 +67,9 @@ impl Builder<'_> {
         let angle =
             Expr::from(self.positive(Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since), meaning));
         let meaning = format!("the velocity of {name} {when}");
-        let velocity = Expr::from(self.symbol(Name::of(QuantityKind::Velocity, body).at(since), meaning));
+        let velocity = Name::of(QuantityKind::Velocity, body).at(since);
+        let velocity_name = velocity.to_string();
+        let velocity = Expr::from(self.symbol(velocity, meaning));
         let meaning = format!("the radius of the circle of {name} {when}");
         let radius = Expr::from(self.positive(Name::of(QuantityKind::Position, body).at(since), meaning));
         let because = "the cord is straight";
@@ -77,6 +79,14 @@ impl Builder<'_> {
         let sides =
             (velocity.clone().powi(2) / radius.clone(), self.gravity() * Expr::apply(Function::Tan, angle.clone()));
         self.law(&force::CONICAL, Some(index), because.clone(), sides);
+        if self.given.contains(&velocity_name) {
+            // With the radius put in, the angle alone is left: v^2 = g L sin tan.
+            let tangent = Expr::apply(Function::Tan, angle.clone());
+            let squares = [self.gravity(), length.clone(), angle.clone().sin(), tangent];
+            let because = "the radius of the steady circle is substituted";
+            let sides = (velocity.clone().powi(2), Expr::product(squares));
+            self.law_at(SECOND_COST, &force::CONICAL, Some(index), because, sides);
+        }
         let meaning = format!("the tension of the cord {when}");
         let tension = Expr::from(self.positive(Name::of(QuantityKind::Tension, body).at(since), meaning));
         let weight = self.mass(body) * self.gravity();
@@ -91,7 +101,7 @@ impl Builder<'_> {
         let moment = Expr::product([mass.clone(), radius, velocity]);
         let because = "the velocity is at right angles to the radius";
         self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), moment));
-        // With the speed put in, the angle alone is left: v^2 = g L sin tan.
+        // With the speed put in as well: H^2 = m^2 g L^3 sin^3 tan.
         let tangent = Expr::apply(Function::Tan, angle.clone());
         let squares = [mass.powi(2), self.gravity(), length.powi(3), angle.sin().powi(3), tangent];
         let because = "the speed of the steady circle is substituted into the square of the angular momentum";

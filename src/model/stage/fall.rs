@@ -25,7 +25,8 @@ impl Builder<'_> {
         let on_string = self.scene.sinks(index, body).filter(|_| axes.len() == 1);
         let downwards: Vec<Option<i64>> =
             (0..axes.len()).map(|position| self.downwards(position).or(on_string)).collect();
-        for (axis, down) in axes.iter().zip(&downwards) {
+        let mut impulse = vec![Expr::zero(); axes.len()];
+        for (position, (axis, down)) in axes.iter().zip(&downwards).enumerate() {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let Some(down) = *down else {
                 let because = format!("weight has no component along {}", axis.letter());
@@ -42,6 +43,7 @@ impl Builder<'_> {
             let time = self.positive(self.in_stage(QuantityKind::Duration, "", index), meaning);
             self.lasting[index] = Some(time.into());
             let gained = Expr::product([Expr::integer(down), gravity.clone(), time.into()]);
+            impulse[position] = self.mass(body) * gained.clone();
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));
         }
         let mass = self.mass(body);
@@ -49,10 +51,9 @@ impl Builder<'_> {
             Some(down) => Expr::integer(*down) * mass.clone() * gravity.clone(),
             None => Expr::zero(),
         });
-        let components: Vec<Expr> = weight.collect();
-        let acts = Influence::outside(index, body, "weight").force(components.clone());
+        let acts = Influence::outside(index, body, "weight").force(weight.collect());
         self.acts(acts.works(Effect::Open, "weight does work as the height changes"));
-        self.note_impulse(index, body, "weight", components);
+        self.note_impulse(index, body, "weight", impulse);
         self.neglect("air resistance", "the problem gives none");
     }
 }

@@ -62,7 +62,7 @@ impl Builder<'_> {
             self.ramp(index, stage, &name, height, &way);
         } else {
             let retardation = self.retardation(&name, friction.as_ref(), &incline, &way);
-            self.slowed(index, &retardation, distance.as_ref(), &duration, &way);
+            self.slowed((index, body), &retardation, distance.as_ref(), &duration, &way);
             if let (Some(height), Some(distance)) = (height, distance) {
                 let sides = (height, distance * incline.along.clone());
                 self.law(&geometry::HEIGHT_OF_SLOPE, Some(index), "the slope is straight", sides);
@@ -129,7 +129,7 @@ impl Builder<'_> {
     /// What a body loses over the distance and over the time.
     fn slowed(
         &mut self,
-        index: usize,
+        (index, body): (usize, &str),
         retardation: &Retardation,
         distance: Option<&Expr>,
         duration: &Expr,
@@ -139,6 +139,10 @@ impl Builder<'_> {
             |amount: &Expr| retardation.parts.iter().map(|part| -(part.clone() * amount.clone())).collect::<Vec<_>>();
         if let Some(distance) = distance {
             let [start, end] = way.energies.clone();
+            // Also where nobody asks how fast it is then.
+            let left = Expr::sum([start.clone()].into_iter().chain(times(distance)));
+            let name = self.called(body);
+            self.require(left, Relation::AtLeast, Expr::zero(), Reason::TurnsBack(name));
             let sides = energy::work_energy(start, times(distance), end);
             self.law(&energy::WORK_ENERGY, Some(index), retardation.because.clone(), sides);
         }

@@ -111,10 +111,16 @@ impl Builder<'_> {
             }
             (None, None) => Deformation { travel: -before.clone(), before, after: Expr::zero() },
         };
+        if stage.until.is_some() && stage.to.is_none() && stage.travel.is_none() {
+            let message = "the greatest deformation of the spring has no name";
+            let help = "write `to: s`, give or ask for `s`, or write how much further it is pressed: `travel: s`";
+            self.faults.push(Fault::new(Code::MissingKey, message).help(help).at_path(path.clone()));
+        }
         let is_relaxed = |term: Option<&Term>| term.is_none_or(Term::is_written_as_zero);
         let ends = [&stage.from, &stage.to, &stage.travel];
         if stage.until.is_none() && stage.carried.is_none() && ends.into_iter().all(|end| is_relaxed(end.as_ref())) {
-            let message = "the spring is relaxed at the start and at the end, which says nothing of what happens between";
+            let message =
+                "the spring is relaxed at the start and at the end, which says nothing of what happens between";
             let help = "write how far it is pressed: `from: s` for a spring that relaxes, `to: s` for one that is pressed, or \
                 `until: rest` for its greatest deformation; one stage for each way";
             self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.clone()));

@@ -319,6 +319,14 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             if origin.is_positive() {
                 builder.assume_positive(name, symbol);
             }
+            let earlier = known.iter().find(|earlier: &&Known| earlier.symbol == symbol && earlier.name != name);
+            if let Some(Known { name: earlier, .. }) = earlier {
+                let message = format!("`{name}` is `{earlier}`, which is given already: nothing changes it in between");
+                let help = format!(
+                    "remove one of them, or add the stage that changes it; `{name}` and `{earlier}` are one quantity"
+                );
+                builder.fault(Fault::new(Code::Duplicate, message).help(help).at_path(place.clone()));
+            }
             known.push(Known { name: name.to_owned(), symbol, unit: unit.clone(), origin, stream: None });
         };
         match given {

@@ -22,6 +22,9 @@ enum Law {
     Spring { rate: f64, slack: f64 },
 }
 
+/// A direction whose sine, seen from the nearest point, is at most this is that of an apsis.
+const APSIS: f64 = 1e-9;
+
 impl Law {
     fn inwards(self, distance: f64) -> f64 {
         match self {
@@ -84,7 +87,16 @@ impl StageRun<'_> {
         let named =
             |base: &str, instant: usize, part: &str| self.values.named(&format!("{base}_{body}{instant}{part}"));
         let (length, across) = (named("r", first, "")?, named("v", first, ".theta")?);
-        let radial = named("v", first, ".r").unwrap_or(0.0);
+        let is_between_apsides = || named("theta", first, "").is_ok_and(|angle| libm::sin(angle).abs() > APSIS);
+        let radial = match named("v", first, ".r") {
+            Ok(radial) => radial,
+            // Between its apsides a body moves inwards or outwards, and nobody says how fast.
+            Err(missing) if stage.orbit == Some(Orbit::Ellipse) && is_between_apsides() => return Err(missing),
+            Err(missing) if named("speed", first, "").is_ok_and(|speed| speed - across.abs() > APSIS * speed) => {
+                return Err(missing);
+            }
+            Err(_) => 0.0,
+        };
         let goal = named("r", first + 1, "");
         let told = stage.gravity.as_ref().map(|term| self.values.term(term)).transpose()?;
         let law = match (&stage.spring, told) {

@@ -37,7 +37,8 @@ impl StageRun<'_> {
         self.about(vec![0.0; 3], true);
         self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Positions are measured from the pivot.");
         let swept = around(&end) * distance(&end);
-        let after = Circle::with(short, gravity, swept, &|own| own.speed * own.radius());
+        let drawn_in = || Circle::with(short, gravity, swept, &|own| own.speed * own.radius());
+        let after = if drawn == 0.0 { circle } else { drawn_in() };
         for (instant, circle) in [(first, circle), (first + 1, after)] {
             self.note(&format!("angle_{body}{instant}"), circle.angle, 1.0);
             self.note(&format!("r_{body}{instant}"), circle.radius(), 0.0);

@@ -8,7 +8,7 @@ use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Particle, place, velocity};
 use crate::scene::stage_run::StageRun;
 use crate::scene::system::System;
-use crate::scene::vector::{dot, part, size, times, unit};
+use crate::scene::vector::{dot, less, part, size, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn fall(&mut self, stage: &Fall) -> Result<(), NothingToSimulate> {
@@ -31,7 +31,13 @@ impl StageRun<'_> {
             } else {
                 self.fall_through(body, height)?
             };
-            self.note(&name, part(velocity(&end.state, 0), axis), 0.0);
+            let fallen = velocity(&end.state, 0);
+            self.note(&name, part(fallen, axis), 0.0);
+            if let (Ok(mass), Ok(before)) =
+                (self.values.mass(&stage.body), self.values.velocity_before(&stage.body, axis))
+            {
+                self.note_impulse(&stage.body, times(mass, less(fallen, times(before, unit(axis)))), None);
+            }
             self.note_duration(None, end.time);
         }
         Ok(())

@@ -76,7 +76,7 @@ impl StageRun<'_> {
         if told {
             let scene = self.values.scene;
             let skipped = usize::from(scene.follows_a_force(index, body));
-            for (instant, (time, state)) in (index + 1..).zip([(begun, start), (end, last)]).skip(skipped) {
+            for (instant, (time, state)) in (index + 1..).zip([(begun, start), (end.next_down(), last)]).skip(skipped) {
                 let scale = largest.max(drags * state[1].abs());
                 self.note(&format!("a_{body}{instant}"), slope(time, &state)[1], scale / state[0]);
                 self.note(&format!("F_{body}{instant}"), force(time), largest);
