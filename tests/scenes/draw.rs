@@ -11,8 +11,6 @@ use super::table::{Kind, Shape, Table, plain};
 /// A scene with a question.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    /// Its kinds of stage.
-    pub kinds: Vec<String>,
     /// The stages, each with its keys as they are written.
     pub stages: Vec<Written>,
     frame: Frame,
@@ -138,7 +136,7 @@ pub fn draw(table: &Table, kind: &str, seed: u64) -> Drawn {
     {
         stages.push(written(second, &shape, frame, &mut dice));
     }
-    let text: String = stages.iter().flat_map(|stage| &stage.keys).map(|(_, value)| format!("{value} ")).collect();
+    let text = values(&stages);
     let patterns: String = shape.given.iter().map(|(pattern, _)| pattern.as_str()).collect();
     let mut bodies = bodies(&format!("{text}{patterns}"));
     for body in ["A", "B"] {
@@ -169,8 +167,13 @@ pub fn draw(table: &Table, kind: &str, seed: u64) -> Drawn {
             asked.push((name, unit));
         }
     }
-    let kinds = stages.iter().map(|stage| stage.kind.clone()).collect();
-    Drawn { kinds, stages, frame, bodies, given: given.all, guided, questions: asked }
+    Drawn { stages, frame, bodies, given: given.all, guided, questions: asked }
+}
+
+/// The values of all keys, one after another.
+fn values(stages: &[Written]) -> String {
+    let values: Vec<&str> = stages.iter().flat_map(|stage| &stage.keys).map(|(_, value)| value.as_str()).collect();
+    values.join(" ")
 }
 
 fn digest(text: &str) -> u64 {
@@ -299,8 +302,7 @@ impl Shape {
 impl Drawn {
     /// The scene as a problem file that asks one of the questions.
     pub fn file(&self, question: usize) -> String {
-        let text: String =
-            self.stages.iter().flat_map(|stage| &stage.keys).map(|(_, value)| format!("{value} ")).collect();
+        let text = values(&self.stages);
         let mut file = String::from("id: random/scene\ntitle: A random scene\nlevel: core\nscene:\n");
         let _ = writeln!(file, "  axes: {}", self.frame.axes);
         if self.frame.vertical {
@@ -323,9 +325,10 @@ impl Drawn {
         }
         file.push_str("  stages:\n");
         for stage in &self.stages {
-            let keys = stage.keys.iter().map(|(key, value)| format!("{}: {}", plain(key), value));
-            let keys: String = keys.map(|key| format!("        {}\n", with_bodies(&key))).collect();
-            let _ = write!(file, "    - {}:\n{keys}", stage.kind);
+            let _ = writeln!(file, "    - {}:", stage.kind);
+            for (key, value) in &stage.keys {
+                let _ = writeln!(file, "        {}: {}", plain(key), with_bodies(value));
+            }
         }
         file.push_str("given:\n");
         for (name, value) in &self.given {

@@ -19,6 +19,29 @@ pub enum End {
     Fault(String),
 }
 
+impl End {
+    /// The end in a word.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Witnessed => "witnessed",
+            Self::Unwitnessed(_) => "unwitnessed",
+            Self::Refused(_) => "refused",
+            Self::Fault(_) => "fault",
+        }
+    }
+
+    /// Why it is so; empty where all is well.
+    pub fn reason(&self) -> &str {
+        match self {
+            Self::Witnessed => "",
+            Self::Unwitnessed(why) | Self::Refused(why) | Self::Fault(why) => why,
+        }
+    }
+}
+
+/// Promises that ask the author for other numbers, and say so: no fault of the program.
+const OF_THE_NUMBERS: &[Promise] = &[Promise::Reproduces, Promise::Sharp];
+
 /// Asks of a scene the first question that it knows: the file, and how it ends.
 pub fn asked(drawn: &Drawn, renderer: &Renderer) -> (String, End) {
     let mut last = (drawn.file(0), End::Refused("nothing is asked".to_owned()));
@@ -45,8 +68,14 @@ pub fn end(file: &str, renderer: &Renderer) -> End {
         return End::Refused(reason.clone());
     }
     let broken = form.promises.iter().filter(|own| matches!(own.outcome, Outcome::Broken(_)));
-    let broken: Vec<String> =
-        broken.map(|own| format!("{}: {}", own.promise.name(), own.outcome.remark().unwrap_or_default())).collect();
+    let (numbers, broken): (Vec<_>, Vec<_>) = broken.partition(|own| OF_THE_NUMBERS.contains(&own.promise));
+    if let ([first, ..], []) = (&numbers[..], &broken[..]) {
+        return End::Refused(first.outcome.remark().unwrap_or_default().to_owned());
+    }
+    let broken: Vec<String> = broken
+        .iter()
+        .map(|own| format!("{}: {}", own.promise.name(), own.outcome.remark().unwrap_or_default()))
+        .collect();
     if !broken.is_empty() {
         return End::Fault(broken.join("; "));
     }
