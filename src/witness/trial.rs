@@ -26,6 +26,9 @@ use super::simulation::Witness;
 /// By which share of itself an input is changed to see what its own error does.
 const NUDGE: f64 = 1e-6;
 
+/// An energy, in joules, that nothing measures: where everything is at rest there is no other size to compare a remainder with.
+const NO_ENERGY: f64 = 1e-30;
+
 /// The share of a value that its bound has to be for the value to count as one that is not zero.
 const NEAR_ZERO: f64 = 1e-4;
 
@@ -283,7 +286,7 @@ fn allow_for_zeros(worked: &Worked<'_>, all: &mut BTreeMap<String, (Comparison, 
         if dimension == Dimension::ENERGY {
             // The square of a velocity that is nothing but rounding.
             let rounding = largest(Dimension::VELOCITY) * 8.0 * f64::EPSILON;
-            *bound = bound.max(largest(Dimension::MASS) * rounding * rounding);
+            *bound = bound.max(largest(Dimension::MASS) * rounding * rounding).max(NO_ENERGY);
         }
     }
 }

@@ -8,6 +8,7 @@
 mod draw;
 mod end;
 mod keys;
+mod knock_out;
 mod table;
 
 use std::collections::BTreeMap;
