@@ -1,5 +1,7 @@
 //! How a scene ends: solved and witnessed, refused, or at fault.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use momentous::bank::{Outcome, Promise, Seeds, audit};
 use momentous::fault::Source;
 use momentous::render::Renderer;
@@ -57,8 +59,13 @@ pub fn asked(drawn: &Drawn, renderer: &Renderer) -> (String, End) {
     last
 }
 
-/// Looks at a scene as `momentous check` does.
+/// Looks at a scene as `momentous check` does. A panic is a fault of the scene that caused it, and ends no other.
 pub fn end(file: &str, renderer: &Renderer) -> End {
+    let looked = catch_unwind(AssertUnwindSafe(|| looked_at(file, renderer)));
+    looked.unwrap_or_else(|_| End::Fault("a panic".to_owned()))
+}
+
+fn looked_at(file: &str, renderer: &Renderer) -> End {
     let audit = audit(&Source::new("scene.yaml", file), Seeds { drawn: 1, simulated: 1 }, renderer);
     if let Some(faults) = audit.faults {
         return End::Refused(faults);

@@ -90,8 +90,10 @@ impl Bowl {
         // The higher of the two levels lies a little below the edge.
         let rise = self.rise.as_ref().map_or(0.0, |(rise, _)| *rise);
         let top = 0.86 * height;
-        let own = if rise > 0.0 { (top / (1.0 + rise)).clamp(APART, top - APART) } else { top };
-        let other = if rise > 0.0 { top } else { (own * (1.0 + rise)).clamp(APART, top - APART) };
+        // In a flat cone both levels lie within little height.
+        let apart = APART.min(top / 2.0);
+        let own = if rise > 0.0 { (top / (1.0 + rise)).clamp(apart, top - apart) } else { top };
+        let other = if rise > 0.0 { top } else { (own * (1.0 + rise)).clamp(apart, top - apart) };
         let level = self.rise.as_ref().map(|_| other);
         let inwards = Point::polar(1.0, PI - angle);
         self.draw_levels(canvas, [Point::new(own * tangent, own), inwards], level, &|y| y * tangent);
