@@ -60,12 +60,7 @@ const BY_HAND: &[Row] = &[
         "v_A2 2, F_avg_A 1000",
     ),
     (RIGHT, r#"{"blow":{"body":"A","by":"the bat"}}"#, "m_A 2, v_A1 -3, v_A2 2", "J_A 10"),
-    (
-        RIGHT,
-        r#"{"rotate":{"body":"A","about":"O","arm":["2 m","1 m"]}}"#,
-        "m_A 2, v_A1 3",
-        "v_A2 6, omega_A2 6",
-    ),
+    (RIGHT, r#"{"rotate":{"body":"A","about":"O","arm":["2 m","1 m"]}}"#, "m_A 2, v_A1 3", "v_A2 6, omega_A2 6"),
     (
         RIGHT,
         r#"{"rotate":{"body":"A","about":"O","arm":"2 m","moment":"6*t*1 N m/s","during":"2 s"}}"#,
