@@ -10,10 +10,7 @@ use ipnet::IpNet;
 use crate::web::Settings;
 
 use super::base_url::BaseUrl;
-#[cfg(feature = "courses")]
-use super::data::Data;
-#[cfg(not(feature = "courses"))]
-use super::without_courses::NoCourses;
+use super::courses::Courses;
 
 /// How the server is set up.
 #[derive(Args, Debug)]
@@ -28,16 +25,8 @@ pub(super) struct Setup {
     /// can be given
     #[arg(long, value_name = "ADDRESS", value_parser = proxy)]
     pub(super) trusted_proxy: Vec<IpNet>,
-    #[cfg(feature = "courses")]
     #[command(flatten)]
-    pub(super) data: Data,
-    /// Serve practice and simulators only, and keep nothing
-    #[cfg(feature = "courses")]
-    #[arg(long)]
-    pub(super) no_courses: bool,
-    #[cfg(not(feature = "courses"))]
-    #[command(flatten)]
-    pub(super) courses: NoCourses,
+    pub(super) courses: Courses,
     /// The address on which operators read `/metrics`: one that no proxy leads to, such as 127.0.0.1:9464
     #[arg(long, value_name = "ADDRESS")]
     pub(super) metrics: Option<SocketAddr>,

@@ -5,14 +5,14 @@ use clap::Args;
 use crate::course_pages::Clock;
 use crate::course_pages::retention::Retained;
 
-use super::super::exit::Exit;
-use super::super::failure::Failure;
-use super::super::output::Output;
+use super::super::super::exit::Exit;
+use super::super::super::failure::Failure;
+use super::super::super::output::Output;
 use super::data::Data;
 
 /// Say until when each course keeps answers, and delete those that were kept long enough
 #[derive(Args, Debug)]
-pub(super) struct Retention {
+pub(in crate::cli::serve) struct Retention {
     #[command(flatten)]
     data: Data,
     /// Delete the answers of courses whose time is over, with their marks: save the gradebooks first

@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::super::exit::Exit;
-use super::super::failure::Failure;
-use super::super::output::Output;
+use super::super::super::exit::Exit;
+use super::super::super::failure::Failure;
+use super::super::super::output::Output;
 use super::data::Data;
 
 /// Write a copy of everything to a new file, while the server works. It holds the secrets of courses
 #[derive(Args, Debug)]
-pub(super) struct Backup {
+pub(in crate::cli::serve) struct Backup {
     #[command(flatten)]
     data: Data,
     /// The new file
@@ -31,7 +31,7 @@ impl Backup {
 
 /// Take everything from a copy into a folder or database that is still empty
 #[derive(Args, Debug)]
-pub(super) struct Restore {
+pub(in crate::cli::serve) struct Restore {
     #[command(flatten)]
     data: Data,
     /// The copy

@@ -12,18 +12,18 @@ use crate::problem::compile;
 use crate::store::{Address, Inspection, StoreFault};
 use crate::web::{App, page_faults};
 
-use super::super::exit::Exit;
-use super::super::failure::Failure;
-use super::super::output::Output;
-use super::super::style::Style;
+use super::super::super::exit::Exit;
+use super::super::super::failure::Failure;
+use super::super::super::output::Output;
+use super::super::super::style::Style;
+use super::super::setup::Setup;
 use super::finding::Finding;
 use super::folder;
 use super::health;
-use super::setup::Setup;
 
 /// Say what is misconfigured, and the way out; nothing is changed. Give it the options of the server
 #[derive(Args, Debug)]
-pub(super) struct Check {
+pub(in crate::cli::serve) struct Check {
     #[command(flatten)]
     setup: Setup,
     /// The server runs already: its folder is locked and its address is taken
@@ -40,7 +40,7 @@ impl Check {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let mut findings = self.pages();
         findings.extend(self.addresses());
-        if !self.setup.no_courses {
+        if !self.setup.courses.no_courses {
             findings.extend(self.data()?);
         }
         let (style, mut output) = (Style::of_stdout(), Output::to(None)?);
@@ -86,7 +86,8 @@ impl Check {
 
     /// Whether the addresses are free, and nothing goes readably through a network.
     fn addresses(&self) -> Vec<Finding> {
-        let Setup { bind, base_url, trusted_proxy, metrics, no_courses, .. } = &self.setup;
+        let Setup { bind, base_url, trusted_proxy, metrics, courses, .. } = &self.setup;
+        let no_courses = courses.no_courses;
         let mut findings = Vec::new();
         if self.running {
             findings.push(health::finding(*bind, &base_url.path));
@@ -126,7 +127,7 @@ impl Check {
 
     /// Whether the data can be used, are private, and agree with the clock.
     fn data(&self) -> Result<Vec<Finding>, Failure> {
-        let address = &self.setup.data.address;
+        let address = &self.setup.courses.data.address;
         let mut findings = match address {
             Address::Folder(path) => folder::findings(path),
             Address::Postgres(_) => Vec::new(),
@@ -144,7 +145,7 @@ impl Check {
     }
 
     fn inspected(&self, found: &Inspection) -> Vec<Finding> {
-        let address = &self.setup.data.address;
+        let address = &self.setup.courses.data.address;
         let mut findings = vec![match found.version {
             None => Finding::Note(format!("{address} is empty: the first start prints a link for the operator")),
             Some(version) if found.is_earlier() => Finding::Note(format!(

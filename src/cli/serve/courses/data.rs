@@ -6,10 +6,8 @@ use crate::store::Address;
 use crate::store::Store;
 use crate::store::StoreFault;
 
-use super::super::failure::Failure;
-
-/// The folder of data where none is named.
-const FOLDER: &str = "momentous-data";
+use super::super::super::failure::Failure;
+use super::super::unserved::FOLDER;
 
 /// Where the data of courses are.
 #[derive(Args, Debug)]

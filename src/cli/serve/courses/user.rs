@@ -7,14 +7,14 @@ use crate::course_pages::Clock;
 use crate::course_pages::invite;
 use crate::store::StoreFault;
 
-use super::super::exit::Exit;
-use super::super::failure::Failure;
-use super::super::output::Output;
+use super::super::super::exit::Exit;
+use super::super::super::failure::Failure;
+use super::super::super::output::Output;
 use super::data::Data;
 
 /// Let somebody sign in
 #[derive(Args, Debug)]
-pub(super) struct User {
+pub(in crate::cli::serve) struct User {
     #[command(subcommand)]
     command: Command,
 }

@@ -1,0 +1,45 @@
+//! The options that say where courses are, and a server with them.
+
+use std::net::SocketAddr;
+
+use clap::Args;
+
+use crate::course_pages::{self, Clock};
+use crate::store::StoreFault;
+use crate::web::{self, NotServed, Settings};
+
+use super::super::super::failure::Failure;
+use super::super::unserved::failure;
+use super::data::Data;
+
+/// Where the data of courses are, unless there are to be none.
+#[derive(Args, Debug)]
+pub(in crate::cli::serve) struct Courses {
+    #[command(flatten)]
+    pub(super) data: Data,
+    /// Serve practice and simulators only, and keep nothing
+    #[arg(long)]
+    pub(super) no_courses: bool,
+}
+
+impl Courses {
+    /// Serves the pages with courses, unless they are left out.
+    pub(in crate::cli::serve) fn serve(
+        &self,
+        settings: Settings,
+        ready: impl FnOnce(SocketAddr, Option<String>),
+    ) -> Result<(), Failure> {
+        let served = if self.no_courses {
+            web::serve(settings, async { Ok(None) }, |address| ready(address, None))
+        } else {
+            course_pages::serve(settings, &self.data.address, Clock::default(), ready)
+        };
+        served.map_err(|reason| match reason {
+            NotServed::Data(fault) => match fault.downcast::<StoreFault>() {
+                Ok(fault) => self.data.failure(&fault),
+                Err(other) => Failure::unusable(other.to_string()),
+            },
+            other => failure(other),
+        })
+    }
+}
