@@ -101,9 +101,7 @@ impl Builder<'_> {
                 .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
             let fact = "the string does equal and opposite work on the two bodies".to_owned();
             let because = Because::Conclusion(fact, "its total work is zero".to_owned());
-            // Also where nobody asks how fast they are then.
-            let left = Expr::sum([kinetic(&|side| side.before.clone())].into_iter().chain(works.clone()));
-            self.require(left, Relation::AtLeast, Expr::zero(), Reason::TurnsBack(leading.name.clone()));
+            self.goes_the_whole_way(&leading.name, kinetic(&|side| side.before.clone()), works.clone());
             let sides =
                 energy::work_energy(kinetic(&|side| side.before.clone()), works, kinetic(&|side| side.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, sides);

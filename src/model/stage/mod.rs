@@ -48,6 +48,7 @@ mod thrust;
 mod thrust_motion;
 mod tow;
 mod walk;
+mod whole_way;
 
 pub(crate) use along_path::holding_pull;
 pub(crate) use along_path::is_holding_pull;

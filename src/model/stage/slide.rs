@@ -139,10 +139,8 @@ impl Builder<'_> {
             |amount: &Expr| retardation.parts.iter().map(|part| -(part.clone() * amount.clone())).collect::<Vec<_>>();
         if let Some(distance) = distance {
             let [start, end] = way.energies.clone();
-            // Also where nobody asks how fast it is then.
-            let left = Expr::sum([start.clone()].into_iter().chain(times(distance)));
             let name = self.called(body);
-            self.require(left, Relation::AtLeast, Expr::zero(), Reason::TurnsBack(name));
+            self.goes_the_whole_way(&name, start.clone(), times(distance));
             let sides = energy::work_energy(start, times(distance), end);
             self.law(&energy::WORK_ENERGY, Some(index), retardation.because.clone(), sides);
         }

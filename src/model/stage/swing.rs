@@ -69,7 +69,7 @@ impl Builder<'_> {
         let because = format!("{force} is at right angles to the motion of {name} and does no work; the mass cancels");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         if let Some(length) = &length {
-            self.starts_taut(index, stage, length, &ends[0]);
+            self.holds_at(index, stage, length, &ends[0]);
             self.stays_taut(index, stage, length, &height, &ends[1]);
             for (side, end) in ends.iter().enumerate() {
                 self.tension(index, side, stage, length, end);
@@ -205,11 +205,7 @@ impl Builder<'_> {
         if end.is_lowest {
             return;
         }
-        let comes = self.does(&stage.body, ["comes", "come"]);
-        let reason = match stage.radius {
-            Some(_) => Reason::LeavesTrack(self.called(&stage.body), self.stage_phrase(index)),
-            None => Reason::CordSlack(comes, self.stage_phrase(index)),
-        };
+        let reason = self.lets_go(index, stage);
         if stage.stops() && stage.from.is_none() {
             self.require(height.clone(), Relation::AtMost, length.clone(), reason);
             return;
@@ -218,27 +214,27 @@ impl Builder<'_> {
             self.require(pull, Relation::AtLeast, Expr::zero(), reason);
             return;
         }
-        let pull = self.specific_pull(length, end);
-        self.require(pull, Relation::AtLeast, Expr::zero(), reason);
+        self.holds_at(index, stage, length, end);
     }
 
-    /// A cord that does not hang down, or a track overhead, holds the body from the start only where it goes fast enough.
-    fn starts_taut(&mut self, index: usize, stage: &Swing, length: &Expr, end: &End) {
+    /// Away from the lowest place, the cord or the track holds the body only where it goes fast enough.
+    fn holds_at(&mut self, index: usize, stage: &Swing, length: &Expr, end: &End) {
         if end.is_lowest {
             return;
         }
-        let reason = match stage.radius {
-            Some(_) => Reason::LeavesTrack(self.called(&stage.body), self.stage_phrase(index)),
-            None => Reason::CordSlack(self.does(&stage.body, ["comes", "come"]), self.stage_phrase(index)),
-        };
-        let pull = self.specific_pull(length, end);
+        // The pull of the cord, or the push of the track, for each unit of mass.
+        let pull = Expr::integer(2) * energy::specific_kinetic(&end.velocity) / length.clone();
+        let pull = pull + self.gravity() * end.angle.clone().cos();
+        let reason = self.lets_go(index, stage);
         self.require(pull, Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// The pull of the cord, or the push of the track, for each unit of mass.
-    fn specific_pull(&mut self, length: &Expr, end: &End) -> Expr {
-        let turning = Expr::integer(2) * energy::specific_kinetic(&end.velocity) / length.clone();
-        turning + self.gravity() * end.angle.clone().cos()
+    /// What happens where nothing holds the body on its circle.
+    fn lets_go(&self, index: usize, stage: &Swing) -> Reason {
+        match stage.radius {
+            Some(_) => Reason::LeavesTrack(self.called(&stage.body), self.stage_phrase(index)),
+            None => Reason::CordSlack(self.does(&stage.body, ["comes", "come"]), self.stage_phrase(index)),
+        }
     }
 
     /// The pull of the cord or the push of the track at the end, where it is given and tells at which angle the end is.

@@ -73,9 +73,7 @@ impl Builder<'_> {
             let fact = format!("{joint} does equal and opposite work on the two bodies");
             let because = Because::Conclusion(fact, "its total work is zero".to_owned());
             let (start, end) = (kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone()));
-            // Also where nobody asks how fast they are then.
-            let left = Expr::sum([kinetic(&|_| front.before.clone())].into_iter().chain(works.clone()));
-            self.require(left, Relation::AtLeast, Expr::zero(), Reason::TurnsBack(front.name.clone()));
+            self.goes_the_whole_way(&front.name, kinetic(&|_| front.before.clone()), works.clone());
             self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
         }
         for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
