@@ -33,6 +33,6 @@ mod withheld;
 
 pub use clock::Clock;
 pub use gate::Who;
-pub use serve::{open, serve};
+pub use serve::serve;
 pub use state::Courses;
 pub use table::{Address, addresses};

@@ -36,10 +36,7 @@ pub fn serve(
 }
 
 /// The courses at an address, and the path of a link for the first operator where nobody can sign in yet.
-///
-/// # Errors
-/// Where the data cannot be used.
-pub async fn open(data: &momentous_store::Address, clock: Clock) -> Result<(Courses, Option<String>), StoreFault> {
+async fn open(data: &momentous_store::Address, clock: Clock) -> Result<(Courses, Option<String>), StoreFault> {
     let store = Store::serve(data).await?;
     let first =
         if store.is_empty().await? { invite::add(&store, FIRST, "Operator", true, &clock).await? } else { None };

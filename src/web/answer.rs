@@ -44,7 +44,7 @@ fn kind(kind: RefusedKind) -> (StatusCode, &'static str) {
 const NO_CACHE: [(HeaderName, HeaderValue); 1] = [(header::CACHE_CONTROL, ANEW)];
 
 /// Makes a page on a worker.
-pub async fn page(
+pub(super) async fn page(
     app: &SharedApp,
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
@@ -58,7 +58,7 @@ pub async fn page(
 }
 
 /// Makes a JSON object on a worker.
-pub async fn json(
+pub(super) async fn json(
     app: &SharedApp,
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
@@ -117,7 +117,7 @@ const fn status(reason: NotDone) -> StatusCode {
 
 /// The same of a call.
 #[must_use]
-pub fn no_call(reason: NotDone) -> Response {
+pub(super) fn no_call(reason: NotDone) -> Response {
     (status(reason), SOON, format!("{reason}\n")).into_response()
 }
 

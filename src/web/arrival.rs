@@ -37,7 +37,7 @@ impl Arrival {
 }
 
 /// A body that ends with an error once it has taken too long, and says when it is whole.
-pub struct TimedBody<Whole> {
+pub(super) struct TimedBody<Whole> {
     body: Incoming,
     over: Pin<Box<Sleep>>,
     whole: Option<Whole>,

@@ -42,7 +42,7 @@ pub enum NotDone {
 }
 
 /// A place in the queue of a lane: what a request reads before its work is bounded, too.
-pub struct Admitted<'w> {
+pub(super) struct Admitted<'w> {
     pool: &'w Pool,
     _place: SemaphorePermit<'w>,
 }
@@ -62,7 +62,7 @@ impl Workers {
     }
 
     /// A place in the queue of a lane, unless it is full.
-    pub fn admit(&self, lane: Lane) -> Result<Admitted<'_>, NotDone> {
+    pub(super) fn admit(&self, lane: Lane) -> Result<Admitted<'_>, NotDone> {
         let pool = &self.0[lane as usize];
         Ok(Admitted { pool, _place: pool.admitted.try_acquire().map_err(|_| NotDone::Busy)? })
     }
