@@ -1,6 +1,5 @@
 //! Random scenes, written as an author would write them.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use rand::rngs::ChaCha8Rng;
@@ -219,12 +218,7 @@ fn bodies(text: &str) -> Vec<String> {
 fn named(pattern: &str, at: usize, stages: usize, stage: &Written) -> String {
     let name = stage.keys.iter().find(|(key, _)| key == "name").map(|(_, name)| name.clone());
     let bracket = format!("[{}]", name.unwrap_or_else(|| (at + 1).to_string()));
-    pattern
-        .replace("{A}", "A")
-        .replace("{B}", "B")
-        .replace("{i}", &(at + 1).to_string())
-        .replace("{j}", &(at + 2).to_string())
-        .replace("{s}", if stages > 1 { &bracket } else { "" })
+    at_stage(pattern, at).replace("{s}", if stages > 1 { &bracket } else { "" })
 }
 
 /// What is given.
@@ -270,9 +264,7 @@ impl<'a> Given<'a> {
             }
         }
         for (pattern, kind) in &shape.given {
-            let name = pattern.replace("{A}", "A").replace("{B}", "B").replace("{C}", "C").replace("{W}", "W");
-            let name = name.replace("{s}", "").replace("{i}", "1").replace("{j}", "2");
-            self.add(&name, kind, dice);
+            self.add(&at_stage(pattern, 0).replace("{s}", ""), kind, dice);
         }
     }
 
@@ -346,6 +338,10 @@ impl Drawn {
 
 /// A text with its bodies in place of `{A}`.
 fn with_bodies(text: &str) -> String {
-    let names: BTreeMap<&str, &str> = [("{A}", "A"), ("{B}", "B"), ("{C}", "C"), ("{W}", "W"), ("{R}", "R")].into();
-    names.iter().fold(text.to_owned(), |text, (mark, name)| text.replace(mark, name))
+    ["A", "B", "C", "W", "R"].iter().fold(text.to_owned(), |text, body| text.replace(&format!("{{{body}}}"), body))
+}
+
+/// A name with its bodies, and the instants before and after a stage in place of `{i}` and `{j}`.
+fn at_stage(pattern: &str, stage: usize) -> String {
+    with_bodies(pattern).replace("{i}", &(stage + 1).to_string()).replace("{j}", &(stage + 2).to_string())
 }

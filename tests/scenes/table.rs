@@ -103,7 +103,7 @@ impl Kind {
     fn add(&mut self, word: &str, rest: &str) {
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
         match word {
-            "key" | "key:" => {
+            "key" => {
                 let (name, ways) = rest.split_once(": ").unwrap();
                 self.keys.insert(name.to_owned(), ways.split(" | ").map(|way| way.trim().to_owned()).collect());
             }
