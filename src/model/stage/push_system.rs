@@ -1,10 +1,13 @@
 //! Forces on several bodies at the same time: what must be told of them, and what they do to the system.
 
+use std::collections::BTreeSet;
+
 use crate::ActingForce;
 use crate::Because;
 use crate::Builder;
 use crate::Name;
 use crate::QuantityKind;
+use crate::guide::Guided;
 use crate::guide::dot;
 use crate::name::MASS_CENTRE;
 use crate::name::Meaning;
@@ -111,18 +114,19 @@ impl Builder<'_> {
         let total = Expr::sum(alive.iter().map(|body| self.mass(body)).collect::<Vec<_>>());
         let forces: Vec<ActingForce> = self.forces.iter().filter(|force| force.stage == index).cloned().collect();
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        // A guide takes up what acts across it.
-        let lines: Vec<Option<Vec<Expr>>> =
-            forces.iter().map(|force| self.guided(&force.on).map(|guide| self.components(&guide.along))).collect();
+        let guides: Vec<Option<Guided>> = forces.iter().map(|force| self.guided(&force.on)).collect();
+        let held: BTreeSet<&str> = guides.iter().flatten().map(|guide| guide.by.as_str()).collect();
+        let besides = match held.into_iter().collect::<Vec<_>>()[..] {
+            [] => String::new(),
+            [guide] => format!(", without what {guide} balances"),
+            [..] => ", without what the guides balance".to_owned(),
+        };
         let first = usize::from(push.pushed().any(|body| self.scene.follows_a_force(index, body)));
         for (side, instant) in [index + 1, index + 2].into_iter().enumerate().skip(first) {
-            let parts: Vec<Vec<Expr>> = (forces.iter().zip(&lines))
-                .map(|(force, line)| {
+            let parts: Vec<Vec<Expr>> = (forces.iter().zip(&guides))
+                .map(|(force, guide)| {
                     let parts = self.components_at(force, side == 1);
-                    line.as_ref().map_or(parts.clone(), |line| {
-                        let along = dot(&parts, line);
-                        line.iter().map(|share| (share.clone() * along.clone()).simplify()).collect()
-                    })
+                    guide.as_ref().map_or_else(|| parts.clone(), |guide| self.left_by(guide, &parts))
                 })
                 .collect();
             for (position, axis) in axes.iter().enumerate() {
@@ -132,7 +136,7 @@ impl Builder<'_> {
                 let letter = self.letter(*axis);
                 let rate = Name::of(QuantityKind::MomentumRate, "").at(instant).along(letter);
                 let rate = self.component(rate, Meaning { noun: "the rate of change of the momentum", of: whose });
-                let because = format!("these are all the external forces on the system{}", self.along(*axis));
+                let because = format!("these are all the external forces on the system{}{besides}", self.along(*axis));
                 self.law(&mass_centre::RATE, Some(index), because, (rate.into(), net));
                 let acceleration = Name::of(QuantityKind::Acceleration, MASS_CENTRE).at(instant).along(letter);
                 let acceleration = self.component(acceleration, Meaning { noun: "the acceleration", of });
@@ -141,5 +145,12 @@ impl Builder<'_> {
                 self.law(&mass_centre::ACCELERATION, Some(index), because, sides);
             }
         }
+    }
+
+    /// The components of a force without the part across a guide, which balances it.
+    fn left_by(&self, guide: &Guided, parts: &[Expr]) -> Vec<Expr> {
+        let line = self.components(&guide.along);
+        let along = dot(parts, &line);
+        line.into_iter().map(|share| (share * along.clone()).simplify()).collect()
     }
 }
