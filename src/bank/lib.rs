@@ -10,6 +10,7 @@ mod each;
 mod entry;
 #[cfg(feature = "files")]
 mod files;
+mod homework;
 mod printed;
 mod promise;
 #[cfg(feature = "files")]
@@ -30,6 +31,7 @@ pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 #[cfg(feature = "files")]
 pub use files::files_under;
+pub use homework::{HOMEWORK_FOLDER, Homework, Slot};
 pub use promise::{Finding, Outcome, Promise};
 pub use report::{AnswerSpread, Audit, Failing, FormAudit};
 #[cfg(feature = "files")]

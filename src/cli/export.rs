@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::Args;
 use clap::ValueEnum;
@@ -11,6 +12,7 @@ use clap::builder::PossibleValue;
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser;
 
+use crate::bank::Slot;
 use crate::exercise::Drawer;
 use crate::export::Coded;
 use crate::export::FEATURES;
@@ -19,6 +21,7 @@ use crate::export::Place;
 use crate::export::Question;
 use crate::export::TARGETS;
 use crate::export::Target;
+use crate::problem::Problem;
 use crate::render::Markup;
 
 use super::exit::Exit;
@@ -34,6 +37,7 @@ Examples:
   momentous export moodle impact/two-carts --count 50 -o two-carts.xml   a bank of 50 variants
   momentous export moodle impact --form find-e --seed 100 -o impact.xml  a whole topic
   momentous export qti3 impact/two-carts --count 20 -o two-carts.zip     a package of QTI 3.0
+  momentous export moodle homework/week-3.yaml --count 20 -o week-3.xml   the problems of a homework, in its forms
   momentous export --targets                                             what goes along to each target
 
 The file contains answers and worked solutions. What did not go along is said on standard error.";
@@ -45,7 +49,7 @@ pub(super) struct Export {
     /// The program that reads the file
     #[arg(required_unless_present = "targets", value_parser = target())]
     target: Option<&'static Target>,
-    /// Identities, topics, files or folders
+    /// Identities, topics, files or folders; or the file of one homework
     #[arg(required_unless_present = "targets", value_name = "PROBLEM|FILE")]
     problems: Vec<String>,
     /// The form in which problems are asked; the first of each if none is named
@@ -71,6 +75,13 @@ pub(super) struct Export {
     /// List what goes along to each target, and what stands for the rest
     #[arg(long, exclusive = true)]
     targets: bool,
+}
+
+/// A problem with the form in which it is asked, and its place in a homework.
+struct Asked {
+    problem: Arc<Problem>,
+    form: usize,
+    slot: Option<Slot>,
 }
 
 /// How mathematics is written.
@@ -110,17 +121,16 @@ impl Export {
         let read = self.problems.iter().map(Path::new).chain(self.secret.path());
         keep_apart(read, self.output.iter().chain(&self.codes).cloned())?;
         let secret = self.secret.read()?;
-        let problems = open::problems(&self.problems, secret.as_deref())?;
-        let forms = problems.iter().map(|problem| open::form(problem, self.form.as_deref()));
-        let forms = forms.collect::<Result<Vec<usize>, _>>()?;
+        let asked = self.asked(secret.as_deref())?;
         let mut held: BTreeMap<Feature, u64> = BTreeMap::new();
         let mut output = Output::to(self.output.as_deref())?;
         let mut codes = String::new();
         let mut file = target.begin(Box::new(&mut output), markup)?;
-        for (problem, form) in problems.iter().zip(forms) {
+        for Asked { problem, form, slot } in &asked {
             let refused = |seed, reason| Failure::no_variant(problem.id(), seed, &reason);
-            let mut drawer = Drawer::new(problem, form).map_err(|reason| refused(self.seed, reason))?;
-            for seed in self.seed..=last {
+            let mut drawer = Drawer::new(problem, *form).map_err(|reason| refused(self.seed, reason))?;
+            for number in self.seed..=last {
+                let seed = slot.as_ref().map_or(number, |slot| slot.numbered_seed(number));
                 let exercise = drawer.draw(seed).map_err(|reason| refused(seed, reason))?;
                 exercise.printable()?;
                 let item = exercise.item();
@@ -143,6 +153,32 @@ impl Export {
         }
         tell(&report(&held, target));
         Ok(Exit::Fine)
+    }
+
+    /// The problems with their forms; those of a homework have its points.
+    fn asked(&self, secret: Option<&[u8]>) -> Result<Vec<Asked>, Failure> {
+        let Some((source, homework)) = open::homework(&self.problems, secret)? else {
+            let problems = open::problems(&self.problems, secret)?;
+            let form = |problem: &Arc<Problem>| open::form(problem, self.form.as_deref());
+            let of = |problem| Ok(Asked { form: form(&problem)?, problem, slot: None });
+            return problems.into_iter().map(of).collect();
+        };
+        if self.form.is_some() {
+            return Err(Failure::unusable("--form is for problems\nhelp: name the forms in the file of the homework"));
+        }
+        let asked = homework.slots.into_iter().map(|slot| {
+            let (points, times) = slot.whole_points();
+            if times > 1 {
+                tell(&format!(
+                    "note: {}: the points of {} are multiplied by {times} here, so that those of each part are whole",
+                    source.name,
+                    slot.problem.id()
+                ));
+            }
+            let problem = Arc::new(Problem::clone(&slot.problem).with_points(slot.form, &points));
+            Asked { problem, form: slot.form, slot: Some(slot) }
+        });
+        Ok(asked.collect())
     }
 
     fn markup(&self, target: &Target) -> Result<Markup, Failure> {

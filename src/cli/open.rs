@@ -7,6 +7,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::bank::Bank;
+use crate::bank::Homework;
 use crate::bank::load_in_course;
 use crate::exercise::SheetSeed;
 use crate::fault::Input;
@@ -79,6 +80,25 @@ pub(super) fn problems(names: &[String], secret: Option<&[u8]>) -> Result<Vec<Ar
         }
     }
     if failures.is_empty() { Ok(problems) } else { Err(Failure::all(failures)) }
+}
+
+/// The homework whose file a user names, with the file; nothing where problems are named. It stands alone.
+pub(super) fn homework(names: &[String], secret: Option<&[u8]>) -> Result<Option<(Source, Homework)>, Failure> {
+    let bank = Bank::here()?;
+    for name in names.iter().filter(|name| Path::new(name).is_file()) {
+        let source = bank.open(name)?;
+        if !Homework::is(&source) {
+            continue;
+        }
+        if names.len() > 1 {
+            return Err(Failure::unusable(format!(
+                "{name} is a homework, which makes sheets of its own\nhelp: name it alone, or name problems"
+            )));
+        }
+        let homework = Homework::of(&source, &bank, secret)?;
+        return Ok(Some((source, homework)));
+    }
+    Ok(None)
 }
 
 /// The one problem that a user names.

@@ -5,6 +5,7 @@ use std::io::Write;
 use clap::Args;
 
 use crate::problem::course_schema;
+use crate::problem::homework_schema;
 use crate::problem::json_schema;
 
 use super::exit::Exit;
@@ -27,12 +28,19 @@ pub(super) struct Schema {
     /// The schema of `course.yaml`, the settings of a course
     #[arg(long)]
     course: bool,
+    /// The schema of a file of homework
+    #[arg(long, conflicts_with = "course")]
+    homework: bool,
 }
 
 impl Schema {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let mut output = Output::to(None)?;
-        let schema = if self.course { course_schema() } else { json_schema() };
+        let schema = match (self.course, self.homework) {
+            (true, _) => course_schema(),
+            (false, true) => homework_schema(),
+            (false, false) => json_schema(),
+        };
         serde_json::to_writer_pretty(&mut output, schema)?;
         writeln!(output)?;
         output.finish()?;

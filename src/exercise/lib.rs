@@ -134,11 +134,12 @@ impl Exercise {
         Sheet {
             title: self.problem.title().to_owned(),
             identity: self.identity(),
+            place: None,
             student: None,
             statement: self.variant.text(&self.problem),
             parts: worked.form.parts.iter().enumerate().map(|(index, part)| self.sheet_part(index, part)).collect(),
             note: self.note(),
-            figure: explain::situation(worked),
+            figure: explain::situation(worked).map(Box::new),
             hints: self.variant.hints(&self.problem),
         }
     }

@@ -184,7 +184,8 @@ impl Listed {
         })
     }
 
-    fn add(&mut self, student: &str, variant: VariantRef<'_>, handed_out: HandedOut) {
+    /// Adds the sheet of a student.
+    pub fn add(&mut self, student: &str, variant: VariantRef<'_>, handed_out: HandedOut) {
         self.sheets.insert(hash((student, variant)), handed_out);
         self.asked.insert(hash((student, variant.problem, variant.form)));
     }

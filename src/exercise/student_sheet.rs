@@ -109,7 +109,7 @@ impl Exercise {
     pub fn student_sheet(&self) -> StudentSheet {
         let Sheet { title, statement, parts, note, figure, hints, .. } = self.sheet();
         let fields = parts.into_iter().zip(&self.worked().form.parts).map(|(shown, part)| self.field(shown, part));
-        StudentSheet { title, statement, figure, fields: fields.collect(), note, hints }
+        StudentSheet { title, statement, figure: figure.map(|own| *own), fields: fields.collect(), note, hints }
     }
 
     fn field(&self, SheetPart { label, text, unit, pictures, .. }: SheetPart, part: &Part) -> Field {

@@ -31,6 +31,7 @@ pub use language::draft::{Draft, Expect, Form, Level, Relation, Roots, USUAL_FIG
 pub use language::entries::Entries;
 pub use language::form::Question;
 pub use language::given::{ChoiceEntry, Given, GivenEntry, RangeEntry, ValueEntry};
+pub use language::homework::{HomeworkDraft, SlotDraft};
 pub use language::known::{Known, Origin};
 pub use language::literal::Literal;
 pub use language::rubric::{Keep, OtherUnits, Rubric, Writing};
@@ -51,7 +52,7 @@ pub use reading::document::{Document, Entry, Kind, Mapping, Node, Scalar, Style}
 pub use reading::limits::LONGEST_FILE;
 pub use reading::load::{Loaded, load};
 pub use reading::position::Index;
-pub use reading::schema::{course_schema, json_schema};
+pub use reading::schema::{course_schema, homework_schema, json_schema};
 pub use sampling::issued::PrintedNumber;
 pub use sampling::no_variant::{MOST_ATTEMPTS, NoVariant, Rejection};
 pub use sampling::rounding::Judged;

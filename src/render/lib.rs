@@ -39,7 +39,7 @@ pub use fade::{fade, steps};
 pub use font::{MATH_FONT, base64};
 pub use fragment::Fragment;
 pub use markup::Markup;
-pub use page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};
+pub use page::{Heading, Identity, Key, KeyRow, Page, Sheet, SheetPart, SheetPlace, Solution};
 #[cfg(feature = "pdf")]
 pub use press::Press;
 pub use renderer::Renderer;

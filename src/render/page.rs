@@ -57,6 +57,8 @@ pub struct Identity {
 pub struct Sheet {
     /// The problem's title.
     pub title: String,
+    /// Where it stands on a sheet with several problems; none where it is alone.
+    pub place: Option<Box<SheetPlace>>,
     /// What the variant is made from.
     pub identity: Identity,
     /// The student's name, where the sheet is one student's.
@@ -68,9 +70,29 @@ pub struct Sheet {
     /// Constants and conventions to use, such as g.
     pub note: Vec<Inline>,
     /// The figure, which shows only what is given.
-    pub figure: Option<Drawing>,
+    pub figure: Option<Box<Drawing>>,
     /// Hints in Markdown, to be read one by one.
     pub hints: Vec<String>,
+}
+
+/// The place of a problem on a sheet with several.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SheetPlace {
+    /// Its number, from 1.
+    pub number: usize,
+    /// What heads the whole sheet, before its first problem.
+    pub heading: Option<Heading>,
+}
+
+/// What heads a sheet with several problems.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Heading {
+    /// The title.
+    pub title: String,
+    /// What is said of the date.
+    pub date: Option<String>,
+    /// What all problems are worth together.
+    pub points: f64,
 }
 
 /// One thing that is asked.

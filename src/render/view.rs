@@ -16,7 +16,7 @@ use super::authored::Authored;
 use super::document::{BesideFile, Figures, Format};
 use super::equation;
 use super::fade::fade;
-use super::page::{Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
+use super::page::{Heading, Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
 use super::writer::Writer;
 use super::writers::writer;
 
@@ -86,12 +86,16 @@ impl<'a> View<'a> {
         for (index, hint) in sheet.hints.iter().enumerate() {
             hints.push(self.authored(&format!("{id}: hint {}", index + 1), hint)?);
         }
-        let figure = optional(sheet.figure.as_ref(), |figure| self.figure(figure));
+        let figure = optional(sheet.figure.as_deref(), |figure| self.figure(figure));
         let parts: Vec<Value> = sheet.parts.iter().map(|part| self.part(part)).collect();
         let total: f64 = sheet.parts.iter().filter_map(|part| part.points).sum();
         Ok(map([
             ("kind", "sheet".into()),
             ("title", sheet.title.as_str().into()),
+            ("number", sheet.place.as_ref().map(|place| place.number).into()),
+            ("heading", optional(sheet.place.as_ref().and_then(|place| place.heading.as_ref()), heading)),
+            // Where a sheet has several problems, each follows the one before it.
+            ("continues", sheet.place.as_ref().is_some_and(|place| place.heading.is_none()).into()),
             ("identity", identity(&sheet.identity)),
             ("student", sheet.student.clone().into()),
             ("statement", statement),
@@ -231,18 +235,29 @@ fn identity(identity: &Identity) -> Value {
     ])
 }
 
-/// Points as they are written: 2, not 2.0.
+fn heading(heading: &Heading) -> Value {
+    map([
+        ("title", heading.title.as_str().into()),
+        ("date", heading.date.clone().into()),
+        ("points", points(Some(heading.points))),
+    ])
+}
+
+/// Points as they are written: 2, not 2.0; with at most two decimals.
 fn points(points: Option<f64>) -> Value {
-    points.map(|points| points.to_string()).into()
+    points.map(|points| ((points * 100.0).round() / 100.0).to_string()).into()
 }
 
 fn document_title<'a>(pages: &[PageView<'a>]) -> &'a str {
     let mut titles: Vec<&str> = pages
         .iter()
-        .map(|page| match page {
-            PageView::Sheet(sheet) => sheet.title.as_str(),
-            PageView::Solution(solution) => &solution.outline.title,
-            PageView::Key(key) => &key.title,
+        .filter_map(|page| match page {
+            PageView::Sheet(sheet) => match &sheet.place {
+                Some(place) => place.heading.as_ref().map(|heading| heading.title.as_str()),
+                None => Some(sheet.title.as_str()),
+            },
+            PageView::Solution(solution) => Some(&solution.outline.title),
+            PageView::Key(key) => Some(&key.title),
         })
         .collect();
     titles.dedup();

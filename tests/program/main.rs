@@ -12,6 +12,7 @@ mod found;
 mod fuzz;
 mod grade_files;
 mod hand;
+mod homework;
 mod issued_numbers;
 mod readme;
 #[path = "../support/room.rs"]

@@ -1,7 +1,9 @@
 //! `momentous check`
 
 mod changed;
+mod count;
 mod failures;
+mod homework;
 
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -35,6 +37,9 @@ use crate::cli::progress;
 use crate::cli::style::Style;
 use crate::cli::witnessed;
 
+use count::count;
+use homework::Homeworks;
+
 const HELP: &str = "\
 Examples:
   momentous check                               every problem of the bank
@@ -56,7 +61,7 @@ const FIGURES: usize = 4;
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Check {
-    /// Identities, topics, files or folders; the whole bank if nothing is named
+    /// Identities, topics, files or folders, also of homework; the whole bank if nothing is named
     #[arg(value_name = "PATH|PROBLEM")]
     problems: Vec<String>,
     /// How many seeds to draw for each form
@@ -103,6 +108,8 @@ impl Check {
         if !self.problems.is_empty() {
             unusable = named;
         }
+        let homeworks = Homeworks::among(&mut sources, &self.problems, &bank)?;
+        unusable.extend(homeworks.unusable.iter().cloned());
         if let Some(revision) = &self.changed_since {
             sources = changed::since(revision, sources)?;
             if sources.is_empty() {
@@ -124,7 +131,12 @@ impl Check {
         bar.finish_and_clear();
         let mut output = Output::to(None)?;
         match self.format {
-            Listing::Text => self.write_text(&mut output, &audits)?,
+            Listing::Text => {
+                if !self.quiet {
+                    homeworks.write(&mut output)?;
+                }
+                self.write_text(&mut output, &audits)?;
+            }
             Listing::Json => {
                 for audit in &audits {
                     serde_json::to_writer(&mut output, audit)?;
@@ -198,10 +210,6 @@ fn write_audit(output: &mut Output, audit: &Audit, style: Style) -> Result<(), F
     }
     writeln!(output)?;
     Ok(())
-}
-
-fn count(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 fn write_form(output: &mut Output, form: &FormAudit, style: Style) -> Result<(), Failure> {

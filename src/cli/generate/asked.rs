@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
+use crate::bank::Homework;
+use crate::bank::Slot;
 use crate::cli::failure::Failure;
 use crate::cli::open;
+use crate::exercise::SeedSource;
 use crate::problem::Problem;
 
 use super::names;
@@ -15,6 +18,8 @@ pub(super) struct Asked {
     pub form: usize,
     /// Its part of the names of files: `impact-two-carts-find-e`.
     pub stem: String,
+    /// Its place in a homework, from 1, and what it is worth there.
+    pub slot: Option<(usize, Arc<Slot>)>,
 }
 
 impl Asked {
@@ -24,12 +29,37 @@ impl Asked {
         let texts: Vec<String> = problems.iter().zip(&forms).map(|(problem, form)| said(problem, *form)).collect();
         let stems = names::distinct(&texts);
         let asked = problems.iter().zip(forms).zip(stems);
-        Ok(asked.map(|((problem, form), stem)| Self { problem: Arc::clone(problem), form, stem }).collect())
+        let of = |((problem, form), stem)| Self { problem: Arc::clone(problem), form, stem, slot: None };
+        Ok(asked.map(of).collect())
+    }
+
+    /// The problems of a homework, whose sheets have that stem in their names.
+    pub(super) fn of_homework(homework: &Homework, stem: &str) -> Vec<Self> {
+        let of = |(slot, number): (&Slot, usize)| Self {
+            problem: Arc::clone(&slot.problem),
+            form: slot.form,
+            stem: stem.to_owned(),
+            slot: Some((number, Arc::new(slot.clone()))),
+        };
+        homework.slots.iter().zip(1..).map(of).collect()
     }
 
     /// The name of the form; empty where the problem has one form without a name.
     pub(super) fn form_name(&self) -> &str {
         form_name(&self.problem, self.form)
+    }
+
+    /// The seed of a student's sheet; it stays the same when others come or go.
+    pub(super) fn seed_of(&self, student: &str, seeds: SeedSource<'_>) -> u64 {
+        match &self.slot {
+            Some((_, slot)) => slot.seed(student, seeds),
+            None => seeds.seed(student, self.problem.drawn_as(), self.form_name()),
+        }
+    }
+
+    /// The seed on the sheet with that number.
+    pub(super) fn numbered_seed(&self, number: u64) -> u64 {
+        self.slot.as_ref().map_or(number, |(_, slot)| slot.numbered_seed(number))
     }
 }
 

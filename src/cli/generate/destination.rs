@@ -9,7 +9,7 @@ use crate::cli::output::Output;
 use crate::cli::output::is_device;
 
 /// The file that says who has which seed.
-pub(super) const SEEDS: &str = "seeds.csv";
+pub(in crate::cli) const SEEDS: &str = "seeds.csv";
 
 /// Where documents go.
 #[derive(Clone, Debug, PartialEq, Eq)]

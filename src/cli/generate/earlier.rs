@@ -46,11 +46,11 @@ impl Earlier {
         let rows: Vec<Row> = table::typed(path).map_err(|error| {
             Failure::unusable(format!("{} exists, but is not a table of seeds: {error}", path.display()))
         })?;
-        let asked_by = |row: &Row| {
-            let is_named = |own: &&Asked| [own.problem.id(), own.problem.drawn_as()].contains(&row.problem.as_str());
-            asked.iter().find(|own| is_named(own) && own.form_name() == row.form)
+        // A homework may ask the same twice.
+        let asked_by = |row: &Row, own: &Asked| {
+            [own.problem.id(), own.problem.drawn_as()].contains(&row.problem.as_str()) && own.form_name() == row.form
         };
-        let is_asked = |row: &Row| asked_by(row).is_some();
+        let is_asked = |row: &Row| asked.iter().any(|own| asked_by(row, own));
         let lost: BTreeSet<[&str; 2]> =
             rows.iter().filter(|row| !is_asked(row)).map(|row| [row.problem.as_str(), &row.form]).collect();
         if lost.is_empty() {
@@ -58,10 +58,10 @@ impl Earlier {
                 // The table has an apostrophe where a spreadsheet would run the cell.
                 let student = row.student.strip_prefix('\'').unwrap_or(&row.student);
                 row.scheme.unwrap_or(Scheme::Solvable.number()) == scheme.number()
-                    && asked_by(row).is_some_and(|own| {
-                        let seed = |id: &str| seeds.seed(id, own.problem.drawn_as(), &row.form);
-                        [student, &row.student].iter().any(|id| seed(id) == row.seed)
-                    })
+                    && asked
+                        .iter()
+                        .filter(|own| asked_by(row, own))
+                        .any(|own| [student, &row.student].iter().any(|id| own.seed_of(id, seeds) == row.seed))
             };
             if rows.iter().all(is_same) {
                 return Ok(Self(rows));

@@ -3,6 +3,7 @@
 mod asked;
 mod destination;
 mod earlier;
+mod homework;
 mod job;
 mod names;
 mod roster;
@@ -36,13 +37,12 @@ use super::pages::Held;
 use super::pages::Shown;
 use super::printer::Printer;
 
-use asked::Asked;
 use destination::Destination;
-use destination::SEEDS;
+pub(super) use destination::SEEDS;
 use earlier::Earlier;
-use job::Job;
+use job::{Job, Wanted};
 use roster::Roster;
-pub(super) use roster::students;
+pub(super) use roster::{NUMBER, students};
 
 const HELP: &str = "\
 Examples:
@@ -54,6 +54,7 @@ Examples:
   momentous generate impact/two-carts --roster class.csv --secret secret.txt --key -o sheets/
   momentous generate impact --roster class.csv --format pdf -o class.pdf    one bound file
   momentous generate impact/two-carts --count 100000 --format json > variants.jsonl
+  momentous generate homework/week-3.yaml --roster class.csv --key -o sheets/   one sheet a student with every problem
 
 A roster is a CSV file with a column `id`, or `name`, or both. Each student gets individual numbers, and seeds.csv says who has which seed. The name of a folder after -o ends with a slash, unless the folder exists. The key and seeds.csv are written next to it, into a separate folder for the teacher: sheets-teacher/. With --roster or --secret so do solutions and
 JSON, which hold answers, too. The same problem, seed and form give the same numbers on every computer.";
@@ -65,7 +66,7 @@ const SOLUTION: &str = "-solution";
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Generate {
-    /// Identities, topics, files or folders
+    /// Identities, topics, files or folders; or the file of one homework
     #[arg(required = true, value_name = "PROBLEM|FILE")]
     problems: Vec<String>,
     /// The seed that draws the numbers
@@ -115,19 +116,19 @@ impl Generate {
         }
         let printer = Printer::new(self.format, self.held)?;
         let secret = self.secret.read()?;
-        let problems = open::problems(&self.problems, secret.as_deref())?;
         let roster = self.roster.as_deref().map(Roster::read).transpose()?;
         let destination = Destination::of(self.output.as_deref());
         self.keep_apart(&destination)?;
-        let asked = Asked::all(&problems, self.form.as_deref())?;
+        let wanted = homework::wanted(&self.problems, self.form.as_deref(), secret.as_deref())?;
+        let asked = wanted.asked();
         let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
         let first = asked.first().map_or(Ok(self.seed.number), |own| open::seed(&self.seed, &own.problem))?;
         let jobs = |count| match &roster {
-            Some(roster) => Ok(Job::for_students(&asked, &roster.0, seeds, self.scheme)),
-            None => Job::for_seeds(&asked, first, count, self.scheme),
+            Some(roster) => Ok(wanted.for_students(&roster.0, seeds, self.scheme)),
+            None => wanted.for_seeds(first, count, self.scheme),
         };
         let earlier = match &roster {
-            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), &asked, seeds, self.scheme)?),
+            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), asked, seeds, self.scheme)?),
             None => None,
         };
         let mut files = BTreeSet::new();
@@ -142,11 +143,14 @@ impl Generate {
         }
         let each = roster.as_ref().map_or(self.count, |roster| roster.0.len() as u64);
         match printer {
-            None => self.stream(jobs, each.saturating_mul(asked.len() as u64), &destination)?,
+            None => self.stream(jobs, each.saturating_mul(wanted.sheets_each()), &destination)?,
             Some(printer) => self.documents(jobs, printer, &destination)?,
         }
         if let Some(roster) = &roster {
-            destination.write_for_teacher(SEEDS, &roster.seeds(&asked, seeds, self.scheme)?)?;
+            destination.write_for_teacher(SEEDS, &roster.seeds(asked, seeds, self.scheme)?)?;
+            if let Wanted::Together(..) = &wanted {
+                homework::write_answers(&destination, &roster.answers(asked)?)?;
+            }
             if secret.is_none() {
                 tell("note: without --secret, a student who has this program can print his or her own solution");
             }
@@ -197,24 +201,22 @@ impl Generate {
         let mut pages = Vec::new();
         let mut rows: Vec<KeyRow> = Vec::new();
         for job in jobs {
-            let exercise = job.exercise()?;
-            exercise.printable()?;
-            let sheet = Page::Sheet(job.sheet(&exercise));
-            let solution = self.solution.then(|| Page::Solution(self.shown.solution(&exercise)));
+            let exercises = job.exercises()?;
+            exercises.iter().try_for_each(Exercise::printable)?;
+            let sheet = job.sheet(&exercises);
+            let solution = if self.solution { job.solutions(&exercises, self.shown) } else { Vec::new() };
             if self.key {
-                rows.extend(job.key(&exercise));
+                rows.extend(job.key(&exercises));
             }
             let Destination::Folder(folder) = destination else {
-                pages.push(sheet);
-                pages.extend(solution);
+                pages.extend(sheet.into_iter().chain(solution));
                 continue;
             };
-            let documents = [(Some(sheet), "", false), (solution, SOLUTION, self.is_for_students())];
-            for (page, ending, is_apart) in documents {
-                let Some(page) = page else { continue };
+            let documents = [(sheet, "", false), (solution, SOLUTION, self.is_for_students())];
+            for (pages, ending, is_apart) in documents.into_iter().filter(|(pages, ..)| !pages.is_empty()) {
                 let name = format!("{}{ending}", job.file_stem());
                 printer = printer.figures(Figures::Beside(name.clone()));
-                let document = printer.print(&[page])?;
+                let document = printer.print(&pages)?;
                 let write = |name: &str, text: &[u8]| {
                     if is_apart {
                         destination.write_for_teacher(name, text)
@@ -239,9 +241,8 @@ impl Generate {
         }
     }
 
-    /// The data of an exercise, with its solution where that is wanted.
-    fn record(&self, job: &Job, exercise: &Exercise, renderer: &crate::render::Renderer) -> Result<String, Failure> {
-        let solution = self.solution.then(|| self.shown.markdown(renderer, exercise)).transpose()?;
-        Ok(job.record(exercise, solution).to_string())
+    /// The data of a sheet, with its solutions where they are wanted.
+    fn record(&self, job: &Job, renderer: &crate::render::Renderer) -> Result<String, Failure> {
+        Ok(job.record(self.solution.then_some(self.shown), renderer)?.to_string())
     }
 }

@@ -7,12 +7,14 @@ use crate::cli::table;
 use crate::exercise::Drawer;
 use crate::exercise::SeedSource;
 use crate::exercise::Student;
-use crate::exercise::VariantRef;
 use crate::exercise::defused;
 use crate::problem::Scheme;
 
 use super::asked::Asked;
 use super::names;
+
+/// The column with the number that a problem has on the sheet of a homework.
+pub(in crate::cli) const NUMBER: &str = "number";
 
 /// A student, with the beginning of the names of his or her files.
 #[derive(Clone, Debug)]
@@ -43,30 +45,55 @@ impl Roster {
         Ok(Self(sitters.collect()))
     }
 
-    /// The table of who has which seed.
+    /// The table of who has which seed; of a homework with the number of the problem on the sheet.
     pub(super) fn seeds(&self, asked: &[Asked], seeds: SeedSource<'_>, scheme: Scheme) -> Result<String, Failure> {
         let mut table = csv::Writer::from_writer(Vec::new());
         let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
         let headings =
             ["student", "name", "problem", "digest", "form", "seed", "scheme", "given", "derivation", "secret", "file"];
-        table.write_record(headings).map_err(failed)?;
+        let numbered = asked.iter().any(|own| own.slot.is_some());
+        table.write_record(headings.into_iter().chain(numbered.then_some(NUMBER))).map_err(failed)?;
         let number = scheme.to_string();
         let mut drawers: Vec<Option<Drawer<'_>>> =
             asked.iter().map(|own| Drawer::new(&own.problem, own.form).ok()).collect();
         for sitter in &self.0 {
             for (own, drawer) in asked.iter().zip(&mut drawers) {
-                let variant = sitter.variant(own, seeds);
-                let (seed, derivation) = (variant.seed.to_string(), seeds.derivation.to_string());
+                let seed = own.seed_of(&sitter.student.id, seeds);
+                let derivation = seeds.derivation.to_string();
                 // A seed without numbers has no sheet, which is told where sheets are made.
-                let drawn = drawer.as_mut().and_then(|drawer| drawer.draw_by(variant.seed, scheme).ok());
+                let drawn = drawer.as_mut().and_then(|drawer| drawer.draw_by(seed, scheme).ok());
                 let given = drawn.map(|exercise| exercise.sheet_numbers().to_string()).unwrap_or_default();
-                let digest = &own.problem.loaded().digests.draw;
-                let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), sitter.file_stem(own));
-                let (id, name) = (&sitter.student.id, &sitter.student.name);
+                let (digest, seed) = (&own.problem.loaded().digests.draw, seed.to_string());
+                let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), sitter.file_stem(&own.stem));
+                let (id, name, problem) = (&sitter.student.id, &sitter.student.name, own.problem.id());
                 let row =
-                    [id, name, variant.problem, digest, variant.form, &seed, &number, &given, &derivation, mark, &file];
-                table.write_record(row.map(|cell| defused(cell).into_owned())).map_err(failed)?;
+                    [id, name, problem, digest, own.form_name(), &seed, &number, &given, &derivation, mark, &file];
+                let place = own.slot.as_ref().map(|(place, _)| place.to_string());
+                let cells = row.into_iter().chain(place.as_deref());
+                table.write_record(cells.map(|cell| defused(cell).into_owned())).map_err(failed)?;
             }
+        }
+        let bytes = table.into_inner().map_err(|error| Failure::from(error.into_error()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// The table into which answers to a homework are written: a row for each student, and a column for each part.
+    pub(super) fn answers(&self, asked: &[Asked]) -> Result<String, Failure> {
+        let mut table = csv::Writer::from_writer(Vec::new());
+        let failed = |error: csv::Error| Failure::unusable(format!("the table of answers cannot be written: {error}"));
+        let parts = |own: &Asked| {
+            let number = own.slot.as_ref().map_or(0, |(number, _)| *number);
+            let form = own.problem.forms().get(own.form);
+            let parts = form.into_iter().flat_map(|form| &form.parts);
+            parts.map(|part| format!("{number}.{}", part.id)).collect::<Vec<_>>()
+        };
+        let headings: Vec<String> = asked.iter().flat_map(parts).collect();
+        table
+            .write_record(["student", "name"].into_iter().chain(headings.iter().map(String::as_str)))
+            .map_err(failed)?;
+        for Sitter { student, .. } in &self.0 {
+            let cells = [student.id.as_str(), &student.name].into_iter().chain(headings.iter().map(|_| ""));
+            table.write_record(cells.map(|cell| defused(cell).into_owned())).map_err(failed)?;
         }
         let bytes = table.into_inner().map_err(|error| Failure::from(error.into_error()))?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
@@ -74,14 +101,8 @@ impl Roster {
 }
 
 impl Sitter {
-    /// The variant that the student gets; it stays the same when others come or go.
-    pub(super) fn variant<'a>(&self, asked: &'a Asked, seeds: SeedSource<'_>) -> VariantRef<'a> {
-        let drawn = seeds.variant(&self.student.id, asked.problem.drawn_as(), asked.form_name());
-        VariantRef { problem: asked.problem.id(), ..drawn }
-    }
-
     /// The name of the student's files without an ending.
-    pub(super) fn file_stem(&self, asked: &Asked) -> String {
-        format!("{}-{}", self.stem, asked.stem)
+    pub(super) fn file_stem(&self, stem: &str) -> String {
+        format!("{}-{stem}", self.stem)
     }
 }

@@ -26,7 +26,7 @@ impl Generate {
         destination: &Destination,
     ) -> Result<(), Failure> {
         let renderer = pages::renderer()?;
-        let make = |job: &Job| self.record(job, &job.exercise()?, &renderer);
+        let make = |job: &Job| self.record(job, &renderer);
         if let Destination::Folder(folder) = destination {
             if self.is_for_students() {
                 tell(&format!(

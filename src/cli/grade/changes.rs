@@ -16,6 +16,8 @@ use crate::exercise::defused;
 use crate::fault::Input;
 use crate::grade::PartReport;
 
+use super::worth::Earned;
+
 /// The columns that are read.
 const READ: [&str; 10] =
     ["line", "student", "problem", "seed", "form", "attempt", "part", "marks", "out_of", "verdict"];
@@ -79,7 +81,7 @@ impl Changes {
     }
 
     /// Compares what was found about one part with the earlier marks.
-    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport) -> Result<(), Failure> {
+    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport, earned: &Earned) -> Result<(), Failure> {
         let key = [
             submission.place.to_string(),
             submission.key(Key::Student).to_owned(),
@@ -90,7 +92,7 @@ impl Changes {
             part.id.clone(),
         ]
         .map(|cell| cell.trim().to_owned());
-        let now = [part.points.to_string(), part.out_of.to_string(), part.verdict.code().to_owned()];
+        let now = [earned.points.to_string(), earned.out_of.to_string(), part.verdict.code().to_owned()];
         loop {
             let Some((place, row)) = self.peek()? else { return self.changed(&key, &Mark::default(), &now) };
             let (of, before) = self.read(&row);

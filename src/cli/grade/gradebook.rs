@@ -44,7 +44,7 @@ impl Gradebook {
     pub(super) fn add(&mut self, entry: &Entry, report: &Report) {
         let points = self.points.entry(entry.submission.key(Key::Student).to_owned()).or_default();
         for part in report.parts.iter().filter(|part| part.counts) {
-            *points += &part.points.0;
+            *points += &entry.facts.earned(part).points.0;
         }
     }
 

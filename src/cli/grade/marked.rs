@@ -177,7 +177,7 @@ impl Done {
             for part in &report.parts {
                 self.legibility += Legibility::of(part);
                 self.is_right &= part.verdict.is_right() || !part.counts;
-                rows.part(&entry.submission, part)?;
+                rows.part(&entry.submission, part, &entry.facts.earned(part))?;
             }
             if let Some(why) = entry.facts.not_issued {
                 self.is_right = false;

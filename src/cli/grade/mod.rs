@@ -2,6 +2,7 @@
 
 mod changes;
 mod gradebook;
+mod homework;
 mod junit;
 mod legibility;
 mod marked;
@@ -18,6 +19,7 @@ mod source;
 mod spool;
 mod summary;
 mod table;
+mod worth;
 
 use std::path::PathBuf;
 
@@ -47,6 +49,7 @@ Examples:
   momentous grade submissions.csv --problem my-carts.yaml --roster class.csv --secret secret.txt -o marks.csv
   momentous grade submissions.jsonl -o marks.jsonl --summary class --junit junit.xml
   momentous grade submissions.csv -o marks-2.csv --changes marks.csv --changes-table changed.csv
+  momentous grade homework/week-3.yaml answers.csv --sheets seeds.csv -o marks.csv
   momentous grade responses.csv --codes codes.jsonl -o marks.csv --gradebook grades.csv
 
 A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form`, `scheme`, `given` and
@@ -57,6 +60,8 @@ A table of submissions has the columns `problem` and `seed`, and may have `stude
 
 The same keys may be used in JSON Lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a folder of YAML files, one per submission.
 
+The answers to a homework stand in a table with the column `student`, and a column for each part: `2.v_A2`, or `2a` as on the sheet. Without --sheets or --roster the seeds.csv beside the table says whose sheet is whose.
+
 The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given which seed; a row with another seed gets the verdict `not_issued` and no points. With --sheets, each sheet is marked by the numbers that stand on it, whatever the problem draws now.
 
 The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
@@ -66,9 +71,9 @@ marked; at the end it says how many rows were read, marked and refused. It exits
 #[derive(Args, Debug)]
 #[command(after_help = HELP, group = clap::ArgGroup::new("what").required(true).multiple(true).args(["submissions", "problem"]))]
 pub(super) struct Grade {
-    /// Submissions: a table, JSON Lines (.jsonl), or a folder of YAML files
-    #[arg(value_name = "SUBMISSIONS", conflicts_with_all = ["seed", "form", "answer", "format"])]
-    submissions: Option<PathBuf>,
+    /// Submissions: a table, JSON Lines (.jsonl), or a folder of YAML files; or a homework and the table of answers to it
+    #[arg(value_name = "SUBMISSIONS", num_args = 0..=2, conflicts_with_all = ["seed", "form", "answer", "format"])]
+    submissions: Vec<PathBuf>,
     /// The problem's identity, or the path of its file; for submissions, files and folders of problems in addition to the bank
     #[arg(long, value_name = "PROBLEM|FILE")]
     problem: Vec<String>,
@@ -163,10 +168,11 @@ impl Grade {
     }
 
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        match (&self.submissions, self.problem.as_slice(), &self.seed) {
-            (Some(submissions), ..) => self.table(submissions),
-            (None, [problem], Some(seed)) => self.single(problem, seed),
-            (None, ..) => Err(Failure::unusable("name one problem with --problem, and a seed with --seed")),
+        match (self.submissions.as_slice(), self.problem.as_slice(), &self.seed) {
+            ([homework, answers, ..], ..) => self.table(answers, Some(homework)),
+            ([submissions], ..) => self.table(submissions, None),
+            ([], [problem], Some(seed)) => self.single(problem, seed),
+            ([], ..) => Err(Failure::unusable("name one problem with --problem, and a seed with --seed")),
         }
     }
 }

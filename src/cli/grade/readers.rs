@@ -57,7 +57,7 @@ impl Readers {
         }
         for part in &report.parts {
             if let Some(changes) = &mut self.changes {
-                changes.part(&entry.submission, part)?;
+                changes.part(&entry.submission, part, &entry.facts.earned(part))?;
             }
             if let Some(gathering) = &mut self.gathering {
                 gathering.add(entry.submission.key(Key::Student), variant.problem, variant.form, part);

@@ -17,10 +17,12 @@ use crate::exercise::Submission;
 use crate::exercise::Together;
 use crate::exercise::VariantRef;
 use crate::exercise::excerpt;
+use crate::grade::PartReport;
 use crate::grade::Seen;
 use crate::problem::Scheme;
 
 use super::problems::{Met, Problems};
+use super::worth::{Earned, Worth, Worths};
 
 /// A submission, or what is wrong where one should be.
 pub(super) type Next = Result<Submission, (Place, String)>;
@@ -47,6 +49,15 @@ pub(super) struct Facts {
     pub attempt: Option<u32>,
     /// The hints that were seen.
     pub seen: Seen,
+    /// What the parts are worth in a homework.
+    pub worth: Option<Arc<Worth>>,
+}
+
+impl Facts {
+    /// What a part earned.
+    pub(super) fn earned(&self, part: &PartReport) -> Earned {
+        Earned::of(part, self.worth.as_deref())
+    }
 }
 
 /// The variant that is answered: the position of the problem among those that are open, that of its form, and the seed.
@@ -61,6 +72,8 @@ pub(super) struct Question {
 pub(super) struct Register {
     problems: Problems,
     sheets: Option<Sheets>,
+    /// What sheets are worth in a homework.
+    worths: Worths,
     /// How the numbers of sheets were drawn of which nobody says it.
     scheme: Scheme,
     together: Together,
@@ -79,6 +92,7 @@ impl Register {
         Self {
             problems,
             sheets,
+            worths: Worths::new(),
             scheme,
             together: Together::default(),
             looked_at: 0,
@@ -87,6 +101,12 @@ impl Register {
             numbered: BTreeMap::new(),
             changed: BTreeSet::new(),
         }
+    }
+
+    /// The same with sheets of a homework, which are worth so much.
+    pub(super) fn with_worths(mut self, worths: Worths) -> Self {
+        self.worths = worths;
+        self
     }
 
     /// Whether the secret is that of most sheets so far: a few rows with another may be slips, or come of ill will.
@@ -185,7 +205,9 @@ impl Register {
                 ));
             }
         }
-        Ok(Facts { question, handed_out, not_issued, is_beside, attempt, seen })
+        let keys = [Key::Student, Key::Problem, Key::Form, Key::Seed].map(|key| submission.key(key).to_owned());
+        let worth = self.worths.get(&keys).cloned();
+        Ok(Facts { question, handed_out, not_issued, is_beside, attempt, seen, worth })
     }
 
     /// How the sheet was handed out, as the row says it.

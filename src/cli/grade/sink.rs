@@ -15,6 +15,7 @@ use crate::grade::PartReport;
 use crate::grade::Points;
 
 use super::source::is_json;
+use super::worth::Earned;
 
 /// The headings of the table.
 pub(super) const HEAD: [&str; 15] = [
@@ -68,7 +69,7 @@ struct Row<'a> {
     attempt: &'a str,
     part: &'a str,
     marks: &'a Points,
-    out_of: u32,
+    out_of: &'a Points,
     verdict: &'static str,
     message: &'a str,
     understood: Option<&'a str>,
@@ -116,7 +117,7 @@ impl Rows {
     }
 
     /// Adds what was found about one part.
-    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport) -> Result<(), Failure> {
+    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport, earned: &Earned) -> Result<(), Failure> {
         let place = submission.place.to_string();
         let row = Row {
             line: &place,
@@ -126,8 +127,8 @@ impl Rows {
             form: submission.key(Key::Form),
             attempt: submission.key(Key::Attempt),
             part: &part.id,
-            marks: &part.points,
-            out_of: part.out_of,
+            marks: &earned.points,
+            out_of: &earned.out_of,
             verdict: part.verdict.code(),
             message: &part.message,
             understood: part.understood.as_deref(),

@@ -27,7 +27,7 @@ pub(super) enum Source {
     Table(Box<Table<BufReader<Input>>>, Vec<Column>),
     Lines(Box<Lines<BufReader<Input>>>, Line),
     Folder(Vec<PathBuf>, usize),
-    /// What another program downloaded, read as a whole.
+    /// What another program downloaded, and answers to a homework: read as a whole.
     Responses(std::vec::IntoIter<(u64, Next)>),
 }
 

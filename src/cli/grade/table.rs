@@ -5,17 +5,22 @@ use std::path::Path;
 use crate::cli::exit::Exit;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::generate;
+use crate::cli::generate::SEEDS;
+use crate::cli::open;
 use crate::cli::output;
 use crate::cli::table;
 use crate::exercise::Derived;
 use crate::exercise::Listed;
 use crate::exercise::Place;
+use crate::exercise::SeedSource;
 use crate::exercise::Sheets;
 use crate::grade::RowCounts;
 use crate::problem::secret_mark;
 
 use super::Grade;
 use super::gradebook::Students;
+use super::homework;
+use super::homework::{Answers, Drawn};
 use super::legibility::Legibility;
 use super::marked::{Marked, marked};
 use super::problems::Problems;
@@ -26,28 +31,41 @@ use super::responses;
 use super::sink::Sink;
 use super::source::Source;
 use super::summary;
+use super::worth::Worths;
 
 /// The heading under which students stand in submissions.
 const STUDENT: &str = "student";
 
 impl Grade {
-    /// Marks a file or a folder of submissions.
-    pub(super) fn table(&self, path: &Path) -> Result<Exit, Failure> {
-        self.keep_apart(path)?;
+    /// Marks a file or a folder of submissions, or a table of answers to a homework.
+    pub(super) fn table(&self, path: &Path, homework: Option<&Path>) -> Result<Exit, Failure> {
+        self.keep_apart(path, homework)?;
         let secret = self.secret.read()?;
-        let sheets = self.sheets(secret.as_deref())?;
+        let (sheets, answers) = match homework {
+            Some(homework) => {
+                let (sheets, answers) = self.homework(homework, path, secret.as_deref())?;
+                (Some(sheets), Some(answers))
+            }
+            None => (self.sheets(self.sheets.as_deref(), secret.as_deref())?, None),
+        };
         if sheets.is_none() {
             tell("note: seeds are taken on trust; --sheets or --roster says which student has which");
         }
         let problems = Problems::here(&self.problem, secret, self.decimal.into())?;
-        let (source, students) = match &self.codes {
-            None => (Source::open(path)?, Students::Column(STUDENT.to_owned())),
-            Some(codes) => {
-                let (responses, students) = responses::read(path, codes, self.student.as_deref())?;
-                (Source::Responses(responses.into_iter()), students)
+        let (mut worths, mut students) = (Worths::new(), Students::Column(STUDENT.to_owned()));
+        let source = match (answers, &self.codes) {
+            (Some(answers), _) => {
+                worths = answers.worths;
+                Source::Responses(answers.submissions.into_iter())
+            }
+            (None, None) => Source::open(path)?,
+            (None, Some(codes)) => {
+                let (responses, known) = responses::read(path, codes, self.student.as_deref())?;
+                students = known;
+                Source::Responses(responses.into_iter())
             }
         };
-        let register = Register::new(problems, sheets, self.scheme);
+        let register = Register::new(problems, sheets, self.scheme).with_worths(worths);
         let mut reader =
             if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
         let mut chunk = reader.chunk();
@@ -106,9 +124,15 @@ impl Grade {
     }
 
     /// Whether nothing that is read would be written over.
-    fn keep_apart(&self, path: &Path) -> Result<(), Failure> {
-        let read =
-            [Some(path), self.codes.as_deref(), self.sheets.as_deref(), self.roster.as_deref(), self.secret.path()];
+    fn keep_apart(&self, path: &Path, homework: Option<&Path>) -> Result<(), Failure> {
+        let read = [
+            Some(path),
+            homework,
+            self.codes.as_deref(),
+            self.sheets.as_deref(),
+            self.roster.as_deref(),
+            self.secret.path(),
+        ];
         let named = self.problem.iter().map(Path::new).filter(|path| path.is_file());
         let summary = self.summary.iter().flat_map(|path| summary::paths(path));
         let tables = self.output.iter().chain(&self.junit).chain(&self.gradebook).chain(&self.changes_table);
@@ -116,9 +140,40 @@ impl Grade {
         output::keep_apart(read.into_iter().flatten().chain(named), written)
     }
 
+    /// Whose sheet of a homework is whose, and the answers to it.
+    fn homework(&self, file: &Path, path: &Path, secret: Option<&[u8]>) -> Result<(Sheets, Answers), Failure> {
+        let name = file.display().to_string();
+        let (_, homework) = open::homework(std::slice::from_ref(&name), secret)?.ok_or_else(|| {
+            let help = "name the file of the homework first, then the table of answers";
+            Failure::unusable(format!("{name} is no homework\nhelp: {help}"))
+        })?;
+        let beside = path.with_file_name(SEEDS);
+        let (sheets, drawn) = match (&self.sheets, &self.roster) {
+            (None, Some(roster)) => {
+                let students = generate::students(roster)?.into_iter().map(|student| student.id).collect::<Vec<_>>();
+                let seeds = SeedSource { derivation: self.derivation, secret };
+                let (drawn, listed) = homework::derived(&students, &homework, seeds, self.scheme);
+                (Some(Sheets::Listed(listed)), drawn)
+            }
+            (Some(table), _) => (self.sheets(Some(table), secret)?, homework::drawn(table, &homework)?),
+            (None, None) if beside.is_file() => {
+                tell(&format!("note: {} says whose sheet is whose", beside.display()));
+                (self.sheets(Some(&beside), secret)?, homework::drawn(&beside, &homework)?)
+            }
+            (None, None) => (None, Drawn::new()),
+        };
+        let sheets = sheets.ok_or_else(|| {
+            Failure::unusable(
+                "nobody says whose sheet of the homework is whose\n\
+                 help: give --sheets, the seeds.csv that `momentous generate` wrote, or --roster and --secret",
+            )
+        })?;
+        Ok((sheets, homework::answers(path, &homework, &drawn)?))
+    }
+
     /// Whose sheet is whose, where that is told.
-    fn sheets(&self, secret: Option<&[u8]>) -> Result<Option<Sheets>, Failure> {
-        if let Some(path) = &self.sheets {
+    fn sheets(&self, listed: Option<&Path>, secret: Option<&[u8]>) -> Result<Option<Sheets>, Failure> {
+        if let Some(path) = listed {
             let listed = Listed::read(table::open(path)?);
             let failed =
                 |faults: Vec<String>| Failure::all(faults.iter().map(|fault| table::of(path, fault)).collect());

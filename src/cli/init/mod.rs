@@ -8,7 +8,7 @@ use clap::Args;
 use crate::bank::Bank;
 use crate::bank::COURSE_FILE;
 use crate::bank::FOLDER;
-use crate::problem::json_schema;
+use crate::problem::{homework_schema, json_schema};
 
 use crate::cli::exit::Exit;
 use crate::cli::failure::Failure;
@@ -19,15 +19,16 @@ Examples:
   momentous init                in the current folder
   momentous init physics-1      in a new folder
 
-It writes two problems to start from, the settings of the course, the schema for editors, and jobs for GitHub and GitLab that check
+It writes two problems and a homework to start from, the settings of the course, the schema for editors, and jobs for GitHub and GitLab that check
 every change. A file that exists is not changed.";
 
 /// The problems to start from.
 const PROBLEMS: [&str; 2] = ["impact/two-carts", "impulse/softball-hit"];
 
 /// The files of a new repository besides its problems.
-const FILES: [(&str, &str); 5] = [
+const FILES: [(&str, &str); 6] = [
     ("problem_bank/course.yaml", include_str!("course.yaml")),
+    ("homework/week-1.yaml", include_str!("homework.yaml")),
     (".github/workflows/problems.yml", include_str!("github.yml")),
     (".gitlab-ci.yml", include_str!("gitlab.yml")),
     (".vscode/settings.json", include_str!("vscode.json")),
@@ -36,6 +37,9 @@ const FILES: [(&str, &str); 5] = [
 
 /// The schema of problem files, where editors find it.
 const SCHEMA: &str = "momentous.schema.json";
+
+/// The same for homework.
+const HOMEWORK_SCHEMA: &str = "homework.schema.json";
 
 /// Make a course repository: problems to start from, settings, and jobs that check every change
 #[derive(Args, Debug)]
@@ -54,6 +58,7 @@ impl Init {
             files.push((Path::new(FOLDER).join(format!("{id}.yaml")), bank.find(id)?.text.to_string()));
         }
         files.push((PathBuf::from(SCHEMA), format!("{:#}\n", json_schema())));
+        files.push((PathBuf::from(HOMEWORK_SCHEMA), format!("{:#}\n", homework_schema())));
         files.extend(FILES.map(|(path, text)| (PathBuf::from(path), text.replace("{{course}}", COURSE_FILE))));
         let mut output = Output::to(None)?;
         for (path, text) in files {

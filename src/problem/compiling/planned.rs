@@ -333,6 +333,14 @@ impl Problem {
         &self.forms
     }
 
+    /// The same problem with other points for the parts of a form, in their order.
+    #[must_use]
+    pub fn with_points(mut self, form: usize, points: &[u32]) -> Self {
+        let parts = self.forms.get_mut(form).map(|form| form.parts.iter_mut()).into_iter().flatten();
+        parts.zip(points).for_each(|(part, points)| part.points = *points);
+        self
+    }
+
     /// The position of the form of that name; of the first one where no name is said.
     #[must_use]
     pub fn form(&self, name: Option<&str>) -> Option<usize> {

@@ -12,6 +12,7 @@ pub(super) mod entries;
 pub(super) mod expression;
 pub(super) mod form;
 pub(super) mod given;
+pub(super) mod homework;
 pub(super) mod intended;
 pub(super) mod known;
 pub(super) mod literal;

@@ -4,12 +4,10 @@ use momentous_fault::Faults;
 use momentous_fault::Source;
 
 use super::super::language::settings::Course;
-use super::check::check;
-use super::document::Document;
 use super::load::Loaded;
-use super::load::typed;
 use super::position::Index;
 use super::schema::COURSE_SHAPES;
+use super::settings_file;
 
 impl Course {
     /// Reads the settings of a course.
@@ -26,20 +24,11 @@ impl Course {
     /// assert_eq!(faults.list[0].help.as_deref(), Some("did you mean `symbols`?"));
     /// ```
     pub fn read(source: &Source) -> Result<Self, Faults> {
-        let Document { root, mut faults } = Document::read(source);
-        let Some(root) = root else { return Err(Index::new(source, None).locate_all(faults)) };
-        let (value, of_form) = check(&root, &COURSE_SHAPES);
-        faults.extend(of_form);
-        if faults.is_empty() {
-            match typed::<Self>(value) {
-                Ok(course) => match course.symbols.notation() {
-                    Ok(_) => return Ok(course),
-                    Err(of_letters) => faults.extend(of_letters),
-                },
-                Err(fault) => faults.push(fault),
-            }
+        let course: Self = settings_file::read(source, &COURSE_SHAPES)?;
+        match course.symbols.notation() {
+            Ok(_) => Ok(course),
+            Err(faults) => Err(Index::of(source).locate_all(faults)),
         }
-        Err(Index::new(source, Some(root)).locate_all(faults))
     }
 }
 

@@ -10,6 +10,7 @@ use serde_json::Value;
 use serde_json::json;
 
 use super::super::language::draft::Draft;
+use super::super::language::homework::HomeworkDraft;
 use super::super::language::settings::Course;
 use super::document::SAME_KEYS;
 use super::shape::Shapes;
@@ -26,10 +27,14 @@ static PUBLISHED: LazyLock<Value> = LazyLock::new(|| {
 
 static COURSE_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Course>("The settings of a course for momentous"));
 
+static HOMEWORK_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<HomeworkDraft>("A homework for momentous"));
+
 /// What the schema says, read once.
 pub(super) static SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&SCHEMA));
 
 pub(super) static COURSE_SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&COURSE_SCHEMA));
+
+pub(super) static HOMEWORK_SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&HOMEWORK_SCHEMA));
 
 fn schema_of<T: JsonSchema>(title: &str) -> Value {
     let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(without_null));
@@ -53,6 +58,12 @@ pub fn json_schema() -> &'static Value {
 #[must_use]
 pub fn course_schema() -> &'static Value {
     &COURSE_SCHEMA
+}
+
+/// The JSON Schema of a file of homework.
+#[must_use]
+pub fn homework_schema() -> &'static Value {
+    &HOMEWORK_SCHEMA
 }
 
 /// Takes `null` out of what a key may hold: a key that is not wanted is left out.

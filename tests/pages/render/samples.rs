@@ -149,6 +149,7 @@ pub fn identity() -> Identity {
 pub fn sheet() -> Sheet {
     Sheet {
         title: "Two smooth pucks".into(),
+        place: None,
         identity: identity(),
         student: None,
         statement: "Puck A (2 kg) slides on a level table at $v_{A1} = 4\\,\\text{m/s}$ along *+x* and strikes puck B \
@@ -182,7 +183,7 @@ pub fn sheet() -> Sheet {
             Inline::Math(Math::relation(Math::Identifier("g".into()), Operator::Equals, quantity("9.81", "m/s^2"))),
             text("."),
         ],
-        figure: Some(drawing()),
+        figure: Some(Box::new(drawing())),
         hints: vec!["Which impulse acts on B, and **along which line**?".into()],
     }
 }
