@@ -28,6 +28,7 @@ mod students;
 mod submission;
 mod table;
 mod together;
+mod tried;
 
 pub use drawer::Drawer;
 
