@@ -11,6 +11,7 @@ use criterion::criterion_main;
 use momentous::bank::Bank;
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::fault::Source;
 use momentous::grade::DecimalMark;
 use momentous::problem::Problem;
@@ -101,7 +102,7 @@ fn worked_solution(criterion: &mut Criterion) {
             group.bench_function(format!("{id}, {}", format.name()), |bencher| {
                 bencher.iter(|| {
                     let solution = Solution {
-                        outline: black_box(&exercise).outline(Audience::Everyone),
+                        outline: black_box(&exercise).outline(Audience::Everyone, Detail::Short),
                         identity: exercise.identity(),
                         audience: Audience::Everyone,
                         faded: None,
@@ -111,7 +112,7 @@ fn worked_solution(criterion: &mut Criterion) {
             });
         }
         group.bench_function(format!("{id}, outline alone"), |bencher| {
-            bencher.iter(|| black_box(&exercise).outline(Audience::Everyone));
+            bencher.iter(|| black_box(&exercise).outline(Audience::Everyone, Detail::Short));
         });
     }
     group.finish();

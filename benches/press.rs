@@ -9,6 +9,7 @@ use criterion::criterion_main;
 use momentous::bank::Bank;
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::problem::Problem;
 use momentous::problem::compile;
 use momentous::problem::load;
@@ -32,7 +33,7 @@ fn problem() -> Option<Arc<Problem>> {
 }
 
 fn solution(exercise: &Exercise) -> Page {
-    let (outline, identity) = (exercise.outline(Audience::Everyone), exercise.identity());
+    let (outline, identity) = (exercise.outline(Audience::Everyone, Detail::Short), exercise.identity());
     Page::Solution(Solution { outline, identity, audience: Audience::Everyone, faded: None })
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use momentous_exercise::Drawer;
 use momentous_exercise::Exercise;
 use momentous_explain::Audience;
+use momentous_explain::Detail;
 use momentous_fault::Faults;
 use momentous_problem::Problem;
 use momentous_render::Format;
@@ -35,14 +36,14 @@ pub(super) fn prints(problem: &Arc<Problem>, form: usize, seeds: u64, renderer: 
 }
 
 fn write(exercise: &Exercise, renderer: &Renderer) -> Result<(), Faults> {
-    let solution = |audience| {
-        let (outline, identity) = (exercise.outline(audience), exercise.identity());
+    let solution = |audience, detail| {
+        let (outline, identity) = (exercise.outline(audience, detail), exercise.identity());
         Page::Solution(Solution { outline, identity, audience, faded: None })
     };
     let pages = [
         Page::Sheet(exercise.sheet()),
-        solution(Audience::Everyone),
-        solution(Audience::Instructor),
+        solution(Audience::Everyone, Detail::Short),
+        solution(Audience::Instructor, Detail::Full),
         Page::Key(Key { title: String::new(), rows: exercise.key() }),
     ];
     Format::ALL.into_iter().try_for_each(|format| renderer.render(&pages, format).map(|_| ()))

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use momentous_exercise::Exercise;
+use momentous_explain::Detail;
 use momentous_explain::lines_out;
 use momentous_explain::offered_pictures;
 use momentous_grade::DecimalMark;
@@ -60,10 +61,16 @@ pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) ->
     first(exercises(problem, form, seeds.min(SOLVED_AGAIN)).filter_map(differs))
 }
 
+/// The results that do not come out of what is printed before them, in the short solution or in the full one.
+fn all_lines_out(exercise: &Exercise) -> Vec<String> {
+    let short = lines_out(exercise.worked(), Detail::Short);
+    if short.is_empty() { lines_out(exercise.worked(), Detail::Full) } else { short }
+}
+
 /// What is printed on a line of a worked solution gives its result.
 pub(super) fn reproduces(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let seeds = seeds.min(MARKED);
-    let out = exercises(problem, form, seeds).map(|(seed, exercise)| (seed, lines_out(exercise.worked())));
+    let out = exercises(problem, form, seeds).map(|(seed, exercise)| (seed, all_lines_out(&exercise)));
     let out: Vec<(u64, Vec<String>)> = out.filter(|(_, lines)| !lines.is_empty()).collect();
     match out.first() {
         Some((first, lines)) => Outcome::Broken(format!(

@@ -7,6 +7,7 @@ use clap::Args;
 use crate::bank::course_folder;
 use crate::exercise::Exercise;
 use crate::explain::Audience;
+use crate::explain::Detail;
 use crate::render::Format;
 use crate::render::Renderer;
 use crate::render::Solution;
@@ -25,22 +26,27 @@ pub(super) struct Shown {
     /// Add information for instructors: the bounds on errors and the equations
     #[arg(long, conflicts_with = "faded")]
     instructor: bool,
-    /// Show only the laws, the equations with numbers and the answers
-    #[arg(long, conflicts_with_all = ["faded", "instructor"])]
-    brief: bool,
+    /// Show every step of the algebra in symbols, what acts and what is neglected, and all checks
+    #[arg(long)]
+    detailed: bool,
 }
 
 impl Shown {
-    /// Whether anything but the whole solution for students is wanted.
+    /// Whether anything but the usual solution for students is wanted.
     pub(super) fn is_said(self) -> bool {
-        self.faded.is_some() || self.instructor || self.brief
+        self.faded.is_some() || self.instructor || self.detailed
     }
 
     /// The worked solution of an exercise.
     pub(super) fn solution(self, exercise: &Exercise) -> Solution {
         let audience = if self.instructor { Audience::Instructor } else { Audience::Everyone };
-        let outline = if self.brief { exercise.brief() } else { exercise.outline(audience) };
-        Solution { outline, identity: exercise.identity(), audience, faded: self.faded }
+        let detail = if self.detailed { Detail::Full } else { Detail::Short };
+        Solution {
+            outline: exercise.outline(audience, detail),
+            identity: exercise.identity(),
+            audience,
+            faded: self.faded,
+        }
     }
 
     /// The worked solution as Markdown, for JSON.

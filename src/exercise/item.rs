@@ -1,6 +1,7 @@
 //! A variant with all that marks it elsewhere: what every export reads, and none computes.
 
 use momentous_explain::Audience;
+use momentous_explain::Detail;
 use momentous_explain::Outline;
 use momentous_grade as grade;
 use momentous_grade::ExpectedKind;
@@ -170,7 +171,7 @@ impl Exercise {
             code: self.code(),
             parts: parts.collect(),
             sheet,
-            solution: self.outline(Audience::Everyone),
+            solution: self.outline(Audience::Everyone, Detail::Short),
             penalty: attempts.penalty,
             hint_penalty: attempts.hint,
         }

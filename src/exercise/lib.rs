@@ -36,6 +36,7 @@ use std::sync::Arc;
 
 use momentous_explain as explain;
 use momentous_explain::Audience;
+use momentous_explain::Detail;
 use momentous_explain::Inline;
 use momentous_explain::Outline;
 use momentous_expr::Math;
@@ -246,14 +247,8 @@ impl Exercise {
 
     /// The worked solution, with the sections that its readers see.
     #[must_use]
-    pub fn outline(&self, audience: Audience) -> Outline {
-        explain::solution(self.worked(), audience)
-    }
-
-    /// The worked solution on one page: laws, equations with numbers, answers.
-    #[must_use]
-    pub fn brief(&self) -> Outline {
-        explain::brief(self.worked())
+    pub fn outline(&self, audience: Audience, detail: Detail) -> Outline {
+        explain::solution(self.worked(), audience, detail)
     }
 
     /// One row of an answer key for each part.

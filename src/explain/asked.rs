@@ -11,6 +11,7 @@ use momentous_problem::Sampler;
 use momentous_problem::Variant;
 use momentous_problem::Worked;
 
+use super::Detail;
 use super::cache::SolutionCache;
 use super::computed;
 use super::pictures;
@@ -39,11 +40,11 @@ pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
 
 /// The results of a variant's worked solution that do not come out of the numbers printed before them, in words.
 #[must_use]
-pub fn lines_out(worked: Worked<'_>) -> Vec<String> {
+pub fn lines_out(worked: Worked<'_>, detail: Detail) -> Vec<String> {
     let cache = SolutionCache::of(worked);
     let shown = Shown::default();
     let way = cache.way(worked);
-    let figures = computed::figures(Display { worked, manners: &way.manners, shown: &shown }, way);
+    let figures = computed::figures(Display { worked, manners: &way.manners, shown: &shown }, way, detail);
     let name = |symbol: Symbol| &worked.problem.model().symbols.entry(symbol).name;
     let said = |item: &Item| match *item {
         Item::Quantity(symbol) | Item::Answer(symbol) => format!("`{}`", name(symbol)),

@@ -10,6 +10,7 @@ use momentous_problem::PlannedForm;
 use momentous_problem::Worked;
 
 use super::Block;
+use super::Detail;
 use super::checking::checks::Checks;
 use super::pictures::PictureCache;
 use super::terms::display::Display;
@@ -35,7 +36,8 @@ pub(super) struct WayCache {
     pub acting: OnceLock<Vec<Block>>,
     /// The quantities that the answer needs.
     pub used: OnceLock<BTreeSet<Symbol>>,
-    scripts: OnceLock<Vec<Script>>,
+    short_scripts: OnceLock<Vec<Script>>,
+    full_scripts: OnceLock<Vec<Script>>,
     checks: OnceLock<Checks>,
 }
 
@@ -51,8 +53,12 @@ impl WayCache {
 
 impl WayCache {
     /// The steps of the answer plan.
-    pub(super) fn scripts(&self, display: Display<'_>) -> &[Script] {
-        self.scripts.get_or_init(|| script::scripts(display))
+    pub(super) fn scripts(&self, display: Display<'_>, detail: Detail) -> &[Script] {
+        let scripts = match detail {
+            Detail::Short => &self.short_scripts,
+            Detail::Full => &self.full_scripts,
+        };
+        scripts.get_or_init(|| script::scripts(display, detail))
     }
 
     /// The checks.

@@ -9,23 +9,26 @@ use momentous_solve::Closed;
 use momentous_solve::Move;
 use momentous_solve::Step;
 
+use super::Detail;
 use super::cache::WayCache;
 use super::terms::display::Display;
 use super::terms::ledger::Figures;
 use super::terms::ledger::Item;
 use super::terms::ledger::Ledger;
 use super::working::counting;
+use super::working::derivation::Solving;
 use super::working::quadratic;
+use super::working::quadratic::Short;
 use super::working::script::Formula;
 use super::working::script::Script;
-use super::working::steps::Detail;
+use super::working::short;
 use super::working::steps::Steps;
 use super::working::steps::taken;
 
 /// How many figures the numbers of a variant's solution have. What does not come out with the most figures is computed from
 /// the givens, which are exact.
-pub(super) fn figures(display: Display<'_>, way: &WayCache) -> Figures {
-    let figures = ledger(display, way, &[]).settle();
+pub(super) fn figures(display: Display<'_>, way: &WayCache, detail: Detail) -> Figures {
+    let figures = ledger(display, way, detail, &[]).settle();
     let from_givens = figures.stubborn.iter().filter_map(|item| match item {
         Item::Quantity(symbol) => Some(*symbol).filter(|symbol| display.in_what_is_told(*symbol).is_some()),
         _ => None,
@@ -34,19 +37,21 @@ pub(super) fn figures(display: Display<'_>, way: &WayCache) -> Figures {
     if from_givens.is_empty() {
         return figures;
     }
-    let settled = ledger(display, way, &from_givens).settle();
+    let settled = ledger(display, way, detail, &from_givens).settle();
     Figures { from_givens, ..settled }
 }
 
 /// The lines of a solution but those of some results.
-fn ledger(display: Display<'_>, way: &WayCache, without: &[Symbol]) -> Ledger {
+fn ledger(display: Display<'_>, way: &WayCache, detail: Detail, without: &[Symbol]) -> Ledger {
     let mut ledger = Ledger::default();
-    let scripts = way.scripts(display);
+    let scripts = way.scripts(display, detail);
     for (position, (step, script)) in display.worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
         enter_step(display, &mut ledger, (position, step, script), without);
     }
     enter_answers(display, &mut ledger);
-    way.checks(display).enter(display, &mut ledger);
+    if detail == Detail::Full {
+        way.checks(display).enter(display, &mut ledger);
+    }
     ledger
 }
 
@@ -56,10 +61,24 @@ fn enter_step(
     (position, step, script): (usize, &Step, &Script),
     without: &[Symbol],
 ) {
-    let steps = Steps::new(display, Detail::Full);
+    let steps = Steps::new(display);
     let Some((place, root)) = taken(display, position, step) else { return };
     let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
     for (index, (unknown, closed)) in root.values.iter().enumerate() {
+        if !found.get(index).is_none_or(|found| found.is_printed) {
+            continue;
+        }
+        if script.solving == Solving::InNumbers
+            && let Some((solved, way)) = short::quadratic_of(display, step)
+            && solved == *unknown
+            && !without.contains(unknown)
+        {
+            match way {
+                Short::Root(root) => display.enter_term(ledger, &display.term(root), Item::Quantity(*unknown)),
+                Short::Equation(terms) => quadratic::enter(display, ledger, *unknown, terms.each_ref()),
+            }
+            continue;
+        }
         let solved = step.moves.iter().find_map(|step_move| match step_move {
             Move::Quadratic { unknown: own, a, b, c, .. } if own == unknown => Some([a, b, c]),
             _ => None,

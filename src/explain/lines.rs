@@ -13,6 +13,7 @@ use momentous_solve::Closed;
 use momentous_solve::Move;
 use momentous_solve::Step;
 
+use super::Detail;
 use super::cache::SolutionCache;
 use super::computed;
 use super::terms::display::Display;
@@ -24,7 +25,6 @@ use super::working::divisors;
 use super::working::quadratic;
 use super::working::script::Formula;
 use super::working::script::Script;
-use super::working::steps::Detail;
 use super::working::steps::Steps;
 use super::working::steps::taken;
 
@@ -100,10 +100,10 @@ pub fn lines(worked: Worked<'_>) -> Vec<Line> {
     let shown = Shown::default();
     let way = cache.way(worked);
     let display = Display { worked, manners: &way.manners, shown: &shown };
-    shown.figures.get_or_init(|| computed::figures(display, way));
-    let steps = Steps::new(display, Detail::Full);
+    shown.figures.get_or_init(|| computed::figures(display, way, Detail::Full));
+    let steps = Steps::new(display);
     let mut list = List { display, steps, lines: Vec::new(), laws: BTreeMap::new(), results: Vec::new() };
-    let scripts = way.scripts(display);
+    let scripts = way.scripts(display, Detail::Full);
     for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
         list.step(position, step, script);
     }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use momentous::bank::Bank;
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::fault::Source;
 use momentous::grade::DecimalMark;
 use momentous::problem::{Ask, ChoicePart, Loaded, PartKind, ad_hoc, compile, compile_ad_hoc, load};
@@ -369,7 +370,7 @@ fn key_solution_sheet_and_diagnosis_never_contradict_each_other() {
                 let [kind, energy, _] = &right[..] else { panic!("{}: {right:?}", source.name) };
                 let said = format!("{} seed {seed}: {right:?}", source.name);
                 assert_eq!(kind == "elastic", energy == "yes", "{said}");
-                let solution = format!("{:?}", exercise.outline(Audience::Everyone));
+                let solution = format!("{:?}", exercise.outline(Audience::Everyone, Detail::Full));
                 assert_eq!(solution.contains("one is lost: the impact is elastic"), kind == "elastic", "{said}");
                 let mut numbers = worked.form.parts.iter().flat_map(momentous::problem::Part::numbers);
                 let lost = numbers.next().map(|(_, number)| worked.answer(number));

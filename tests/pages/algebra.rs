@@ -18,6 +18,7 @@ use std::sync::Arc;
 
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::problem::Problem;
 use momentous::render::Format;
 use momentous::render::Renderer;
@@ -52,7 +53,7 @@ fn lines_of(exercise: &Exercise) -> Vec<Value> {
 /// The worked solution as Markdown.
 fn page_of(exercise: &Exercise, renderer: &Renderer) -> String {
     let audience = Audience::Everyone;
-    let outline = exercise.outline(audience);
+    let outline = exercise.outline(audience, Detail::Full);
     let solution = Solution { outline, identity: exercise.identity(), audience, faded: None };
     renderer.render_solution(&solution, Format::Markdown).unwrap().text
 }

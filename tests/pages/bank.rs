@@ -1,9 +1,11 @@
 //! What a reader sees of the bank: the sheet, the worked solution and the record of every form at one seed, as a whole.
 
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::render::Figures;
 use momentous::render::Format;
 use momentous::render::Key;
@@ -23,7 +25,11 @@ fn markdown(pages: &[Page]) -> String {
 }
 
 fn solution(exercise: &Exercise, faded: Option<usize>) -> Page {
-    let (outline, identity) = (exercise.outline(Audience::Instructor), exercise.identity());
+    detailed_or_short(exercise, Detail::Short, faded)
+}
+
+fn detailed_or_short(exercise: &Exercise, detail: Detail, faded: Option<usize>) -> Page {
+    let (outline, identity) = (exercise.outline(Audience::Instructor, detail), exercise.identity());
     Page::Solution(Solution { outline, identity, audience: Audience::Everyone, faded })
 }
 
@@ -42,6 +48,18 @@ fn every_form_reads_well() {
     for exercise in EXERCISES.iter() {
         let pages = [Page::Sheet(exercise.sheet()), solution(exercise, None)];
         check(&problems::name(exercise), &markdown(&pages));
+    }
+}
+
+/// One form of each topic, since every step in full is long.
+#[test]
+fn one_form_of_each_topic_reads_well_in_full() {
+    let mut topics = BTreeSet::new();
+    for exercise in EXERCISES.iter() {
+        let name = problems::name(exercise);
+        if topics.insert(exercise.problem().id().split('/').next().map(str::to_owned)) {
+            check(&format!("{name}-detailed"), &markdown(&[detailed_or_short(exercise, Detail::Full, None)]));
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //! each line of a worked solution can be computed again.
 
 mod givens;
+mod laws;
 mod lines;
 mod printed;
 mod zeros;

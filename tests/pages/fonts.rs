@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::render::Format;
 use momentous::render::Identity;
 use momentous::render::Key;
@@ -98,7 +99,7 @@ fn holds(found: &BTreeMap<char, String>) {
 /// The pages of an exercise for students and for instructors, and its row of a key.
 fn pages(exercise: &Exercise) -> Vec<Page> {
     let solution = |audience| {
-        let (outline, identity) = (exercise.outline(audience), exercise.identity());
+        let (outline, identity) = (exercise.outline(audience, Detail::Full), exercise.identity());
         Page::Solution(Solution { outline, identity, audience, faded: None })
     };
     let key = Page::Key(Key { title: String::new(), rows: exercise.key() });

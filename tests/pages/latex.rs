@@ -5,6 +5,7 @@ use std::thread;
 
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::render::{Format, Page, Renderer, Solution};
 
 use crate::pdflatex;
@@ -56,7 +57,7 @@ fn faults(exercises: &[Exercise]) -> Vec<String> {
 
 /// The sheet and the solution with all that an instructor sees.
 fn pages(exercise: &Exercise) -> [Page; 2] {
-    let (outline, identity) = (exercise.outline(Audience::Instructor), exercise.identity());
+    let (outline, identity) = (exercise.outline(Audience::Instructor, Detail::Full), exercise.identity());
     let solution = Solution { outline, identity, audience: Audience::Instructor, faded: None };
     [Page::Sheet(exercise.sheet()), Page::Solution(solution)]
 }

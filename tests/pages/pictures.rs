@@ -83,7 +83,10 @@ fn is_open(worked: Worked<'_>) -> bool {
 }
 
 fn drawings_of_solution(worked: Worked<'_>) -> Vec<Drawing> {
-    let blocks = explain::solution(worked, Audience::Everyone).sections.into_iter().flat_map(|section| section.blocks);
+    let blocks = explain::solution(worked, Audience::Everyone, explain::Detail::Full)
+        .sections
+        .into_iter()
+        .flat_map(|section| section.blocks);
     let figure = |block| match block {
         Block::Figure(drawing) => Some(*drawing),
         _ => None,

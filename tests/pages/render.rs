@@ -8,6 +8,7 @@ use std::sync::Arc;
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
 use momentous::explain::Block;
+use momentous::explain::Detail;
 use momentous::explain::Inline;
 use momentous::explain::Outline;
 use momentous::fault::Code;
@@ -278,7 +279,7 @@ fn lines_of_authors_hold_mathematics_in_every_format() {
     let exercise = Exercise::draw(&Arc::new(problem.unwrap()), 0, 1).unwrap();
     exercise.printable().unwrap();
     let solution = Solution {
-        outline: exercise.outline(Audience::Everyone),
+        outline: exercise.outline(Audience::Everyone, Detail::Short),
         identity: exercise.identity(),
         audience: Audience::Everyone,
         faded: None,

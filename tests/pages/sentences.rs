@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use momentous::exercise::Exercise;
-use momentous::explain::{Audience, Block, situation};
+use momentous::explain::{Audience, Block, Detail, situation};
 use momentous::render::{Format, Renderer, Solution};
 
 use crate::variants;
@@ -16,7 +16,7 @@ fn page(scene: &str, given: &[(&str, &str)], ask: &[&str]) -> String {
 }
 
 fn page_of(exercise: &Exercise) -> String {
-    let (outline, audience) = (exercise.outline(Audience::Everyone), Audience::Everyone);
+    let (outline, audience) = (exercise.outline(Audience::Everyone, Detail::Full), Audience::Everyone);
     let solution = Solution { outline, identity: exercise.identity(), audience, faded: None };
     Renderer::new(None).unwrap().render_solution(&solution, Format::Markdown).unwrap().text
 }
@@ -105,7 +105,11 @@ fn drawn(id: &str) -> String {
 }
 
 fn diagrams(id: &str) -> Vec<String> {
-    let blocks = of_the_bank(id).outline(Audience::Everyone).sections.into_iter().flat_map(|section| section.blocks);
+    let blocks = of_the_bank(id)
+        .outline(Audience::Everyone, Detail::Full)
+        .sections
+        .into_iter()
+        .flat_map(|section| section.blocks);
     let told = |block| if let Block::Figure(drawing) = block { Some(drawing.description) } else { None };
     blocks.filter_map(told).collect()
 }

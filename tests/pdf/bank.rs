@@ -6,6 +6,7 @@ use std::thread;
 
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::render::{Format, Page, Solution};
 
 use super::{RENDERER, poppler, print, problems};
@@ -43,7 +44,7 @@ fn every_sheet_and_solution_of_the_bank_says_what_the_page_says() {
 
 /// The sheet and the solution with all that an instructor sees.
 fn pages(exercise: &Exercise) -> [Page; 2] {
-    let (outline, identity) = (exercise.outline(Audience::Instructor), exercise.identity());
+    let (outline, identity) = (exercise.outline(Audience::Instructor, Detail::Short), exercise.identity());
     let solution = Solution { outline, identity, audience: Audience::Instructor, faded: None };
     [Page::Sheet(exercise.sheet()), Page::Solution(solution)]
 }

@@ -49,7 +49,7 @@ Examples:
   momentous generate impact/two-carts --seed 7                     a sheet
   momentous generate impact/two-carts --seed 7 --solution          and its worked solution
   momentous generate impact/two-carts --solution --faded 2         its first two steps
-  momentous generate impact/two-carts --solution --brief           laws, equations and answers
+  momentous generate impact/two-carts --solution --detailed        every step and check
   momentous generate impact --count 5 --key --format latex -o exam.tex
   momentous generate impact/two-carts --roster class.csv --secret secret.txt --key -o sheets/
   momentous generate impact --roster class.csv --format pdf -o class.pdf    one bound file
@@ -111,7 +111,7 @@ impl Generate {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         if self.shown.is_said() && !self.solution {
             return Err(Failure::unusable(
-                "--faded, --instructor and --brief apply only to solutions\nhelp: add --solution",
+                "--faded, --instructor and --detailed apply only to solutions\nhelp: add --solution",
             ));
         }
         let printer = Printer::new(self.format, self.held)?;

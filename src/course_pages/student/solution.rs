@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use momentous_course::Item;
-use momentous_exercise::calls::{Refused, RefusedKind, SolveResponse};
+use momentous_exercise::calls::{Detail, Refused, RefusedKind, SolveResponse};
 use momentous_exercise::{Exercise, Remark};
 
 use super::super::items;
@@ -36,7 +36,7 @@ pub(crate) async fn solution(visit: &Visit) -> Result<Reply, NotShown> {
     }
     let back = own.address(visit)?;
     let (exercise, note) = right(visit, &own).await?;
-    let solved = visit.work(move |app| Ok(app.engine().solution_of(&exercise, None, false)?)).await?;
+    let solved = visit.work(move |app| Ok(app.engine().solution_of(&exercise, None, Detail::Short)?)).await?;
     visit.page("courses/solution", SolutionPage { title: solved.title.clone(), back, note, solved }).await
 }
 

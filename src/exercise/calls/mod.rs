@@ -29,6 +29,7 @@ pub use hint::{HintRequest, HintResponse};
 pub use limits::Limits;
 pub use limits::within;
 pub use mark::{MarkRequest, MarkResponse, MarkedPart};
+pub use momentous_explain::Detail;
 pub use play::{FilmResponse, PlayResponse};
 pub use read::{ReadRequest, ReadResponse};
 pub use refused::{Refused, RefusedKind};

@@ -4,6 +4,7 @@ use serde::Deserialize;
 use serde::Serialize;
 
 use momentous_explain::Audience;
+use momentous_explain::Detail;
 use momentous_problem::PartKind;
 use momentous_render as render;
 use momentous_render::Fragment;
@@ -24,9 +25,9 @@ pub struct SolveRequest {
     /// Only so many steps; the rest is left to the reader.
     #[serde(default)]
     pub steps: Option<usize>,
-    /// The solution on one page: laws, equations with numbers and answers.
+    /// Every step of the algebra in symbols, what acts and what is neglected, and all checks.
     #[serde(default)]
-    pub brief: bool,
+    pub detailed: bool,
 }
 
 /// A worked solution.
@@ -59,10 +60,11 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet.
     pub fn solve(&self, request: &SolveRequest) -> Result<SolveResponse, Refused> {
-        self.solution_of(&self.draw(&request.variant)?, request.steps, request.brief)
+        let detail = if request.detailed { Detail::Full } else { Detail::Short };
+        self.solution_of(&self.draw(&request.variant)?, request.steps, detail)
     }
 
-    /// The worked solution of a variant that was drawn: of so many steps, or on one page.
+    /// The worked solution of a variant that was drawn: of so many steps, or whole.
     ///
     /// # Errors
     /// Where it is not fit to print.
@@ -70,9 +72,9 @@ impl Engine<'_> {
         &self,
         exercise: &Exercise,
         steps: Option<usize>,
-        brief: bool,
+        detail: Detail,
     ) -> Result<SolveResponse, Refused> {
-        let outline = if brief { exercise.brief() } else { exercise.outline(Audience::Everyone) };
+        let outline = exercise.outline(Audience::Everyone, detail);
         let (title, all) = (outline.title.clone(), render::steps(&outline));
         let faded = steps.filter(|steps| *steps < all);
         let solution = Solution { outline, identity: exercise.identity(), audience: Audience::Everyone, faded };

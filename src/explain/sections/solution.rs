@@ -1,13 +1,19 @@
-//! The worked solution: five sections for everyone, and one for the instructor.
+//! The worked solution: short as a textbook prints it, or in full.
 
+use std::collections::BTreeSet;
+
+use momentous_figure::Drawing;
 use momentous_problem::Worked;
 use momentous_scene::Stage;
+use momentous_solve::Step;
 
 use super::super::Audience;
 use super::super::Block;
+use super::super::Detail;
 use super::super::Inline;
 use super::super::Outline;
 use super::super::Section;
+use super::super::asked::solution_figures;
 use super::super::cache::SolutionCache;
 use super::super::cache::WayCache;
 use super::super::computed;
@@ -16,7 +22,8 @@ use super::super::terms::display::Display;
 use super::super::terms::display::Shown;
 use super::super::wording::capitalised;
 use super::super::wording::list;
-use super::super::working::steps::Detail;
+use super::super::working::script::Script;
+use super::super::working::short::ShortSteps;
 use super::super::working::steps::Steps;
 use super::super::working::steps::WITHOUT_ZEROS;
 use super::answers;
@@ -25,24 +32,19 @@ use super::diagrams;
 use super::instructor;
 use super::stage_words::happening;
 
-/// The worked solution of a variant, with a last section where instructors read it.
+/// The worked solution of a variant: the system with its figures and what is given, the laws with their equations, and the answers;
+/// in full also what acts, what is left out, and the checks. Instructors read a last section.
 #[must_use]
-pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
+pub fn solution(worked: Worked<'_>, audience: Audience, detail: Detail) -> Outline {
     let cache = SolutionCache::of(worked);
     let shown = Shown::default();
     let way = cache.way(worked);
     let display = Display { worked, manners: &way.manners, shown: &shown };
-    shown.figures.get_or_init(|| computed::figures(display, way));
-    let answers = answers::answers(display);
-    let checks = way.checks(display).blocks(display);
-    let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
-    let mut sections = vec![
-        section("System", way.system.get_or_init(|| system(worked)).clone()),
-        acting(display, way),
-        section("Axes and what is given", axes::axes(display, way)),
-        section("Laws", laws(display, way, Detail::Full)),
-        section(closing, answers.into_iter().chain(checks).collect()),
-    ];
+    shown.figures.get_or_init(|| computed::figures(display, way, detail));
+    let mut sections = match detail {
+        Detail::Short => short(display, way),
+        Detail::Full => full(display, way),
+    };
     sections.retain(|section| !section.blocks.is_empty());
     if audience == Audience::Instructor {
         sections.push(Section { audience, ..section("Certificate and equations used", instructor::notes(display)) });
@@ -50,28 +52,51 @@ pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
     Outline { title: worked.problem.title().to_owned(), sections }
 }
 
+fn short(display: Display<'_>, way: &WayCache) -> Vec<Section> {
+    let mut opening: Vec<Block> = without_repeated_legends(solution_figures(display.worked))
+        .map(|drawing| Block::Figure(Box::new(drawing)))
+        .collect();
+    opening.extend(way.system.get_or_init(|| system(display.worked)).iter().cloned());
+    opening.extend(axes::axes(display, way));
+    let mut steps = ShortSteps::new(display);
+    let blocks =
+        laws(display, way.scripts(display, Detail::Short), |place, step, script| steps.step(place, step, script));
+    vec![section("System", opening), section("Laws", blocks), section("Answer", answers::answers(display))]
+}
+
+fn full(display: Display<'_>, way: &WayCache) -> Vec<Section> {
+    let mut steps = Steps::new(display);
+    let blocks =
+        laws(display, way.scripts(display, Detail::Full), |place, step, script| steps.step(place, step, script));
+    let checks = way.checks(display).blocks(display);
+    let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
+    vec![
+        section("System", way.system.get_or_init(|| system(display.worked)).clone()),
+        acting(display, way),
+        section("Axes and what is given", axes::axes(display, way)),
+        section("Laws", blocks),
+        section(closing, answers::answers(display).into_iter().chain(checks).collect()),
+    ]
+}
+
+/// The figures, each with a caption that does not repeat what the first one explains: what follows its colon.
+fn without_repeated_legends(figures: Vec<Drawing>) -> impl Iterator<Item = Drawing> {
+    let mut explained = BTreeSet::new();
+    figures.into_iter().map(move |mut figure| {
+        if let Some((subject, legend)) = figure.caption.split_once(": ")
+            && !explained.insert(legend.to_owned())
+        {
+            figure.caption = format!("{subject}.");
+        }
+        figure
+    })
+}
+
 /// What acts, with its diagrams where there are any.
 fn acting(display: Display<'_>, way: &WayCache) -> Section {
     let blocks = diagrams::diagrams(display, way);
     let drawn = blocks.iter().any(|block| matches!(block, Block::Figure(_)));
     section(if drawn { "Momentum and impulse diagrams" } else { "Forces and impulses" }, blocks)
-}
-
-/// The worked solution on one page: what is given, the laws with their equations, the values found, and the answers.
-#[must_use]
-pub fn brief(worked: Worked<'_>) -> Outline {
-    let cache = SolutionCache::of(worked);
-    let shown = Shown::default();
-    let way = cache.way(worked);
-    let display = Display { worked, manners: &way.manners, shown: &shown };
-    shown.figures.get_or_init(|| computed::figures(display, way));
-    let mut sections = vec![
-        section("Axes and what is given", axes::axes(display, way)),
-        section("Laws", laws(display, way, Detail::Brief)),
-        section("Answer", answers::answers(display)),
-    ];
-    sections.retain(|section| !section.blocks.is_empty());
-    Outline { title: worked.problem.title().to_owned(), sections }
 }
 
 fn section(heading: &str, blocks: Vec<Block>) -> Section {
@@ -120,16 +145,18 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 }
 
 /// The steps of the answer plan.
-fn laws(display: Display<'_>, way: &WayCache, detail: Detail) -> Vec<Block> {
-    let worked = display.worked;
-    let mut steps = Steps::new(display, detail);
-    let scripts = way.scripts(display);
+fn laws(
+    display: Display<'_>,
+    scripts: &[Script],
+    mut write: impl FnMut(usize, &Step, &Script) -> Vec<Block>,
+) -> Vec<Block> {
+    let leaf = display.worked.leaf();
     let mut blocks = Vec::new();
-    if let [first, ..] = &worked.leaf().words[..] {
+    if let [first, ..] = &leaf.words[..] {
         blocks.push(Block::text(&format!("{}.", capitalised(first))));
     }
-    for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
-        blocks.extend(steps.step(position, step, script));
+    for (position, (step, script)) in leaf.answer_steps().iter().zip(scripts).enumerate() {
+        blocks.extend(write(position, step, script));
     }
     without_repetition(blocks)
 }

@@ -333,12 +333,29 @@ impl<'a> Display<'a> {
         term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero))
     }
 
+    /// The same, but for what is not known yet.
+    pub(crate) fn without_known_zeros(self, term: &Expr, unknowns: &[Symbol]) -> Expr {
+        let is_out = |symbol| !unknowns.contains(&symbol) && self.is_nothing(symbol);
+        if !term.symbols().into_iter().any(is_out) {
+            return term.clone();
+        }
+        positive_first(&term.substitute(&|symbol| is_out(symbol).then(Expr::zero)).simplify())
+    }
+
+    /// A term with numbers in place of what is known.
+    pub(crate) fn with_known_numbers(self, term: &Expr, unknowns: &[Symbol]) -> Math {
+        let leaf = |symbol| if unknowns.contains(&symbol) { self.named(symbol) } else { self.put_in(symbol) };
+        let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
+        term.arranged().with_numbers(&leaf, &value)
+    }
+
     /// Whether a quantity that is zero is left out of a term with numbers.
     pub(crate) fn has_zeros(self, term: &Term) -> bool {
         term.mentions.iter().any(|symbol| self.is_nothing(*symbol))
     }
 
-    fn is_nothing(self, symbol: Symbol) -> bool {
+    /// Whether a quantity with a unit is exactly zero.
+    pub(crate) fn is_nothing(self, symbol: Symbol) -> bool {
         let has_unit = self.worked.problem.model().symbols.entry(symbol).dimension != Dimension::NONE;
         has_unit && self.worked.variant.value(symbol).is_some_and(Bounded::is_zero)
     }

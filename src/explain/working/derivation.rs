@@ -61,6 +61,15 @@ pub(crate) enum Origin {
     Solve { of: usize, unknown: Symbol },
 }
 
+/// How the equations of a step are solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Solving {
+    /// In symbols, line by line; numbers are put into the formula that results.
+    InSymbols,
+    /// With the numbers put into the laws.
+    InNumbers,
+}
+
 /// The lines of a step, and from which of them each unknown is found.
 #[derive(Debug, Default)]
 pub(crate) struct Derivation {
@@ -68,14 +77,17 @@ pub(crate) struct Derivation {
     pub sources: BTreeMap<Symbol, Vec<usize>>,
     /// The last line that was made of each equation of the system.
     latest: BTreeMap<usize, usize>,
+    /// Whether numbers are put into the laws at once, so that no line of algebra in symbols is written.
+    is_of_numbers: bool,
 }
 
 impl Derivation {
-    /// The lines of a step, in their order and without numbers.
-    pub(crate) fn of(display: Display<'_>, step: &Step, before: &Stated) -> Self {
+    /// The lines of a step, in their order and not yet numbered: laws, and the algebra that follows from them unless numbers are
+    /// put in at once.
+    pub(crate) fn of(display: Display<'_>, step: &Step, before: &Stated, solving: Solving) -> Self {
         let system = &display.worked.leaf().system;
         let instances = &display.worked.problem.model().instances;
-        let mut derivation = Self::default();
+        let mut derivation = Self { is_of_numbers: solving == Solving::InNumbers, ..Self::default() };
         let is_alone = step.equations.len() == 1;
         for equation in &step.equations {
             let Some(stated) = system.equations.get(*equation) else { continue };
@@ -132,9 +144,11 @@ impl Derivation {
         let mut referred: BTreeSet<usize> = self.sources.values().flatten().copied().collect();
         referred.extend(self.lines.iter().flat_map(|line| line.origin.from()));
         let laws = self.lines.iter().filter(|line| matches!(line.origin, Origin::Law(_))).count();
+        let all_laws = self.is_of_numbers && laws > 1;
         for (place, line) in self.lines.iter_mut().enumerate() {
-            let stands_alone = laws == 1 && matches!(line.origin, Origin::Law(_));
-            if referred.contains(&place) && !stands_alone {
+            let is_law = matches!(line.origin, Origin::Law(_));
+            let stands_alone = laws == 1 && is_law;
+            if (referred.contains(&place) || all_laws && is_law) && !stands_alone {
                 line.number = Some(*next);
                 *next += 1;
             }
@@ -159,6 +173,7 @@ impl Derivation {
         self.latest.get(&equation).copied().unwrap_or(0)
     }
 
+    /// Writes a line of algebra.
     fn push(&mut self, left: &Expr, right: &Expr, origin: Origin) -> usize {
         let [left, right] = [left, right].map(positive_first);
         self.lines.push(Line { number: None, left, relation: Operator::Equals, right, origin, integral: None });
@@ -178,6 +193,9 @@ impl Derivation {
 
     /// Writes the line that takes the place of an equation.
     fn replace(&mut self, equation: usize, left: &Expr, right: &Expr, origin: Origin) {
+        if self.is_of_numbers && !matches!(origin, Origin::Integrate { .. }) {
+            return;
+        }
         let place = self.push(left, right, origin);
         self.latest.insert(equation, place);
     }
@@ -223,7 +241,11 @@ impl Derivation {
                     let is_stated = self.lines.get(line).is_some_and(|line| {
                         line.left == part && line.right == *value || line.right == part && line.left == *value
                     });
-                    if is_stated { line } else { self.push(&part, value, Origin::Component(both)) }
+                    if is_stated || self.is_of_numbers {
+                        line
+                    } else {
+                        self.push(&part, value, Origin::Component(both))
+                    }
                 });
                 self.sources.extend([*magnitude, *angle].map(|unknown| (unknown, found.to_vec())));
             }
@@ -235,7 +257,8 @@ impl Derivation {
     fn solved(&mut self, unknown: Symbol, value: &Expr) -> usize {
         let source = self.sources.get(&unknown).and_then(|lines| lines.first()).copied().unwrap_or(0);
         let own = Expr::from(unknown);
-        if self.lines.get(source).is_some_and(|line| line.left == own && line.right == *value) {
+        let is_stated = self.lines.get(source).is_some_and(|line| line.left == own && line.right == *value);
+        if is_stated || self.is_of_numbers {
             return source;
         }
         let place = self.push(&own, value, Origin::Solve { of: source, unknown });

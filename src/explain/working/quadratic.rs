@@ -49,6 +49,10 @@ impl Coefficient {
         Self { value: -self.value, unit: Arc::clone(&self.unit), ..*self }
     }
 
+    fn is_one(&self) -> bool {
+        self.unit.unit.is_none() && self.value == 1.0
+    }
+
     fn bracketed(&self) -> Math {
         Math::Bracketed(Arc::new(self.signed()))
     }
@@ -100,6 +104,41 @@ pub(crate) fn solution(display: Display<'_>, unknown: Symbol, coefficients: [&Ex
         Block::Equation { lines: vec![with_numbers([&square, &name], &a, &b, &c)], number: None },
         Block::Equation { lines, number: None },
     ])
+}
+
+/// How a short solution solves a quadratic equation.
+pub(crate) enum Short {
+    /// By this root, since nothing is linear in the unknown.
+    Root(Expr),
+    /// By the equation with these coefficients as numbers.
+    Equation([Expr; 3]),
+}
+
+/// How a quadratic equation is solved in short; nothing where a coefficient has no value.
+pub(crate) fn short(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -> Option<Short> {
+    let [a, b, c] = with_plain_square(coefficients);
+    if display.is_free(unknown) || ![&a, &b, &c].into_iter().all(|term| display.has_value(term)) {
+        return None;
+    }
+    let over_a = |term: &Expr| (term.clone() / a.clone()).simplify();
+    if display.value_of(&b) == 0.0 {
+        let size = (-over_a(&c)).simplify().power(Expr::ratio(1, 2));
+        let is_negative = display.value_of(&unknown.into()) < 0.0;
+        return Some(Short::Root(positive_first(&if is_negative { -size } else { size })));
+    }
+    // A mass, which means nothing in the equation, is divided out.
+    let dimension = a.dimension(&display.worked.problem.model().symbols).unwrap_or_default();
+    let coefficients = if dimension.mass == 0 { [a, b, c] } else { [Expr::one(), over_a(&b), over_a(&c)] };
+    Some(Short::Equation(coefficients))
+}
+
+/// The equation with the numbers of its coefficients, and both its values.
+pub(super) fn in_numbers(display: Display<'_>, unknown: Symbol, terms: &[Expr; 3]) -> Option<[Math; 2]> {
+    let [a, b, c] = [0, 1, 2].map(|place| Coefficient::new(display, &terms[place], Item::Coefficient(unknown, place)));
+    let name = display.name(unknown);
+    let square = display.symbolic(&Expr::from(unknown).powi(2));
+    let values = Math::relation(name.clone(), Operator::Equals, roots(display, unknown, [&a, &b, &c])?);
+    Some([with_numbers([&square, &name], &a, &b, &c), values])
 }
 
 /// The coefficients, their signs changed where that of the square begins with a minus: as the equation is written.
@@ -174,7 +213,8 @@ fn quotient(b: &Coefficient, a: &Coefficient) -> Math {
 fn with_numbers([square, name]: [&Math; 2], a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
     let space = Math::Operator(Operator::Juxtapose);
     let sign = |value: f64| Math::Operator(if value < 0.0 { Operator::Minus } else { Operator::Plus });
-    let mut parts = vec![a.bracketed(), space.clone(), square.clone()];
+    let mut parts = if a.is_one() { Vec::new() } else { vec![a.bracketed(), space.clone()] };
+    parts.push(square.clone());
     if b.value != 0.0 {
         parts.extend([sign(b.value), Math::Bracketed(Arc::new(b.unsigned())), space, name.clone()]);
     }

@@ -1,14 +1,18 @@
 //! What the steps of a plan say whatever the numbers are: laws and reasons, equations in symbols, moves of algebra.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::Symbol;
 use momentous_laws::geometry;
+use momentous_laws::kinematics;
 use momentous_model::Because;
 use momentous_model::Instance;
 use momentous_model::Integral;
+use momentous_problem::Part;
+use momentous_problem::PartKind;
 use momentous_solve::Closed;
 use momentous_solve::Move;
 use momentous_solve::Root;
@@ -16,6 +20,7 @@ use momentous_solve::Statement;
 use momentous_solve::Step;
 
 use super::super::Block;
+use super::super::Detail;
 use super::super::terms::algebra;
 use super::super::terms::display::Display;
 use super::super::terms::display::has_pieces;
@@ -24,8 +29,10 @@ use super::super::wording::capitalised;
 use super::derivation::Derivation;
 use super::derivation::Line;
 use super::derivation::Origin;
+use super::derivation::Solving;
 use super::derivation::Stated;
 use super::derivation::is_definition;
+use super::needed;
 use super::sentence;
 
 /// One step, as far as no number changes it.
@@ -33,6 +40,8 @@ use super::sentence;
 pub(crate) struct Script {
     /// Whether what it finds stands with the givens, where the reader has it from: a given by another name, or what the sheet prints.
     pub is_given: bool,
+    /// How its equations are solved.
+    pub solving: Solving,
     /// Its equations in symbols.
     pub derivation: Derivation,
     /// Laws, and how their equations are solved.
@@ -48,6 +57,8 @@ pub(crate) struct Found {
     pub words: Option<Block>,
     /// What it equals.
     pub formula: Formula,
+    /// Whether it is printed: in a short solution, where it is asked or something printed follows from it.
+    pub is_printed: bool,
 }
 
 /// What an unknown equals.
@@ -62,8 +73,8 @@ pub(crate) enum Formula {
 /// A part of what stands before the results of a step.
 #[derive(Debug)]
 pub(crate) enum Opening {
-    /// A law: its name, why it applies here, and its equation, unless what is found says it at once.
-    Law { name: &'static str, reason: Block, equation: Option<Block> },
+    /// A law: why it applies here, and its equation, unless what is found says it at once.
+    Law { reason: Block, equation: Option<Block> },
     /// It is the same in every solution.
     Written(Block),
     /// What an equation that is stated piece by piece says here; its sides.
@@ -73,12 +84,13 @@ pub(crate) enum Opening {
 }
 
 /// The scripts of the steps of the answer plan.
-pub(crate) fn scripts(display: Display<'_>) -> Vec<Script> {
+pub(crate) fn scripts(display: Display<'_>, detail: Detail) -> Vec<Script> {
     let (mut next, mut stated) = (1, Stated::new());
-    let writer = Writer { display };
-    let steps = display.worked.leaf().answer_steps().iter();
-    let write = |step| {
-        let script = writer.script(step, &mut next, &stated);
+    let writer = Writer { display, detail };
+    let later = needed::later(display.worked);
+    let steps = display.worked.leaf().answer_steps().iter().zip(&later);
+    let write = |(step, later)| {
+        let script = writer.script(step, &mut next, &stated, later);
         if !script.is_given {
             stated.extend(script.derivation.stated());
         }
@@ -89,12 +101,14 @@ pub(crate) fn scripts(display: Display<'_>) -> Vec<Script> {
 
 struct Writer<'a> {
     display: Display<'a>,
+    detail: Detail,
 }
 
 impl Writer<'_> {
     /// The script of a step after others that have stated equations; its first equation that is referred to has the number `next`.
-    fn script(&self, step: &Step, next: &mut u32, before: &Stated) -> Script {
-        let mut derivation = Derivation::of(self.display, step, before);
+    fn script(&self, step: &Step, next: &mut u32, before: &Stated, later: &BTreeSet<Symbol>) -> Script {
+        let solving = self.solving(step);
+        let mut derivation = Derivation::of(self.display, step, before, solving);
         derivation.number(next);
         let is_given = renamed(self.display, step).is_some() || printed(self.display, step).is_some();
         let closes = (step.equations.len() == 1).then_some(step);
@@ -115,9 +129,25 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        let found = |(unknown, closed): &(Symbol, Closed)| self.found(step, &derivation, *unknown, closed);
-        let roots = step.roots.iter().map(|root| root.values.iter().map(found).collect()).collect();
-        Script { is_given, derivation, opening, roots }
+        let found = |((unknown, closed), is_printed): (&(Symbol, Closed), bool)| Found {
+            is_printed: is_printed || solving == Solving::InSymbols,
+            ..self.found(step, &derivation, *unknown, closed)
+        };
+        let printed = |root: &Root| needed::printed(root, later);
+        let roots = step.roots.iter().map(|root| root.values.iter().zip(printed(root)).map(found).collect()).collect();
+        Script { is_given, solving, derivation, opening, roots }
+    }
+
+    /// A short solution computes with numbers unless a formula is asked or letters stay open.
+    fn solving(&self, step: &Step) -> Solving {
+        let is_formula = |part: &Part| matches!(part.kind, PartKind::Formula(_));
+        let asks_formula = self.display.worked.form.parts.iter().any(is_formula);
+        let has_numbers = || step.unknowns.iter().all(|unknown| self.display.has_number(*unknown));
+        if self.detail == Detail::Short && !asks_formula && has_numbers() {
+            Solving::InNumbers
+        } else {
+            Solving::InSymbols
+        }
     }
 
     fn found(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> Found {
@@ -127,7 +157,7 @@ impl Writer<'_> {
             Formula::Fixed(None) | Formula::Varies => None,
         };
         let words = value.and_then(|value| sentence::before_result(self.display, derivation, unknown, value));
-        Found { words, formula }
+        Found { words, formula, is_printed: true }
     }
 
     fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Formula {
@@ -145,32 +175,33 @@ impl Writer<'_> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
-        let (name, reason) = (instance.law.name, Block::text(&reason(instance, &stated.statement)));
+        let reason = Block::text(&reason(instance, &stated.statement));
         if line.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
-            return vec![Opening::Law { name, reason, equation: None }];
+            return vec![Opening::Law { reason, equation: None }];
         }
-        let right = line.integral.as_ref().map(|integral| self.integral(integral));
+        let right = line.integral.as_ref().map(|own| integral(self.display, own));
         let right = right.unwrap_or_else(|| self.display.symbolic(&line.right));
         let lines = vec![Math::relation(self.display.symbolic(&line.left), line.relation, right)];
         let equation = Some(Block::Equation { lines, number: line.number });
-        let mut opening = vec![Opening::Law { name, reason, equation }];
+        let mut opening = vec![Opening::Law { reason, equation }];
         if let (Statement::Equal { left, right }, None) = (&stated.statement, &line.integral) {
             let sides = [left, right].map(Clone::clone);
             opening.extend(sides.iter().any(has_pieces).then_some(Opening::Piece(sides)));
         }
         opening
     }
+}
 
-    fn integral(&self, integral: &Integral) -> Math {
-        let symbolic = |term: &Expr| Arc::new(self.display.symbolic(term));
-        let integrand = symbolic(&integral.integrand);
-        let integrand = match &integral.integrand {
-            Expr::Sum(_) => Arc::new(Math::Squared(integrand)),
-            _ => integrand,
-        };
-        let variable = Arc::new(self.display.name(integral.variable));
-        Math::Integral(symbolic(&integral.low), symbolic(&integral.high), integrand, variable)
-    }
+/// An integral in symbols.
+pub(super) fn integral(display: Display<'_>, integral: &Integral) -> Math {
+    let symbolic = |term: &Expr| Arc::new(display.symbolic(term));
+    let integrand = symbolic(&integral.integrand);
+    let integrand = match &integral.integrand {
+        Expr::Sum(_) => Arc::new(Math::Squared(integrand)),
+        _ => integrand,
+    };
+    let variable = Arc::new(display.name(integral.variable));
+    Math::Integral(symbolic(&integral.low), symbolic(&integral.high), integrand, variable)
 }
 
 fn written(blocks: Vec<Block>) -> impl Iterator<Item = Opening> {
@@ -191,10 +222,11 @@ pub(crate) fn printed(display: Display<'_>, step: &Step) -> Option<Symbol> {
     related(display, step).map(|(unknown, _)| unknown).filter(|unknown| display.worked.form.printed.contains(unknown))
 }
 
-/// What a step calls by another name: the new name, and the given, perhaps with a minus.
+/// What a step calls by another name: the new name, and the given, perhaps with a minus, or zero.
 pub(crate) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
     let (unknown, formula) = related(display, step)?;
     let given = match formula {
+        formula if formula.is_zero() => return Some((unknown, formula)),
         Expr::Symbol(given) => *given,
         Expr::Product(factors) => match &factors[..] {
             [sign, Expr::Symbol(given)] if *sign == Expr::integer(-1) => *given,
@@ -206,13 +238,14 @@ pub(crate) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbo
     is_given.then_some((unknown, formula))
 }
 
-/// A quantity that a step finds from a relation of the author's alone, and its formula.
+/// A quantity that a step finds from what the author states alone, a relation or where a motion ends, and its formula.
 fn related<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
     let ([equation], [Root { values }]) = (&step.equations[..], &step.roots[..]) else { return None };
     let [(unknown, Closed::Formula(formula))] = &values[..] else { return None };
     let stated = display.worked.leaf().system.equations.get(*equation)?;
     let instance = display.worked.problem.model().instances.get(stated.tag)?;
-    (instance.law.id == geometry::RELATION.id).then_some((*unknown, formula))
+    let is_stated = [geometry::RELATION.id, kinematics::UNTIL.id].contains(&instance.law.id);
+    is_stated.then_some((*unknown, formula))
 }
 
 /// Whether the only equation of a step is stated piece by piece.
@@ -229,7 +262,7 @@ pub(super) fn formula_of_equation(display: Display<'_>, step: &Step, unknown: Sy
 }
 
 /// Why an equation holds, as what stands before it.
-fn reason(instance: &Instance, statement: &Statement) -> String {
+pub(super) fn reason(instance: &Instance, statement: &Statement) -> String {
     let law = instance.law.name;
     let because = capitalised(&instance.because.to_string());
     match (statement, &instance.because) {

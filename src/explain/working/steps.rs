@@ -6,6 +6,7 @@ use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::Operator;
 use momentous_expr::Symbol;
+use momentous_problem::Dead;
 use momentous_problem::FormulaPart;
 use momentous_problem::PartKind;
 use momentous_solve::Closed;
@@ -22,7 +23,6 @@ use super::super::terms::display::printed;
 use super::super::terms::ledger::Item;
 use super::super::terms::printed;
 use super::super::terms::term::Term;
-use super::super::wording::capitalised;
 use super::super::wording::join;
 use super::counting;
 use super::quadratic;
@@ -32,20 +32,15 @@ use super::script::Script;
 use super::script::formula_of_equation;
 use super::sentence;
 
-/// How much is said of each step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Detail {
-    /// Laws with their reasons, the algebra, rejected roots.
-    Full,
-    /// The names of the laws, their equations and the values found.
-    Brief,
-}
-
 /// The widest root that is written in symbols, in widths of a digit.
 const WIDEST_ROOT: f64 = 75.0;
 
 /// What is said where a formula gives further values that are none.
 const NOT_REAL: &str = "No other value is a real number.";
+
+/// How the quadrant of an angle is found.
+const QUADRANT: &str = "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the \
+    calculator's arctangent or subtract 180° from it; if it is zero, the angle is ±90°.";
 
 /// What is said once of the lines with numbers.
 pub(crate) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
@@ -53,7 +48,6 @@ pub(crate) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the 
 /// Writes the steps of one plan for a variant.
 pub(crate) struct Steps<'a> {
     pub display: Display<'a>,
-    pub detail: Detail,
     /// Whether the angle of a point has been explained.
     pub angle_explained: bool,
     /// Whether it has been said that zeros are left out.
@@ -63,9 +57,8 @@ pub(crate) struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub(crate) fn new(display: Display<'a>, detail: Detail) -> Self {
-        let is_brief = detail == Detail::Brief;
-        Self { display, detail, angle_explained: is_brief, zeros_explained: is_brief, dropped: BTreeSet::new() }
+    pub(crate) fn new(display: Display<'a>) -> Self {
+        Self { display, angle_explained: false, zeros_explained: false, dropped: BTreeSet::new() }
     }
 
     /// One step, as blocks.
@@ -77,15 +70,10 @@ impl<'a> Steps<'a> {
         let mut solved = None;
         for opening in &script.opening {
             match opening {
-                Opening::Law { name, equation, .. } if self.detail == Detail::Brief => {
-                    blocks.push(Block::text(&format!("{}:", capitalised(name))));
-                    blocks.extend(equation.clone());
-                }
                 Opening::Law { reason, equation, .. } => {
                     blocks.push(reason.clone());
                     blocks.extend(equation.clone());
                 }
-                Opening::Written(_) if self.detail == Detail::Brief => {}
                 Opening::Written(block) => blocks.push(block.clone()),
                 Opening::Piece(sides) => blocks.extend(self.piece(sides)),
                 Opening::Move(place) => match step.moves.get(*place) {
@@ -110,20 +98,19 @@ impl<'a> Steps<'a> {
             for (index, (unknown, closed)) in root.values.iter().enumerate() {
                 if solved != Some(*unknown) {
                     let how = found.get(index);
-                    blocks.extend(how.and_then(|how| how.words.clone()).filter(|_| self.detail == Detail::Full));
+                    blocks.extend(how.and_then(|how| how.words.clone()));
                     let formula = how.map_or(&Formula::Varies, |how| &how.formula);
                     self.result(&mut blocks, step, (*unknown, closed), formula);
                 }
             }
         }
-        if self.detail == Detail::Full {
-            blocks.extend(self.rejected(position, step));
-        }
+        let dead = self.display.worked.variant.dead().iter().filter(|dead| dead.step == Some(position));
+        blocks.extend(self.rejected(step, dead));
         blocks
     }
 
     /// What an equation that is stated piece by piece says for these numbers.
-    fn piece(&self, sides: &[Expr; 2]) -> Vec<Block> {
+    pub(super) fn piece(&self, sides: &[Expr; 2]) -> Vec<Block> {
         let pieces = sides.each_ref().map(|side| self.display.piece_that_holds(side));
         let Some(condition) = pieces.into_iter().flatten().next() else { return Vec::new() };
         let words = vec![Inline::Text("Here ".into()), Inline::Math(condition), Inline::Text(", so that".into())];
@@ -151,6 +138,12 @@ impl<'a> Steps<'a> {
         blocks.push(self.value(unknown, formula));
         blocks.extend(formula.into_iter().flat_map(|formula| self.left_out(unknown, formula)).map(Block::Paragraph));
         blocks.extend(self.put_together(unknown, formula));
+        blocks.extend(self.afterwards(unknown, formula, QUADRANT));
+    }
+
+    /// What must be said of an angle: that whole turns are taken off, and once how its quadrant is found.
+    pub(super) fn afterwards(&mut self, unknown: Symbol, formula: Option<&Term>, quadrant: &str) -> Vec<Block> {
+        let mut blocks = Vec::new();
         let is_turned = |value: f64| self.display.worked.whole_turns(unknown, value) != 0.0;
         if self.display.worked.variant.value(unknown).is_some_and(|own| is_turned(own.value)) {
             blocks.push(Block::text("Less a whole turn of 360° this is the same direction."));
@@ -158,10 +151,9 @@ impl<'a> Steps<'a> {
         let wants_quadrant = |formula: &Term| formula.has_angle && self.display.is_outside_arctangent(&formula.expr);
         if !self.angle_explained && formula.is_some_and(wants_quadrant) {
             self.angle_explained = true;
-            blocks.push(Block::text(
-                "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the calculator's arctangent or subtract 180° from it; if it is zero, the angle is ±90°.",
-            ));
+            blocks.push(Block::text(quadrant));
         }
+        blocks
     }
 
     /// What is said where zeros or letters drop out for the first time.
@@ -281,16 +273,16 @@ impl<'a> Steps<'a> {
     }
 
     /// The formula in the givens of what does not come out of the rounded results before.
-    fn in_what_is_told(&self, unknown: Symbol) -> Option<Expr> {
+    pub(super) fn in_what_is_told(&self, unknown: Symbol) -> Option<Expr> {
         let figures = self.display.shown.figures.get().filter(|figures| figures.from_givens.contains(&unknown));
         figures.and_then(|_| self.display.in_what_is_told(unknown))
     }
 
     /// The roots that are not solutions, each with its reason.
-    fn rejected(&self, position: usize, step: &Step) -> Vec<Block> {
+    pub(super) fn rejected<'d>(&self, step: &Step, dead: impl Iterator<Item = &'d Dead>) -> Vec<Block> {
         let worked = self.display.worked;
         let mut blocks = Vec::new();
-        for dead in worked.variant.dead().iter().filter(|dead| dead.step == Some(position)) {
+        for dead in dead {
             if !dead.values.iter().all(|value| value.for_print().is_finite()) {
                 let block = Block::text(NOT_REAL);
                 if !blocks.contains(&block) {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use momentous_exercise::calls::{GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
+use momentous_exercise::calls::{Detail, GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
 
 use super::super::parameters::Parameters;
 use super::super::view::View;
@@ -15,18 +15,23 @@ struct SolutionPage {
     solved: SolveResponse,
     /// How many steps are shown; nothing where all are.
     shown: Option<usize>,
+    /// Whether it says every step of the algebra and every check.
+    is_full: bool,
 }
 
-/// The worked solution of a variant; `steps` shows so many and leaves the rest to the reader.
+/// The worked solution of a variant; `steps` shows so many and leaves the rest to the reader, `detail=full` says all that there is
+/// to say.
 pub(crate) fn solution(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let steps = fields.number("steps")?.map(|steps| usize::try_from(steps).unwrap_or(usize::MAX));
     let engine = view.engine();
     let exercise = engine.draw(&variant)?;
-    let solved = engine.solution_of(&exercise, steps, false)?;
+    let is_full = fields.text("detail") == "full";
+    let detail = if is_full { Detail::Full } else { Detail::Short };
+    let solved = engine.solution_of(&exercise, steps, detail)?;
     let shown = steps.filter(|steps| *steps < solved.steps);
     let place = Place::of(&exercise, &variant)?;
-    view.page("solution", &SolutionPage { title: solved.title.clone(), place, solved, shown })
+    view.page("solution", &SolutionPage { title: solved.title.clone(), place, solved, shown, is_full })
 }
 
 #[derive(Serialize)]
@@ -57,7 +62,7 @@ pub(crate) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Re
     engine.problems.own_numbers(exercise.problem())?;
     let solved = asked.is_typed().then(|| {
         let own = engine.typed(exercise.problem(), exercise.variant().form(), &asked)?;
-        engine.solution_of(&own, None, false)
+        engine.solution_of(&own, None, Detail::Short)
     });
     let (solved, refused) = match solved {
         None => (None, None),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use momentous::bank::Bank;
 use momentous::exercise::{Drawer, Exercise};
-use momentous::explain::{Audience, Block, Inline};
+use momentous::explain::{Audience, Block, Detail, Inline};
 use momentous::expr::Math;
 use momentous::problem::{compile, load};
 
@@ -20,14 +20,14 @@ struct Tally {
 
 impl Tally {
     fn solution(&mut self, exercise: &Exercise) {
-        for section in exercise.outline(Audience::Everyone).sections {
-            for block in &section.blocks {
-                match block {
-                    Block::Equation { lines, .. } => self.chain(exercise, lines),
-                    Block::Paragraph(runs) => self.runs(exercise, runs),
-                    Block::List(rows) => rows.iter().for_each(|runs| self.runs(exercise, runs)),
-                    _ => {}
-                }
+        let outlines = [Detail::Short, Detail::Full].map(|detail| exercise.outline(Audience::Everyone, detail));
+        let sections = outlines.iter().flat_map(|outline| &outline.sections);
+        for block in sections.flat_map(|section| &section.blocks) {
+            match block {
+                Block::Equation { lines, .. } => self.chain(exercise, lines),
+                Block::Paragraph(runs) => self.runs(exercise, runs),
+                Block::List(rows) => rows.iter().for_each(|runs| self.runs(exercise, runs)),
+                _ => {}
             }
         }
     }

@@ -48,7 +48,7 @@ pub fn sides(lines: &[Math]) -> Vec<Vec<Math>> {
 }
 
 /// Rows within rows as one row.
-fn flatten(math: &Math, flat: &mut Vec<Math>) {
+pub fn flatten(math: &Math, flat: &mut Vec<Math>) {
     match math {
         Math::Row(parts) => parts.iter().for_each(|part| flatten(part, flat)),
         other => flat.push(other.clone()),

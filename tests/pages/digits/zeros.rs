@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use momentous::bank::Bank;
 use momentous::exercise::{Drawer, Exercise};
-use momentous::explain::{Audience, Block, Inline};
+use momentous::explain::{Audience, Block, Detail, Inline};
 use momentous::expr::Math;
 use momentous::problem::{compile, load};
 
@@ -24,7 +24,9 @@ fn is_noisy(text: &str) -> bool {
 
 fn solution(exercise: &Exercise) -> Vec<String> {
     let mut texts = Vec::new();
-    for block in exercise.outline(Audience::Everyone).sections.iter().flat_map(|section| &section.blocks) {
+    let outlines = [Detail::Short, Detail::Full].map(|detail| exercise.outline(Audience::Everyone, detail));
+    let sections = outlines.iter().flat_map(|outline| &outline.sections);
+    for block in sections.flat_map(|section| &section.blocks) {
         match block {
             Block::Equation { lines, .. } => texts.extend(lines.iter().map(Math::plain)),
             Block::Paragraph(runs) => texts.extend(runs.iter().filter_map(|run| match run {

@@ -10,6 +10,7 @@ use axum::http::{Request, Uri};
 use momentous::bank::Bank;
 use momentous::exercise::{Column, Exercise, Listed, Place, Student, Submission, Table};
 use momentous::explain::Audience;
+use momentous::explain::Detail;
 use momentous::fault::{Faults, Source};
 use momentous::grade::{DecimalMark, Verdict};
 use momentous::problem::{Part, PartKind, compile, load};
@@ -81,7 +82,9 @@ fn problem_file(chosen: u8, text: &str) {
         return within(&faults, text.len());
     }
     let (audience, faded) = (Audience::Instructor, None);
-    let solution = Solution { outline: exercise.outline(audience), identity: exercise.identity(), audience, faded };
+    let detail = if chosen % 2 == 0 { Detail::Short } else { Detail::Full };
+    let solution =
+        Solution { outline: exercise.outline(audience, detail), identity: exercise.identity(), audience, faded };
     let format = Format::ALL[usize::from(chosen) % Format::ALL.len()];
     let pages = [Page::Sheet(exercise.sheet()), Page::Solution(solution)];
     let printed = RENDERER.with(|renderer| renderer.render(&pages, format));

@@ -11,6 +11,7 @@ mod restitution;
 
 use serde::Serialize;
 
+use momentous_explain::Detail;
 use momentous_simulate::Refusal;
 
 use super::refused::{Refused, RefusedKind};
@@ -68,7 +69,7 @@ impl Engine<'_> {
         };
         let mut problem = ProblemOf { id, set, solved: None, reason: None, hidden: false };
         match self.draw(&variant) {
-            Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, None, false)?),
+            Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, None, Detail::Short)?),
             Err(refused) if refused.kind == RefusedKind::Values => {
                 // How often numbers were tried says nothing of values that are typed.
                 let reason = refused.message.split_once(" attempts: ").map(|(_, reason)| reason.to_owned());

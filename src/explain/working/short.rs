@@ -1,0 +1,353 @@
+//! The steps of a short solution: each law, the numbers put into it, and what follows.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
+use momentous_expr::Symbol;
+use momentous_laws::geometry::ROTATION;
+use momentous_laws::separation::GUIDE;
+use momentous_model::Instance;
+use momentous_solve::Closed;
+use momentous_solve::Equation;
+use momentous_solve::Move;
+use momentous_solve::Root;
+use momentous_solve::Statement;
+use momentous_solve::Step;
+
+use super::super::Block;
+use super::super::terms::algebra::positive_first;
+use super::super::terms::display::Display;
+use super::super::terms::display::has_pieces;
+use super::super::terms::term::Term;
+use super::super::wording::capitalised;
+use super::super::wording::list;
+use super::counting;
+use super::derivation::Line;
+use super::derivation::Origin;
+use super::derivation::Solving;
+use super::derivation::is_definition;
+use super::needed;
+use super::quadratic;
+use super::quadratic::Short;
+use super::script;
+use super::script::Formula;
+use super::script::Script;
+use super::sentence;
+use super::steps::Steps;
+use super::steps::taken;
+
+/// The widest row that holds several results, in widths of a digit.
+const WIDEST_ROW: f64 = 50.0;
+
+/// How the quadrant of an angle is found.
+const QUADRANT: &str = "The signs of both components give the quadrant.";
+
+/// The letters of axes in reasons.
+const AXES: [&str; 5] = ["x", "y", "z", "n", "t"];
+
+/// By how much, relative to its size, a root may differ from the negative of another one.
+const MIRRORED: f64 = 1e-9;
+
+/// How many known quantities of a law make a line with their numbers worth its place.
+const FEWEST_NUMBERS: usize = 2;
+
+/// Writes the steps of one plan for a variant, with numbers as soon as no symbol is asked.
+pub(crate) struct ShortSteps<'a> {
+    display: Display<'a>,
+    /// Writes the steps that are solved in symbols.
+    in_symbols: Steps<'a>,
+    /// What is asked.
+    asked: BTreeSet<Symbol>,
+    /// The last reason given, with neither bodies nor axes named.
+    reason: String,
+}
+
+impl<'a> ShortSteps<'a> {
+    pub(crate) fn new(display: Display<'a>) -> Self {
+        Self { display, in_symbols: Steps::new(display), asked: needed::asked(display.worked), reason: String::new() }
+    }
+
+    /// One step, as blocks.
+    pub(crate) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
+        match script.solving {
+            Solving::InSymbols => self.in_symbols.step(position, step, script),
+            Solving::InNumbers if script.is_given || self.is_plain_zero(step) => Vec::new(),
+            Solving::InNumbers => self.in_numbers(position, step, script),
+        }
+    }
+
+    fn in_numbers(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
+        let is_together = self.is_linear_system(step);
+        let mut blocks = Vec::new();
+        for line in &script.derivation.lines {
+            blocks.extend(self.line(step, script, line, is_together));
+        }
+        let Some((place, root)) = taken(self.display, position, step) else { return blocks };
+        let from = from(script);
+        if is_together {
+            blocks.extend(from.map(|from| Block::text(&format!("{from}:"))));
+            blocks.push(self.results(printed(script, place, root).map(|(unknown, ..)| *unknown)));
+            return blocks;
+        }
+        let quadratic = quadratic_of(self.display, step).and_then(|(unknown, way)| match way {
+            Short::Equation(terms) => Some((unknown, quadratic::in_numbers(self.display, unknown, &terms)?)),
+            Short::Root(_) => None,
+        });
+        match &quadratic {
+            Some((_, equations)) => blocks.extend(Self::quadratic(from, equations)),
+            None => blocks.extend(from.map(|from| Block::text(&format!("{from}:")))),
+        }
+        let solved = quadratic.map(|(unknown, _)| unknown);
+        for (unknown, closed, formula) in printed(script, place, root) {
+            if solved != Some(*unknown) {
+                self.result(&mut blocks, (step, script), (*unknown, closed), formula);
+            }
+        }
+        blocks.extend(self.rejected(position, step));
+        blocks
+    }
+
+    /// Whether a step only says in other axes, or of a body that is held, that a component which nobody asks for is zero.
+    fn is_plain_zero(&self, step: &Step) -> bool {
+        let is_plain = |place: &usize| {
+            self.law(*place).is_some_and(|(_, instance)| [ROTATION.id, GUIDE.id].contains(&instance.law.id))
+        };
+        step.equations.iter().all(is_plain)
+            && step.unknowns.iter().all(|unknown| self.display.is_nothing(*unknown) && !self.asked.contains(unknown))
+    }
+
+    /// Why the other roots are no solutions, unless that goes without saying.
+    fn rejected(&self, position: usize, step: &Step) -> Vec<Block> {
+        let worked = self.display.worked;
+        let value = |unknown: &Symbol| worked.variant.value(*unknown).map_or(f64::NAN, |own| own.value);
+        let taken: Vec<f64> = step.unknowns.iter().map(value).collect();
+        let is_negative = taken.first().is_some_and(|first| *first < 0.0);
+        let mut blocks = Vec::new();
+        for dead in worked.variant.dead().iter().filter(|dead| dead.step == Some(position)) {
+            let values = || dead.values.iter().map(|value| value.value);
+            let is_mirrored = values().zip(&taken).all(|(other, own)| (other + own).abs() <= MIRRORED * own.abs());
+            if is_mirrored && is_negative {
+                blocks.push(Block::text(&format!("The positive root is not a solution: {}.", worked.why_dead(dead))));
+            } else if !is_mirrored && values().all(f64::is_finite) {
+                blocks.extend(self.in_symbols.rejected(step, std::iter::once(dead)));
+            }
+        }
+        blocks
+    }
+
+    /// A law with its reason, in symbols and, where several are solved together, with numbers; an integral worked out.
+    fn line(&mut self, step: &Step, script: &Script, line: &Line, is_together: bool) -> Vec<Block> {
+        let display = self.display;
+        let Origin::Law(place) = line.origin else { return sentence::blocks(display, &script.derivation, line) };
+        let Some((equation, instance)) = self.law(place) else { return Vec::new() };
+        let reason = script::reason(instance, &equation.statement);
+        let mut blocks = vec![self.because(reason)];
+        if line.integral.is_none() && only_evaluates(step, [&line.left, &line.right]) {
+            return blocks;
+        }
+        let known = |term: &Expr| display.without_known_zeros(term, &step.unknowns);
+        let left = display.symbolic(&known(&line.left));
+        let right = line.integral.as_ref().map(|integral| script::integral(display, integral));
+        let right = right.unwrap_or_else(|| display.symbolic(&known(&line.right)));
+        let symbols = Math::relation(left, line.relation, right);
+        match is_together.then(|| self.with_numbers(step, line)).flatten() {
+            Some(numbers) => {
+                blocks.push(Block::Equation { lines: vec![symbols], number: None });
+                blocks.push(Block::Equation { lines: vec![numbers], number: line.number });
+            }
+            None => blocks.push(Block::Equation { lines: vec![symbols], number: line.number }),
+        }
+        if let (Statement::Equal { left, right }, None) = (&equation.statement, &line.integral) {
+            let sides = [left, right].map(Clone::clone);
+            blocks.extend(sides.iter().any(has_pieces).then(|| self.in_symbols.piece(&sides)).into_iter().flatten());
+        }
+        blocks
+    }
+
+    /// The reason of a law; of one that differs from the last by those whom it names only, that it is the same.
+    fn because(&mut self, reason: String) -> Block {
+        let scene = &self.display.worked.problem.loaded().draft.scene;
+        let unnamed = scene.bodies.keys().fold(reason.clone(), |text, body| {
+            let name = scene.called(body);
+            text.replace(&capitalised(&name), "_").replace(&name, "_")
+        });
+        let unnamed = AXES.iter().fold(unnamed, |text, axis| text.replace(&format!(" along {axis}"), " along _"));
+        let is_same = unnamed != reason && unnamed == self.reason;
+        self.reason = unnamed;
+        Block::text(if is_same { "In the same way:" } else { &reason })
+    }
+
+    /// A law with numbers for what is known; nothing where that is too little to be worth a line.
+    fn with_numbers(&self, step: &Step, line: &Line) -> Option<Math> {
+        let sides = [&line.left, &line.right].map(|side| self.display.without_known_zeros(side, &step.unknowns));
+        let symbols: BTreeSet<Symbol> = sides.iter().flat_map(Expr::symbols).collect();
+        let known = symbols.iter().filter(|symbol| !step.unknowns.contains(symbol)).count();
+        let [left, right] = sides.each_ref().map(|side| self.display.with_known_numbers(side, &step.unknowns));
+        (known >= FEWEST_NUMBERS).then(|| Math::relation(left, line.relation, right))
+    }
+
+    fn law(&self, place: usize) -> Option<(&'a Equation, &'a Instance)> {
+        let worked = self.display.worked;
+        let equation = worked.leaf().system.equations.get(place)?;
+        Some((equation, worked.problem.model().instances.get(equation.tag)?))
+    }
+
+    /// Whether several equations that are linear in the unknowns are solved together.
+    fn is_linear_system(&self, step: &Step) -> bool {
+        let is_linear = |place: &usize| match self.law(*place).map(|(equation, _)| &equation.statement) {
+            Some(Statement::Equal { left, right }) => {
+                let difference = (left.clone() - right.clone()).simplify();
+                !has_pieces(&difference) && difference.linear_coefficients(&step.unknowns).is_some()
+            }
+            _ => false,
+        };
+        step.equations.len() > 1 && step.roots.len() == 1 && step.equations.iter().all(is_linear)
+    }
+
+    /// The values of several unknowns, as many on a row as fit.
+    fn results(&self, unknowns: impl Iterator<Item = Symbol>) -> Block {
+        let display = self.display;
+        let mut rows: Vec<(f64, Vec<Math>)> = Vec::new();
+        for unknown in unknowns {
+            let value = Math::relation(display.name(unknown), Operator::Equals, display.quantity(unknown));
+            let width = value.width();
+            match rows.last_mut() {
+                Some((total, row)) if *total + width <= WIDEST_ROW => {
+                    row.extend([Math::Text(",\u{2003}".to_owned()), value]);
+                    *total += width;
+                }
+                _ => rows.push((width, vec![value])),
+            }
+        }
+        Block::Equation { lines: rows.into_iter().map(|(_, row)| Math::Row(row)).collect(), number: None }
+    }
+
+    /// A quadratic equation with its numbers, and both roots.
+    fn quadratic(from: Option<String>, equations: &[Math; 2]) -> Vec<Block> {
+        let is = match from {
+            Some(from) => format!("{from}, a quadratic equation:"),
+            None => "With numbers, a quadratic equation:".to_owned(),
+        };
+        let mut blocks = vec![Block::text(&is)];
+        blocks.extend(equations.iter().map(|line| Block::Equation { lines: vec![line.clone()], number: None }));
+        blocks
+    }
+
+    /// The value of an unknown, and what must be said with it.
+    fn result(
+        &mut self,
+        blocks: &mut Vec<Block>,
+        (step, script): (&Step, &Script),
+        found: (Symbol, &Closed),
+        formula: &Formula,
+    ) {
+        let (unknown, closed) = found;
+        let trials = counting::trials(self.display, unknown, closed);
+        if !trials.is_empty() {
+            blocks.extend(trials);
+            return;
+        }
+        let varying;
+        let formula = match formula {
+            _ if let Some(root) = self.square_root(step, unknown) => {
+                varying = Some(root);
+                varying.as_ref()
+            }
+            Formula::Fixed(formula) => formula.as_deref(),
+            Formula::Varies => {
+                varying = self.in_symbols.formula(step, unknown, closed);
+                varying.as_ref()
+            }
+        };
+        if formula.is_none() {
+            blocks.push(sentence::by_calculation(self.display, unknown));
+        }
+        let is_law = |line: &Line| matches!(line.origin, Origin::Law(_)) && line.integral.is_none();
+        let lines = script.derivation.lines.iter();
+        let states_law = lines.filter(|line| is_law(line)).any(|line| only_evaluates(step, [&line.left, &line.right]));
+        blocks.push(self.value(unknown, formula, states_law));
+        blocks.extend(self.in_symbols.afterwards(unknown, formula, QUADRANT));
+    }
+
+    /// The root of a quadratic equation in which nothing is linear in the unknown.
+    fn square_root(&self, step: &Step, unknown: Symbol) -> Option<Term> {
+        match quadratic_of(self.display, step)? {
+            (found, Short::Root(root)) if found == unknown => Some(self.display.term(root)),
+            _ => None,
+        }
+    }
+
+    /// `unknown = numbers = value`, the formula before the numbers where it is the law itself.
+    fn value(&self, unknown: Symbol, formula: Option<&Term>, states_law: bool) -> Block {
+        let display = self.display;
+        let (name, value) = (display.name(unknown), display.quantity(unknown));
+        let mut parts = vec![name.clone()];
+        if let Some(formula) = formula {
+            let (symbols, numbers) = match self.in_symbols.in_what_is_told(unknown) {
+                Some(whole) => (Some(display.symbolic(&whole)), Some(display.as_told(&whole))),
+                None => {
+                    let rest = positive_first(&display.without_zeros(&formula.expr));
+                    let symbols = if display.has_zeros(formula) {
+                        symbolic_size(display, &rest)
+                    } else {
+                        formula.symbols.clone()
+                    };
+                    ((states_law && !rest.is_zero()).then_some(symbols), display.substituted(formula))
+                }
+            };
+            let is_exact = display.is_exact_multiple(unknown) || formula.expr.is_zero();
+            let numbers =
+                numbers.filter(|own| Some(own) != symbols.as_ref() && own.latex() != value.latex() && !is_exact);
+            parts.extend(symbols.filter(|symbols| *symbols != name && *symbols != value));
+            parts.extend(numbers);
+        }
+        parts.push(value);
+        Block::Equation { lines: vec![Math::chain(parts, Operator::Equals)], number: None }
+    }
+}
+
+/// The values of a root that are printed, with their formulas.
+fn printed<'s>(
+    script: &'s Script,
+    place: usize,
+    root: &'s Root,
+) -> impl Iterator<Item = (&'s Symbol, &'s Closed, &'s Formula)> {
+    let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
+    let values = root.values.iter().zip(found).filter(|(_, found)| found.is_printed);
+    values.map(|((unknown, closed), found)| (unknown, closed, &found.formula))
+}
+
+/// The unknown that a step finds from a quadratic equation, and how.
+pub(crate) fn quadratic_of(display: Display<'_>, step: &Step) -> Option<(Symbol, Short)> {
+    step.moves.iter().find_map(|step_move| match step_move {
+        Move::Quadratic { unknown, a, b, c, .. } => Some((*unknown, quadratic::short(display, *unknown, [a, b, c])?)),
+        _ => None,
+    })
+}
+
+/// A term in symbols; the root of a square as the size of what is squared.
+fn symbolic_size(display: Display<'_>, term: &Expr) -> Math {
+    if let Expr::Power(root) = term
+        && root.1 == Expr::ratio(1, 2)
+        && let Expr::Power(square) = &root.0
+        && square.1 == Expr::integer(2)
+    {
+        return Math::Bars(Arc::new(display.symbolic(&square.0)));
+    }
+    display.symbolic(term)
+}
+
+/// Whether a step only evaluates its one law, which is then stated together with its numbers.
+fn only_evaluates(step: &Step, [left, right]: [&Expr; 2]) -> bool {
+    step.equations.len() == 1 && is_definition(step, left, right)
+}
+
+/// `From (1) and (2)`, where a step solves several equations.
+fn from(script: &Script) -> Option<String> {
+    let laws = script.derivation.lines.iter().filter(|line| matches!(line.origin, Origin::Law(_)));
+    let numbers: Vec<String> = laws.filter_map(|line| Some(format!("({})", line.number?))).collect();
+    (numbers.len() > 1).then(|| format!("From {}", list(&numbers)))
+}
