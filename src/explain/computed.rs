@@ -17,11 +17,12 @@ use super::terms::ledger::Item;
 use super::terms::ledger::Ledger;
 use super::working::counting;
 use super::working::derivation::Solving;
+use super::working::on_paper;
 use super::working::quadratic;
 use super::working::quadratic::Short;
 use super::working::script::Formula;
+use super::working::script::Found;
 use super::working::script::Script;
-use super::working::short;
 use super::working::steps::Steps;
 use super::working::steps::taken;
 
@@ -69,14 +70,9 @@ fn enter_step(
             continue;
         }
         if script.solving == Solving::InNumbers
-            && let Some((solved, way)) = short::quadratic_of(display, step)
-            && solved == *unknown
             && !without.contains(unknown)
+            && enter_in_numbers(display, ledger, (step, script), (*unknown, found.get(index)))
         {
-            match way {
-                Short::Root(root) => display.enter_term(ledger, &display.term(root), Item::Quantity(*unknown)),
-                Short::Equation(terms) => quadratic::enter(display, ledger, *unknown, terms.each_ref()),
-            }
             continue;
         }
         let solved = step.moves.iter().find_map(|step_move| match step_move {
@@ -100,6 +96,25 @@ fn enter_step(
             }
         }
     }
+}
+
+/// Enters a result as a short solution finds it; whether that differs from the plan.
+fn enter_in_numbers(
+    display: Display<'_>,
+    ledger: &mut Ledger,
+    (step, script): (&Step, &Script),
+    (unknown, found): (Symbol, Option<&Found>),
+) -> bool {
+    if let Some((solved, Short::Equation(terms))) = on_paper::quadratic_of(display, step)
+        && solved == unknown
+    {
+        quadratic::enter(display, ledger, unknown, terms.each_ref());
+        return true;
+    }
+    let formula = found.map_or(&Formula::Varies, |found| &found.formula);
+    let Some(term) = on_paper::as_on_paper(display, step, script, unknown, formula) else { return false };
+    display.enter_term(ledger, &term, Item::Quantity(unknown));
+    true
 }
 
 /// The answers that are converted to the unit of the question.

@@ -59,7 +59,7 @@ fn some_variant(problem: &Problem, is_so: impl Fn(Worked<'_>) -> bool) -> bool {
 }
 
 fn has_figure(worked: Worked<'_>) -> bool {
-    let sections = explain::solution(worked, Audience::Everyone).sections;
+    let sections = explain::solution(worked, Audience::Everyone, explain::Detail::Full).sections;
     let is_figure = |block: &Block| matches!(block, Block::Figure(_));
     explain::situation(worked).is_some() || sections.iter().flat_map(|section| &section.blocks).any(is_figure)
 }

@@ -179,7 +179,7 @@ fn each_file_ends_as_the_table_says() {
 #[test]
 fn sheets_and_solutions_print_what_the_table_says() {
     for (name, printed, absent) in PRINTED {
-        let (_, said) = run(&["generate", &path(name), "--seed", "1", "--solution"]);
+        let (_, said) = run(&["generate", &path(name), "--seed", "1", "--solution", "--detailed"]);
         assert!(said.contains(printed) && !said.contains(absent), "{name}: {said}");
     }
 }
@@ -212,7 +212,7 @@ fn quantities_of_several_stages_are_told_apart_and_a_multiple_keeps_its_letter()
         ("calculation_of_an_angle", r"$\gamma$ = $\arctan\left(\frac{3}{4}\right)$"),
         ("calculation_of_an_angle", r"$e = \text{4/5} = 0.800$"),
     ] {
-        let (_, solved) = run(&["generate", &path(name), "--seed", "1", "--solution"]);
+        let (_, solved) = run(&["generate", &path(name), "--seed", "1", "--solution", "--detailed"]);
         assert!(solved.contains(said), "{name}: {said}\n{solved}");
     }
 }

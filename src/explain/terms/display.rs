@@ -5,7 +5,6 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use momentous_expr::Arrangement;
 use momentous_expr::Expr;
 use momentous_expr::Function;
 use momentous_expr::Leaf;
@@ -22,13 +21,11 @@ use momentous_quantity::Printed;
 use momentous_quantity::Rational;
 use momentous_quantity::Unit;
 use momentous_quantity::coherent_unit;
-use momentous_solve::Bounded;
 use momentous_solve::Closed;
 use momentous_solve::Root;
 use momentous_solve::Step;
 
 use super::algebra::has_angle_of_point;
-use super::algebra::positive_first;
 use super::ledger::Figures;
 use super::letters::Letters;
 use super::letters::Powers;
@@ -241,7 +238,7 @@ impl<'a> Display<'a> {
     }
 
     /// The symbol itself, or the author's value, as it stands in a term.
-    fn named(self, symbol: Symbol) -> Leaf {
+    pub(super) fn named(self, symbol: Symbol) -> Leaf {
         match &self.manner(symbol).name {
             Some(name) => Leaf { math: name.clone(), kind: LeafKind::Name },
             None => self.leaf(symbol),
@@ -249,7 +246,7 @@ impl<'a> Display<'a> {
     }
 
     /// A number where the quantity has one, else the symbol.
-    fn put_in(self, symbol: Symbol) -> Leaf {
+    pub(super) fn put_in(self, symbol: Symbol) -> Leaf {
         if !self.is_free(symbol) {
             return self.leaf(symbol);
         }
@@ -306,58 +303,6 @@ impl<'a> Display<'a> {
             passed = Some(until);
         }
         passed.map(|until| Math::relation(self.symbolic(&piecewise.variable), Operator::Greater, self.symbolic(until)))
-    }
-
-    /// A term with numbers and units in place of its symbols, what is zero and has a unit being left out; none where that leaves
-    /// nothing to compute.
-    pub(crate) fn substituted(self, term: &Term) -> Option<Math> {
-        let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
-        let put = |arranged: &Arrangement| arranged.with_numbers(&|symbol| self.put_in(symbol), &value);
-        if !self.has_zeros(term) {
-            return Some(put(&term.arranged));
-        }
-        let rest = self.without_zeros(&term.expr);
-        let size = match &rest {
-            Expr::Power(pair) if pair.1 == Expr::ratio(1, 2) => match &pair.0 {
-                Expr::Power(square) => square.0.clone(),
-                _ => rest.clone(),
-            },
-            _ => rest.clone(),
-        };
-        let computes = !rest.is_zero() && !matches!((-size.clone(), size), (Expr::Symbol(_), _) | (_, Expr::Symbol(_)));
-        computes.then(|| put(&positive_first(&rest).arranged()))
-    }
-
-    /// A term without what is zero and has a unit.
-    pub(crate) fn without_zeros(self, term: &Expr) -> Expr {
-        term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero))
-    }
-
-    /// The same, but for what is not known yet.
-    pub(crate) fn without_known_zeros(self, term: &Expr, unknowns: &[Symbol]) -> Expr {
-        let is_out = |symbol| !unknowns.contains(&symbol) && self.is_nothing(symbol);
-        if !term.symbols().into_iter().any(is_out) {
-            return term.clone();
-        }
-        positive_first(&term.substitute(&|symbol| is_out(symbol).then(Expr::zero)).simplify())
-    }
-
-    /// A term with numbers in place of what is known.
-    pub(crate) fn with_known_numbers(self, term: &Expr, unknowns: &[Symbol]) -> Math {
-        let leaf = |symbol| if unknowns.contains(&symbol) { self.named(symbol) } else { self.put_in(symbol) };
-        let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
-        term.arranged().with_numbers(&leaf, &value)
-    }
-
-    /// Whether a quantity that is zero is left out of a term with numbers.
-    pub(crate) fn has_zeros(self, term: &Term) -> bool {
-        term.mentions.iter().any(|symbol| self.is_nothing(*symbol))
-    }
-
-    /// Whether a quantity with a unit is exactly zero.
-    pub(crate) fn is_nothing(self, symbol: Symbol) -> bool {
-        let has_unit = self.worked.problem.model().symbols.entry(symbol).dimension != Dimension::NONE;
-        has_unit && self.worked.variant.value(symbol).is_some_and(Bounded::is_zero)
     }
 
     /// Whether a term holds the angle of a point that a calculator's arctangent does not give for this variant: its

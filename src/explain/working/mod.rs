@@ -3,7 +3,9 @@
 pub(super) mod counting;
 pub(super) mod derivation;
 pub(super) mod divisors;
+mod isolate;
 pub(super) mod needed;
+pub(super) mod on_paper;
 pub(super) mod quadratic;
 pub(super) mod script;
 pub(super) mod sentence;

@@ -49,10 +49,6 @@ impl Coefficient {
         Self { value: -self.value, unit: Arc::clone(&self.unit), ..*self }
     }
 
-    fn is_one(&self) -> bool {
-        self.unit.unit.is_none() && self.value == 1.0
-    }
-
     fn bracketed(&self) -> Math {
         Math::Bracketed(Arc::new(self.signed()))
     }
@@ -101,7 +97,7 @@ pub(crate) fn solution(display: Display<'_>, unknown: Symbol, coefficients: [&Ex
     ];
     Some(vec![
         Block::text("With numbers:"),
-        Block::Equation { lines: vec![with_numbers([&square, &name], &a, &b, &c)], number: None },
+        Block::Equation { lines: vec![with_numbers([&square, &name], Some(&a), [&b, &c])], number: None },
         Block::Equation { lines, number: None },
     ])
 }
@@ -127,8 +123,9 @@ pub(crate) fn short(display: Display<'_>, unknown: Symbol, coefficients: [&Expr;
         return Some(Short::Root(positive_first(&if is_negative { -size } else { size })));
     }
     // A mass, which means nothing in the equation, is divided out.
-    let dimension = a.dimension(&display.worked.problem.model().symbols).unwrap_or_default();
-    let coefficients = if dimension.mass == 0 { [a, b, c] } else { [Expr::one(), over_a(&b), over_a(&c)] };
+    let dimension = a.dimension(&display.worked.problem.model().symbols);
+    let has_mass = dimension.is_ok_and(|dimension| dimension.mass != 0);
+    let coefficients = if has_mass { [Expr::one(), over_a(&b), over_a(&c)] } else { [a, b, c] };
     Some(Short::Equation(coefficients))
 }
 
@@ -138,7 +135,8 @@ pub(super) fn in_numbers(display: Display<'_>, unknown: Symbol, terms: &[Expr; 3
     let name = display.name(unknown);
     let square = display.symbolic(&Expr::from(unknown).powi(2));
     let values = Math::relation(name.clone(), Operator::Equals, roots(display, unknown, [&a, &b, &c])?);
-    Some([with_numbers([&square, &name], &a, &b, &c), values])
+    let leading = (!terms[0].is_one()).then_some(&a);
+    Some([with_numbers([&square, &name], leading, [&b, &c]), values])
 }
 
 /// The coefficients, their signs changed where that of the square begins with a minus: as the equation is written.
@@ -209,12 +207,12 @@ fn quotient(b: &Coefficient, a: &Coefficient) -> Math {
     Math::Row(vec![fraction, Math::Text(" or ".into()), Math::Number("0".into())])
 }
 
-/// `(18.9 kg) v^2 - (43.47 kg m/s) v + 10.90 J = 0`.
-fn with_numbers([square, name]: [&Math; 2], a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
+/// `(18.9 kg) v^2 - (43.47 kg m/s) v + 10.90 J = 0`, the square by itself where it has no coefficient.
+fn with_numbers([square, name]: [&Math; 2], a: Option<&Coefficient>, [b, c]: [&Coefficient; 2]) -> Math {
     let space = Math::Operator(Operator::Juxtapose);
     let sign = |value: f64| Math::Operator(if value < 0.0 { Operator::Minus } else { Operator::Plus });
-    let mut parts = if a.is_one() { Vec::new() } else { vec![a.bracketed(), space.clone()] };
-    parts.push(square.clone());
+    let mut parts: Vec<Math> =
+        a.into_iter().flat_map(|a| [a.bracketed(), space.clone()]).chain([square.clone()]).collect();
     if b.value != 0.0 {
         parts.extend([sign(b.value), Math::Bracketed(Arc::new(b.unsigned())), space, name.clone()]);
     }

@@ -12,7 +12,6 @@ use momentous_laws::separation::GUIDE;
 use momentous_model::Instance;
 use momentous_solve::Closed;
 use momentous_solve::Equation;
-use momentous_solve::Move;
 use momentous_solve::Root;
 use momentous_solve::Statement;
 use momentous_solve::Step;
@@ -28,8 +27,10 @@ use super::counting;
 use super::derivation::Line;
 use super::derivation::Origin;
 use super::derivation::Solving;
-use super::derivation::is_definition;
 use super::needed;
+use super::on_paper::as_on_paper;
+use super::on_paper::only_evaluates;
+use super::on_paper::quadratic_of;
 use super::quadratic;
 use super::quadratic::Short;
 use super::script;
@@ -144,7 +145,7 @@ impl<'a> ShortSteps<'a> {
         let Origin::Law(place) = line.origin else { return sentence::blocks(display, &script.derivation, line) };
         let Some((equation, instance)) = self.law(place) else { return Vec::new() };
         let reason = script::reason(instance, &equation.statement);
-        let mut blocks = vec![self.because(reason)];
+        let mut blocks = vec![self.because(&reason)];
         if line.integral.is_none() && only_evaluates(step, [&line.left, &line.right]) {
             return blocks;
         }
@@ -168,16 +169,16 @@ impl<'a> ShortSteps<'a> {
     }
 
     /// The reason of a law; of one that differs from the last by those whom it names only, that it is the same.
-    fn because(&mut self, reason: String) -> Block {
+    fn because(&mut self, reason: &str) -> Block {
         let scene = &self.display.worked.problem.loaded().draft.scene;
-        let unnamed = scene.bodies.keys().fold(reason.clone(), |text, body| {
+        let unnamed = scene.bodies.keys().fold(reason.to_owned(), |text, body| {
             let name = scene.called(body);
             text.replace(&capitalised(&name), "_").replace(&name, "_")
         });
         let unnamed = AXES.iter().fold(unnamed, |text, axis| text.replace(&format!(" along {axis}"), " along _"));
         let is_same = unnamed != reason && unnamed == self.reason;
         self.reason = unnamed;
-        Block::text(if is_same { "In the same way:" } else { &reason })
+        Block::text(if is_same { "In the same way:" } else { reason })
     }
 
     /// A law with numbers for what is known; nothing where that is too little to be worth a line.
@@ -252,8 +253,8 @@ impl<'a> ShortSteps<'a> {
         }
         let varying;
         let formula = match formula {
-            _ if let Some(root) = self.square_root(step, unknown) => {
-                varying = Some(root);
+            _ if let Some(term) = as_on_paper(self.display, step, script, unknown, formula) => {
+                varying = Some(term);
                 varying.as_ref()
             }
             Formula::Fixed(formula) => formula.as_deref(),
@@ -270,14 +271,6 @@ impl<'a> ShortSteps<'a> {
         let states_law = lines.filter(|line| is_law(line)).any(|line| only_evaluates(step, [&line.left, &line.right]));
         blocks.push(self.value(unknown, formula, states_law));
         blocks.extend(self.in_symbols.afterwards(unknown, formula, QUADRANT));
-    }
-
-    /// The root of a quadratic equation in which nothing is linear in the unknown.
-    fn square_root(&self, step: &Step, unknown: Symbol) -> Option<Term> {
-        match quadratic_of(self.display, step)? {
-            (found, Short::Root(root)) if found == unknown => Some(self.display.term(root)),
-            _ => None,
-        }
     }
 
     /// `unknown = numbers = value`, the formula before the numbers where it is the law itself.
@@ -315,17 +308,9 @@ fn printed<'s>(
     place: usize,
     root: &'s Root,
 ) -> impl Iterator<Item = (&'s Symbol, &'s Closed, &'s Formula)> {
-    let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
+    let found = script.roots.get(place).into_iter().flatten();
     let values = root.values.iter().zip(found).filter(|(_, found)| found.is_printed);
     values.map(|((unknown, closed), found)| (unknown, closed, &found.formula))
-}
-
-/// The unknown that a step finds from a quadratic equation, and how.
-pub(crate) fn quadratic_of(display: Display<'_>, step: &Step) -> Option<(Symbol, Short)> {
-    step.moves.iter().find_map(|step_move| match step_move {
-        Move::Quadratic { unknown, a, b, c, .. } => Some((*unknown, quadratic::short(display, *unknown, [a, b, c])?)),
-        _ => None,
-    })
 }
 
 /// A term in symbols; the root of a square as the size of what is squared.
@@ -338,11 +323,6 @@ fn symbolic_size(display: Display<'_>, term: &Expr) -> Math {
         return Math::Bars(Arc::new(display.symbolic(&square.0)));
     }
     display.symbolic(term)
-}
-
-/// Whether a step only evaluates its one law, which is then stated together with its numbers.
-fn only_evaluates(step: &Step, [left, right]: [&Expr; 2]) -> bool {
-    step.equations.len() == 1 && is_definition(step, left, right)
 }
 
 /// `From (1) and (2)`, where a step solves several equations.

@@ -111,7 +111,9 @@ fn every_equation_of_the_bank_holds() {
                         continue;
                     }
                     let mut flat = Vec::new();
-                    row(line, &names).iter().for_each(|part| flatten(part, &mut flat));
+                    for part in &row(line, &names) {
+                        flatten(part, &mut flat);
+                    }
                     let sides: Vec<_> =
                         flat.split(|part| matches!(part, Math::Operator(Operator::Equals))).map(value).collect();
                     for pair in sides.windows(2) {

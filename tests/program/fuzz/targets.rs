@@ -82,7 +82,7 @@ fn problem_file(chosen: u8, text: &str) {
         return within(&faults, text.len());
     }
     let (audience, faded) = (Audience::Instructor, None);
-    let detail = if chosen % 2 == 0 { Detail::Short } else { Detail::Full };
+    let detail = if chosen.is_multiple_of(2) { Detail::Short } else { Detail::Full };
     let solution =
         Solution { outline: exercise.outline(audience, detail), identity: exercise.identity(), audience, faded };
     let format = Format::ALL[usize::from(chosen) % Format::ALL.len()];
