@@ -16,6 +16,7 @@ use super::agreement::agrees;
 use super::answers;
 use super::answers::noted;
 use super::course::load_in_course;
+use super::expected;
 use super::printed;
 use super::promise::Finding;
 use super::promise::Outcome;
@@ -116,7 +117,10 @@ fn form_audit(
         Promise::Simulation => witnessed.clone(),
         Promise::WrongForms => wrong_forms::told_apart(problem, position, drawn),
         Promise::Rounding => repeat::rounding(problem, position, drawn),
+        Promise::Expected => expected::holds(problem, position),
     };
+    let reasons = &form.question.acknowledge;
+    let find = |promise| Finding { promise, outcome: look(promise).acknowledged(promise, reasons) };
     Ok(FormAudit {
         form: form.question.name.clone(),
         seeds: drawn,
@@ -126,7 +130,7 @@ fn form_audit(
         acceptance: samples.acceptance(),
         laws: problem.laws(form).iter().map(|law| law.name.to_owned()).collect(),
         answers: answers::spreads(&form.parts, &problem.model().symbols, &samples),
-        promises: Promise::all().map(|promise| Finding { promise, outcome: look(promise) }).collect(),
+        promises: Promise::all().map(find).collect(),
         simulation: simulated,
     })
 }

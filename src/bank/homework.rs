@@ -106,7 +106,8 @@ impl Homework {
 
 /// The problem of that identity, or what is wrong with it.
 fn open(bank: &Bank, id: &str, secret: Option<&[u8]>) -> Result<Arc<Problem>, Fault> {
-    let source = bank.find(id).map_err(|faults| {
+    let renamed = bank.renamed(id).filter(|_| bank.ids().all(|own| own != id));
+    let source = bank.find(renamed.unwrap_or(id)).map_err(|faults| {
         let help = faults.list.into_iter().next().and_then(|fault| fault.help);
         let fault = Fault::new(Code::UnknownName, format!("there is no problem `{id}`"));
         help.map_or(fault.clone(), |help| fault.help(help))

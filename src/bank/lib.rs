@@ -8,6 +8,7 @@ mod course;
 mod diagnosis;
 mod each;
 mod entry;
+mod expected;
 #[cfg(feature = "files")]
 mod files;
 mod homework;

@@ -4,6 +4,8 @@ use serde::Serialize;
 use serde::Serializer;
 use serde::ser::SerializeMap;
 
+use momentous_fault::Path;
+
 /// One promise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Promise {
@@ -45,6 +47,8 @@ pub enum Promise {
     WrongForms,
     /// Honest rounding reaches full marks.
     Rounding,
+    /// Marking says of the author's own answers what their author expects.
+    Expected,
 }
 
 /// Each promise with its stable name and what it says, in the order of reports.
@@ -88,6 +92,7 @@ const SAID: &[(Promise, &str, &str)] = &[
     (Promise::Simulation, "simulation", "an independent simulation agrees"),
     (Promise::WrongForms, "wrong-forms", "the common mistakes can be distinguished from the right answer"),
     (Promise::Rounding, "rounding", "parts rounded as a student rounds get full marks"),
+    (Promise::Expected, "expected", "the author's own answers get the verdicts that the file expects"),
 ];
 
 impl Promise {
@@ -121,6 +126,13 @@ pub enum Outcome {
     Kept,
     /// It holds, and the author should know something.
     Noted(String),
+    /// It holds, and what the author should know stands in the file, with the reason why it may stay.
+    Acknowledged {
+        /// What there is to know.
+        remark: String,
+        /// Why it may stay.
+        reason: String,
+    },
     /// It does not hold.
     Broken(String),
     /// Nothing was looked at, and why.
@@ -128,12 +140,21 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// The same, where the author acknowledges what is noted of a promise.
+    pub(super) fn acknowledged(self, promise: Promise, reasons: &[(Path, String, String)]) -> Self {
+        match (self, reasons.iter().find(|(_, name, _)| name == promise.name())) {
+            (Self::Noted(remark), Some((.., reason))) => Self::Acknowledged { remark, reason: reason.clone() },
+            (own, _) => own,
+        }
+    }
+
     /// Its stable name, for tools.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
             Self::Kept => "kept",
             Self::Noted(_) => "noted",
+            Self::Acknowledged { .. } => "acknowledged",
             Self::Broken(_) => "broken",
             Self::NotChecked(_) => "not checked",
         }
@@ -144,7 +165,7 @@ impl Outcome {
     pub fn remark(&self) -> Option<&str> {
         match self {
             Self::Kept => None,
-            Self::Noted(remark) | Self::Broken(remark) => Some(remark),
+            Self::Noted(remark) | Self::Broken(remark) | Self::Acknowledged { remark, .. } => Some(remark),
             Self::NotChecked(remark) => Some(remark),
         }
     }
@@ -165,6 +186,9 @@ impl Serialize for Finding {
         map.serialize_entry("promise", self.promise.name())?;
         map.serialize_entry("outcome", self.outcome.name())?;
         map.serialize_entry("remark", &self.outcome.remark())?;
+        if let Outcome::Acknowledged { reason, .. } = &self.outcome {
+            map.serialize_entry("reason", reason)?;
+        }
         map.end()
     }
 }
@@ -177,7 +201,8 @@ mod tests {
     fn every_promise_has_a_name_of_its_own_and_says_something() {
         let names: std::collections::BTreeSet<&str> = Promise::all().map(Promise::name).collect();
         assert_eq!((names.len(), names.contains("")), (SAID.len(), false));
-        assert!(Promise::Rounding as usize == SAID.len() - 1 && Promise::all().is_sorted());
+        assert!(Promise::Expected as usize == SAID.len() - 1 && Promise::all().is_sorted());
         assert!(Promise::all().all(|promise| !promise.sentence().is_empty()));
+        assert!(momentous_problem::NOTED.iter().all(|name| names.contains(name)));
     }
 }

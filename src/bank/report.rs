@@ -121,7 +121,7 @@ impl Failing {
             Outcome::Broken(remark) => {
                 Some(Self::nowhere(format!("{name}broken: {}: {remark}", finding.promise.sentence())))
             }
-            Outcome::Kept | Outcome::Noted(_) | Outcome::NotChecked(_) => None,
+            Outcome::Kept | Outcome::Noted(_) | Outcome::Acknowledged { .. } | Outcome::NotChecked(_) => None,
         };
         form.promises.iter().filter_map(broken).collect()
     }

@@ -19,7 +19,7 @@ pub use consequences::mistake::Mistake;
 pub use consequences::simulated::Simulated;
 pub use deciding::closeness::Closeness;
 pub use deciding::interval::{End, Interval, Trial};
-pub use language::allowed::Meant;
+pub use language::allowed::{Meant, NOTED};
 pub use language::ask::{
     Answered, Ask, AskedRoots, Choose, Classifiable, Classify, Conservable, Conserved, Count, Enough, Find, Holds,
     Impulsive, Order, Pictures, Range, Turn, WhichRoot,

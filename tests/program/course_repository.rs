@@ -179,3 +179,52 @@ fn problems_and_templates_are_printed_and_written() {
     let near = room.run(&["templates", "html/shet.tera"]);
     assert!(near.code == 2 && near.err.contains("did you mean `html/sheet.tera`?"), "{}", near.err);
 }
+
+#[test]
+fn marking_says_of_an_authors_own_answers_what_is_expected() {
+    let room = repository(&[]);
+    let expect = "{ find: v_A2, expect: { \"-0.5 m/s\": right, \"0.5 m/s\": sense, \"0.77 m/s\": wrong },";
+    change(&room, "problem_bank/impact/two-carts.yaml", "{ find: v_A2,", expect);
+    let seeds = ["generate", "impact/two-carts", "--seed", "1", "--format", "json"];
+    assert!(room.fine(&seeds).contains("\"printed\":\"-0.500 m/s\""));
+    assert_eq!(check(&room, &["-q"]).code, 0);
+    room.fine(&["snapshot", "--accept"]);
+    assert!(room.read("snapshots/impact/two-carts.marks.csv").contains(",expected: sense,0.5 m/s,sense,1/2"));
+    change(&room, "problem_bank/impact/two-carts.yaml", "\"0.77 m/s\": wrong", "\"0.77 m/s\": sense");
+    let other = check(&room, &["-q"]);
+    assert_eq!(other.code, 1);
+    assert!(other.out.contains("`v_A2` = 0.77 m/s is marked wrong (0/2), not sense: with seed 1 the"), "{}", other.out);
+    change(&room, "problem_bank/impact/two-carts.yaml", "\"0.77 m/s\": sense", "\"0.77 m/s\": wring");
+    let unknown = check(&room, &["-q"]);
+    assert!(unknown.out.contains("a verdict `wring`, which there is not, did you mean `wrong`?"), "{}", unknown.out);
+}
+
+#[test]
+fn a_note_is_acknowledged_in_the_file_with_a_reason() {
+    let room = repository(&[]);
+    let noted = |room: &Room, outcome: &str| {
+        let said =
+            room.run(&["check", "impact/two-carts", "--seeds", "64", "--simulated", "1", "--format", "json"]).out;
+        said.matches(&format!("\"promise\":\"sharp\",\"outcome\":\"{outcome}\"")).count()
+    };
+    assert_eq!((noted(&room, "noted"), noted(&room, "acknowledged")), (1, 0));
+    let reason = "title:";
+    change(
+        &room,
+        "problem_bank/impact/two-carts.yaml",
+        reason,
+        "acknowledge: { sharp: rounding is what it is about }\ntitle:",
+    );
+    assert_eq!((noted(&room, "noted"), noted(&room, "acknowledged")), (0, 1));
+    let told = room.run(&["check", "impact/two-carts", "--seeds", "64", "--simulated", "1"]).out;
+    assert!(told.contains("acknowledged in the file: sharp") && !told.contains("noted:"), "{told}");
+    change(
+        &room,
+        "problem_bank/impact/two-carts.yaml",
+        "{ sharp: rounding is what it is about }",
+        "{ sharpp: so, told: \"\" }",
+    );
+    let faults = check(&room, &["-q"]).out;
+    assert!(faults.contains("nothing is noted of a promise `sharpp`; did you mean `sharp`?"), "{faults}");
+    assert!(faults.contains("the note on `told` is acknowledged without a reason"), "{faults}");
+}

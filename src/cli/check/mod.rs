@@ -241,10 +241,15 @@ fn write_form(output: &mut Output, form: &FormAudit, style: Style) -> Result<(),
                 writeln!(output, "    {} {}: {remark}", style.bad("broken:"), finding.promise.sentence())?;
             }
             Outcome::Noted(remark) => writeln!(output, "    {} {remark}", style.note("noted:"))?,
-            Outcome::Kept | Outcome::NotChecked(_) => {}
+            Outcome::Kept | Outcome::Acknowledged { .. } | Outcome::NotChecked(_) => {}
         }
     }
-    for (outcome, label) in [("kept", style.good("kept:")), ("not checked", style.note("not checked:"))] {
+    let labels = [
+        ("kept", style.good("kept:")),
+        ("acknowledged", style.good("acknowledged in the file:")),
+        ("not checked", style.note("not checked:")),
+    ];
+    for (outcome, label) in labels {
         let names = with_outcome(outcome);
         if !names.is_empty() {
             writeln!(output, "    {label} {}", names.join(", "))?;

@@ -124,6 +124,7 @@ fn asked(parts: &[Ask], name: &str) -> Ask {
             from: Some("+x".into()).filter(|_| is_direction),
             sense: Some(super::super::language::ask::Turn::CounterClockwise).filter(|_| is_direction),
             label: None,
+            expect: Entries::default(),
         })
     })
 }

@@ -25,6 +25,10 @@ impl Meant {
         &[("equals-given", Self::EqualsGiven), ("one-sheet", Self::OneSheet), ("one-answer", Self::OneAnswer)];
 }
 
+/// The promises of `momentous check` of which something may be noted that an author acknowledges.
+pub const NOTED: [&str; 8] =
+    ["told", "draws", "variety", "neglected", "requires", "sharp", "simulation", "wrong-forms"];
+
 /// What an author allows a form.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Allowed {
@@ -54,6 +58,19 @@ impl Allowed {
                 let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
                 builder.fault(fault.help(help).at_path(path.clone()));
             }
+        }
+        for (path, name, reason) in &question.acknowledge {
+            let fault = if !NOTED.contains(&name.as_str()) {
+                let near = did_you_mean(name, NOTED).map(|near| format!("did you mean `{near}`?"));
+                let help = near.unwrap_or_else(|| format!("notes may be acknowledged of {}", NOTED.join(", ")));
+                Fault::new(Code::UnknownName, format!("nothing is noted of a promise `{name}`")).help(help)
+            } else if reason.trim().is_empty() {
+                let help = format!("write why it may stay: `acknowledge: {{ {name}: ... }}`");
+                Fault::new(Code::Value, format!("the note on `{name}` is acknowledged without a reason")).help(help)
+            } else {
+                continue;
+            };
+            builder.fault(fault.at_path(path.clone()));
         }
         allowed
     }

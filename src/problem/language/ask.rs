@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use momentous_scene::{Axis, Term};
 
+use super::entries::Entries;
+
 /// One part of a question. Its first key says which kind it is.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -71,6 +73,9 @@ pub struct Find {
     /// The name of the part on the sheet. Default: the meaning of the name.
     #[serde(default)]
     pub label: Option<String>,
+    /// What marking must say of answers to the sheet of seed 1, by the codes of verdicts: `{ "3.1 m/s": right, "-3.1 m/s": sense }`.
+    #[serde(default)]
+    pub expect: Entries<String>,
 }
 
 impl Find {
@@ -232,6 +237,9 @@ pub struct Range {
     /// The question as the sheet puts it: `For which e does A bounce back?`.
     #[serde(default)]
     pub label: Option<String>,
+    /// What marking must say of answers to the sheet of seed 1, by the codes of verdicts: `{ "3.1 m/s": right, "-3.1 m/s": sense }`.
+    #[serde(default)]
+    pub expect: Entries<String>,
 }
 
 /// Which of the two values that the equations give for a quantity is possible, and why; the answer is read from the conditions

@@ -72,6 +72,9 @@ pub struct Draft {
     /// What this problem intends although it would otherwise be refused or reported, by its name, in every form: `passes-through`, `one-sheet`.
     #[serde(default)]
     pub allow: Vec<String>,
+    /// What `momentous check` notes of this problem, in every form, and its author knows, by the name of the promise, with the reason: `{ sharp: rounding is what it is about }`.
+    #[serde(default)]
+    pub acknowledge: Entries<String>,
     /// `unphysical` if the problem is meant to end in something impossible, in every form.
     #[serde(default)]
     pub expect: Option<Expect>,
@@ -150,6 +153,9 @@ pub struct Form {
     /// What this form intends although it would otherwise be refused or reported, by its name: `passes-through`, `one-sheet`.
     #[serde(default)]
     pub allow: Vec<String>,
+    /// What `momentous check` notes of this form and its author knows, by the name of the promise, with the reason: `{ sharp: rounding is what it is about }`.
+    #[serde(default)]
+    pub acknowledge: Entries<String>,
     /// `unphysical` if the form is meant to end in something impossible.
     #[serde(default)]
     pub expect: Option<Expect>,

@@ -32,6 +32,8 @@ pub struct Question {
     pub roots: Option<Roots>,
     /// Warnings that are meant, by their names, each with its place.
     pub allow: Vec<(Path, String)>,
+    /// What `momentous check` notes and the author knows: each promise with its place and the reason.
+    pub acknowledge: Vec<(Path, String, String)>,
     /// Whether the problem is meant to end in something impossible.
     pub expect: Option<Expect>,
     /// Hints, each with its place: those for every form, then the form's own.
@@ -58,6 +60,7 @@ impl Question {
                 conditions: Vec::new(),
                 roots: None,
                 allow: Vec::new(),
+                acknowledge: Entries::default(),
                 expect: None,
                 hints: Vec::new(),
             };
@@ -87,12 +90,22 @@ impl Question {
             conditions: placed(&path, "where", &draft.conditions, &form.conditions),
             roots: form.roots.or(draft.roots),
             allow: placed(&path, "allow", &draft.allow, &form.allow),
+            acknowledge: [(Path::root(), &draft.acknowledge), (path.clone(), &form.acknowledge)]
+                .into_iter()
+                .flat_map(|(place, entries)| acknowledged(&place, entries))
+                .collect(),
             expect: form.expect.or(draft.expect),
             hints: placed(&path, "hints", &draft.hints, &form.hints),
             path,
             elsewhere: BTreeSet::new(),
         }
     }
+}
+
+/// What is acknowledged there, each with its place.
+fn acknowledged(place: &Path, entries: &Entries<String>) -> Vec<(Path, String, String)> {
+    let place = place.key("acknowledge");
+    entries.iter().map(|(name, reason)| (place.name(name), name.to_owned(), reason.clone())).collect()
 }
 
 /// What a list at the top of the file says for every form, then what the form's own says, each with its place.

@@ -20,6 +20,7 @@ use momentous_solve::Reason;
 use momentous_solve::System;
 
 use super::super::language::ask;
+use super::super::language::entries::Entries;
 use super::super::language::form::Question;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
@@ -156,7 +157,13 @@ pub(crate) fn answered(
         };
         let behind = if verdict.0 { &concept::ENOUGH_OVERLOOKED } else { &concept::EQUATIONS_NOT_COUNTED };
         let kind = yes_or_no(verdict, Some(behind));
-        let part = Part { id: own.id.clone(), label: own.label.clone(), points: own.points, kind };
+        let part = Part {
+            id: own.id.clone(),
+            label: own.label.clone(),
+            points: own.points,
+            expected: Entries::default(),
+            kind,
+        };
         answered.parts.push((own.at, part));
     }
     Ok(answered)

@@ -5,6 +5,7 @@ use momentous_model::component_name;
 use momentous_quantity::Tolerance;
 use momentous_quantity::Unit;
 
+use super::super::language::entries::Entries;
 use super::choices::choice::ChoicePart;
 use super::choices::claim::Claim;
 
@@ -17,6 +18,8 @@ pub struct Part {
     pub label: String,
     /// Its points.
     pub points: u32,
+    /// What marking must say of answers to the sheet of seed 1: each answer with the code of a verdict.
+    pub expected: Entries<String>,
     /// How it is answered.
     pub kind: PartKind,
 }

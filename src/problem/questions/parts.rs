@@ -15,6 +15,7 @@ use super::super::language::ask::Answered;
 use super::super::language::ask::Ask;
 use super::super::language::ask::Find;
 use super::super::language::ask::Turn;
+use super::super::language::entries::Entries;
 use super::super::language::expression;
 use super::super::language::form::Question;
 use super::super::language::rubric::fraction;
@@ -99,7 +100,12 @@ pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         read.wanted.extend(kind.wanted());
         let (points, own_label) = points_and_label(ask);
         let points = loaded.draft.points_of(points);
-        read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
+        let expected = match ask {
+            Ask::Find(own) => own.expect.clone(),
+            Ask::Range(own) => own.expect.clone(),
+            _ => Entries::default(),
+        };
+        read.parts.push(Part { id, label: own_label.unwrap_or(label), points, expected, kind });
     }
     tell_apart(&mut read.parts, builder);
     check_alone(&read, question, builder);

@@ -17,6 +17,7 @@ use super::super::compiling::regimes::Regimes;
 use super::super::language::ask::Answered;
 use super::super::language::ask::Find;
 use super::super::language::ask::Range;
+use super::super::language::entries::Entries;
 use super::super::reading::load::Loaded;
 use super::choices::comparing;
 use super::number::number_part;
@@ -48,6 +49,7 @@ pub(crate) fn read(
         from: None,
         sense: None,
         label: None,
+        expect: Entries::default(),
     };
     let number = number_part(loaded, &find, symbol, builder, path)?;
     let (question, claim) = comparing::claim(loaded, &ask.condition, builder, &path.key("where"))?;

@@ -45,6 +45,8 @@ const ALL: [Aspect; 3] = [Aspect::Draw, Aspect::Marking, Aspect::Words];
 const CONCERNS: &[(&str, &[Aspect])] = &[
     ("level", &[]),
     ("source", &[]),
+    // What the author means of what `momentous check` finds.
+    ("acknowledge", &[]),
     ("tags", &[]),
     // They name the draw, and stand before everything else in it.
     ("id", &[]),
@@ -104,6 +106,10 @@ fn feed(hash: &mut Sha256, node: &Node, path: &str, aspect: Aspect, concerned: &
 
 /// The points of a scene and of a graph are no marks, and are not a single value.
 fn aspects(key: &str, value: &Node) -> Option<&'static [Aspect]> {
+    // What marking must say of an author's own answers; in a form, `expect` is a word.
+    if key == "expect" && matches!(value.kind, Kind::Mapping(_)) {
+        return Some(&[]);
+    }
     let is_place = key == "points" && !matches!(value.kind, Kind::Scalar(_));
     CONCERNS.iter().find(|(own, _)| *own == key && !is_place).map(|(_, aspects)| *aspects)
 }
