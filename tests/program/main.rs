@@ -17,6 +17,7 @@ mod issued_numbers;
 mod readme;
 #[path = "../support/room.rs"]
 mod room;
+mod term;
 mod trust;
 mod trusted_tables;
 #[cfg(all(feature = "serve", not(feature = "courses")))]
