@@ -36,7 +36,6 @@ use super::Instance;
 use super::Integral;
 use super::Name;
 use super::Omission;
-use super::Omitted;
 use super::Passage;
 use super::PrintedGraph;
 use super::QuantityKind;
@@ -316,23 +315,6 @@ impl<'s> Builder<'s> {
         let tag = self.reasons.len();
         self.reasons.push(reason);
         Condition { left, relation, right, tag }
-    }
-
-    /// Says, once, what is small or idealised away.
-    pub(super) fn neglect(&mut self, what: impl Into<String>, why: impl Into<String>) {
-        self.omit(Omitted::Neglected, what.into(), why.into());
-    }
-
-    /// Says, once, what acts or happens but has no part in what is asked.
-    pub(super) fn not_needed(&mut self, what: impl Into<String>, why: impl Into<String>) {
-        self.omit(Omitted::NotNeeded, what.into(), why.into());
-    }
-
-    fn omit(&mut self, kind: Omitted, what: String, why: String) {
-        let omission = Omission { kind, what, why };
-        if !self.omissions.contains(&omission) {
-            self.omissions.push(omission);
-        }
     }
 
     /// How a body is called in a sentence.

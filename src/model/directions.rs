@@ -222,7 +222,7 @@ impl Builder<'_> {
         if !self.defined.insert(key) {
             return;
         }
-        let because = "the axes n and t are turned from x and y by the direction of the line of impact";
+        let because = "the axes n and t point along and across the line of impact";
         let [cos, sin] = frame.normal.cosine_and_sine();
         let [along, across] = geometry::turned([&cos, &sin], &x, &y);
         self.law(&geometry::ROTATION, Some(stage), because, (n.clone(), along));

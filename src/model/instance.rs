@@ -1,5 +1,6 @@
 //! A law as it is used in one scene.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use momentous_expr::Expr;
@@ -98,6 +99,8 @@ pub struct Omission {
     pub what: String,
     /// Why that is right: `it is not impulsive: during the short contact its impulse is negligible`.
     pub why: String,
+    /// The stages in which it is left out, counted from 0.
+    pub stages: BTreeSet<usize>,
 }
 
 /// An impulse in a stage, for diagrams and for questions about which momentum is conserved.

@@ -21,6 +21,7 @@ mod guide;
 mod incline;
 mod influence;
 mod instance;
+mod leaving_out;
 mod masses;
 mod mistaken;
 mod name;

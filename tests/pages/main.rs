@@ -11,6 +11,7 @@ mod digits;
 mod figures;
 mod fonts;
 mod latex;
+mod length;
 #[path = "../support/pdflatex.rs"]
 mod pdflatex;
 mod pictures;

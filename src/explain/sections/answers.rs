@@ -21,6 +21,7 @@ use momentous_scene::stage::Place;
 use momentous_solve::Bounded;
 
 use super::super::Block;
+use super::super::Detail;
 use super::super::Inline;
 use super::super::terms::display::Display;
 use super::super::terms::ledger::Item;
@@ -29,11 +30,12 @@ use super::super::wording::capitalised;
 use super::interval;
 
 /// One paragraph for each part.
-pub(crate) fn answers(display: Display<'_>) -> Vec<Block> {
-    display.worked.form.parts.iter().map(|part| Block::Paragraph(sentence(display, part))).collect()
+pub(crate) fn answers(display: Display<'_>, detail: Detail) -> Vec<Block> {
+    display.worked.form.parts.iter().map(|part| Block::Paragraph(sentence(display, part, detail))).collect()
 }
 
-fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
+/// The answer to a part; in full also why other options are wrong.
+fn sentence(display: Display<'_>, part: &Part, detail: Detail) -> Vec<Inline> {
     match &part.kind {
         PartKind::Choice(ChoicePart::Order(symbols)) => {
             let right = ChoicePart::Order(symbols.clone()).decided(&display.worked).right;
@@ -50,7 +52,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 OptionFeedback::Mistake(mistake) => Some(format!(" {} {}.", capitalised(option), mistake.does)),
                 OptionFeedback::Own(_) | OptionFeedback::Nothing => None,
             });
-            let mistaken: String = mistaken.collect();
+            let mistaken: String = mistaken.filter(|_| detail == Detail::Full).collect();
             let mut words = Inline::line(&format!("{} ", part.label));
             words.extend(Inline::line(&capitalised(option)).into_iter().map(|own| match own {
                 Inline::Text(text) => Inline::Strong(text),

@@ -1,5 +1,11 @@
 //! The section on momentum and impulse: the figures, what acts, what is left out and why.
 
+use std::collections::BTreeSet;
+
+use momentous_laws::angular;
+use momentous_laws::momentum;
+use momentous_model::Instance;
+use momentous_model::Omission;
 use momentous_model::Omitted;
 use momentous_problem::PartKind;
 use momentous_problem::Worked;
@@ -48,8 +54,10 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
     let acting =
         scene.stages.iter().enumerate().take(stages).filter_map(|(index, stage)| acting(model, scene, index, stage));
     let mut blocks: Vec<Block> = acting.map(|sentence| Block::text(&sentence)).collect();
+    let solved = solved_stages(worked);
     for (heading, kind) in [("Neglected:", Omitted::Neglected), ("Not needed:", Omitted::NotNeeded)] {
-        let of_kind = model.omissions.iter().filter(|omission| omission.kind == kind);
+        let is_here = |omission: &&Omission| omission.kind == kind && !omission.stages.is_disjoint(&solved);
+        let of_kind = model.omissions.iter().filter(is_here);
         let items: Vec<Vec<Inline>> = of_kind
             .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
             .collect();
@@ -60,7 +68,25 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
     blocks
 }
 
-/// Why momentum serves where energy does not, in a scene with an impact that loses energy.
+/// The laws of momentum that serve in an impact.
+const MOMENTUM: [&str; 4] =
+    [momentum::CONSERVATION.id, momentum::IMPULSE_MOMENTUM.id, momentum::SYSTEM.id, angular::CONSERVATION.id];
+
+/// The laws that the steps towards the answers use, each with its stage.
+fn used(worked: Worked<'_>) -> impl Iterator<Item = &Instance> {
+    let leaf = worked.leaf();
+    let equations = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+    let stated = equations.filter_map(|place| leaf.system.equations.get(*place));
+    stated.filter_map(move |equation| worked.problem.model().instances.get(equation.tag))
+}
+
+/// The stages whose laws the answers need; all that are looked at where something is to be decided.
+fn solved_stages(worked: Worked<'_>) -> BTreeSet<usize> {
+    let decides = worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Choice(_)));
+    if decides { (0..last_instant(worked)).collect() } else { used(worked).filter_map(|law| law.stage).collect() }
+}
+
+/// Why momentum serves where energy does not, for impacts that lose energy and are solved by momentum.
 fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
     let scene = &worked.problem.loaded().draft.scene;
     let symbols = &worked.problem.model().symbols;
@@ -70,7 +96,10 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
             || given.into_iter().any(|(own, value, _)| symbols.entry(*own).name == e && value.to_rational().is_one())
     };
     let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
-    let lossy = scene.stages.iter().filter(|stage| matches!(stage, Stage::Impact(impact) if loses(impact)));
+    let by_momentum: BTreeSet<usize> =
+        used(worked).filter(|law| MOMENTUM.contains(&law.law.id)).filter_map(|law| law.stage).collect();
+    let stages = scene.stages.iter().enumerate().filter(|(index, _)| by_momentum.contains(index));
+    let lossy = stages.filter(|(_, stage)| matches!(stage, Stage::Impact(impact) if loses(impact)));
     let (impacts, change) = match lossy.count() {
         0 => return None,
         1 => ("the impact", "changes"),

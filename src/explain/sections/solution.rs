@@ -61,7 +61,11 @@ fn short(display: Display<'_>, way: &WayCache) -> Vec<Section> {
     let mut steps = ShortSteps::new(display);
     let blocks =
         laws(display, way.scripts(display, Detail::Short), |place, step, script| steps.step(place, step, script));
-    vec![section("System", opening), section("Laws", blocks), section("Answer", answers::answers(display))]
+    vec![
+        section("System", opening),
+        section("Laws", blocks),
+        section("Answer", answers::answers(display, Detail::Short)),
+    ]
 }
 
 fn full(display: Display<'_>, way: &WayCache) -> Vec<Section> {
@@ -75,18 +79,20 @@ fn full(display: Display<'_>, way: &WayCache) -> Vec<Section> {
         acting(display, way),
         section("Axes and what is given", axes::axes(display, way)),
         section("Laws", blocks),
-        section(closing, answers::answers(display).into_iter().chain(checks).collect()),
+        section(closing, answers::answers(display, Detail::Full).into_iter().chain(checks).collect()),
     ]
 }
 
-/// The figures, each with a caption that does not repeat what the first one explains: what follows its colon.
+/// The figures, each with a caption that does not repeat what the first one explains: the balance that it draws, between a colon and
+/// those for whom it holds.
 fn without_repeated_legends(figures: Vec<Drawing>) -> impl Iterator<Item = Drawing> {
     let mut explained = BTreeSet::new();
     figures.into_iter().map(move |mut figure| {
         if let Some((subject, legend)) = figure.caption.split_once(": ")
-            && !explained.insert(legend.to_owned())
+            && let Some((balance, whom)) = legend.split_once(", for ")
+            && !explained.insert(balance.to_owned())
         {
-            figure.caption = format!("{subject}.");
+            figure.caption = format!("{subject}, for {whom}");
         }
         figure
     })
@@ -128,7 +134,9 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
     } else {
         format!("{start} (1) and {end} ({last})")
     };
-    let mut blocks = vec![Block::text(&format!("{who}, {when}."))];
+    // Several stages say themselves when each begins and ends.
+    let opening = if last > 2 { format!("{who}.") } else { format!("{who}, {when}.") };
+    let mut blocks = vec![Block::text(&opening)];
     if last > 2 {
         let rows = scene.stages.iter().enumerate().take(last - 1).map(|(index, stage)| {
             let phrase = worked.problem.model().phrase(scene, index);

@@ -1,5 +1,6 @@
 //! How the unknowns are found: equations, reasons and moves of algebra, with the numbers of a variant.
 
+mod bracket;
 pub(super) mod counting;
 pub(super) mod derivation;
 pub(super) mod divisors;

@@ -122,9 +122,11 @@ impl Writer<'_> {
         for (place, step_move) in step.moves.iter().enumerate() {
             match step_move {
                 Move::Quadratic { .. } => opening.push(Opening::Move(place)),
-                Move::Numeric { .. } if is_stated_piecewise(self.display, step) => opening.push(Opening::Move(place)),
-                Move::Numeric { unknown } if formula_of_equation(self.display, step, *unknown).is_none() => {
-                    opening.extend(written(vec![sentence::by_calculation(self.display, *unknown)]));
+                Move::Numeric { unknown }
+                    if is_stated_piecewise(self.display, step)
+                        || formula_of_equation(self.display, step, *unknown).is_none() =>
+                {
+                    opening.push(Opening::Move(place));
                 }
                 _ => {}
             }

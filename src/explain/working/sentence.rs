@@ -171,12 +171,3 @@ fn where_not_zero(display: Display<'_>, opening: &str, factors: Vec<Expr>) -> Ve
     words.extend(join(doubtful.iter().map(differs).collect()));
     words
 }
-
-/// What is said where no formula gives an unknown.
-pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
-    Block::Paragraph(vec![
-        Inline::Text("No formula gives ".into()),
-        Inline::Math(display.name(unknown)),
-        Inline::Text(", so it is found numerically.".into()),
-    ])
-}

@@ -23,6 +23,7 @@ use super::super::terms::display::has_pieces;
 use super::super::terms::term::Term;
 use super::super::wording::capitalised;
 use super::super::wording::list;
+use super::bracket;
 use super::counting;
 use super::derivation::Line;
 use super::derivation::Origin;
@@ -64,11 +65,19 @@ pub(crate) struct ShortSteps<'a> {
     asked: BTreeSet<Symbol>,
     /// The last reason given, with neither bodies nor axes named.
     reason: String,
+    /// All reasons given.
+    reasons: BTreeSet<String>,
 }
 
 impl<'a> ShortSteps<'a> {
     pub(crate) fn new(display: Display<'a>) -> Self {
-        Self { display, in_symbols: Steps::new(display), asked: needed::asked(display.worked), reason: String::new() }
+        Self {
+            display,
+            in_symbols: Steps::new(display),
+            asked: needed::asked(display.worked),
+            reason: String::new(),
+            reasons: BTreeSet::new(),
+        }
     }
 
     /// One step, as blocks.
@@ -145,7 +154,7 @@ impl<'a> ShortSteps<'a> {
         let Origin::Law(place) = line.origin else { return sentence::blocks(display, &script.derivation, line) };
         let Some((equation, instance)) = self.law(place) else { return Vec::new() };
         let reason = script::reason(instance, &equation.statement);
-        let mut blocks = vec![self.because(&reason)];
+        let mut blocks: Vec<Block> = self.because(&reason, instance.law.name).into_iter().collect();
         if line.integral.is_none() && only_evaluates(step, [&line.left, &line.right]) {
             return blocks;
         }
@@ -168,17 +177,24 @@ impl<'a> ShortSteps<'a> {
         blocks
     }
 
-    /// The reason of a law; of one that differs from the last by those whom it names only, that it is the same.
-    fn because(&mut self, reason: &str) -> Block {
+    /// The reason of a law: none where it is that of the law before, its name alone where the reason was given earlier, and that it is
+    /// the same where it differs from the last by those whom it names.
+    fn because(&mut self, reason: &str, law: &str) -> Option<Block> {
         let scene = &self.display.worked.problem.loaded().draft.scene;
         let unnamed = scene.bodies.keys().fold(reason.to_owned(), |text, body| {
             let name = scene.called(body);
             text.replace(&capitalised(&name), "_").replace(&name, "_")
         });
         let unnamed = AXES.iter().fold(unnamed, |text, axis| text.replace(&format!(" along {axis}"), " along _"));
-        let is_same = unnamed != reason && unnamed == self.reason;
+        let is_like_the_last = unnamed == self.reason;
+        let is_new = self.reasons.insert(reason.to_owned());
         self.reason = unnamed;
-        Block::text(if is_same { "In the same way:" } else { reason })
+        match (is_like_the_last, is_new) {
+            (true, true) => Some(Block::text("In the same way:")),
+            (true, false) => None,
+            (false, true) => Some(Block::text(reason)),
+            (false, false) => Some(Block::text(&format!("By {law}:"))),
+        }
     }
 
     /// A law with numbers for what is known; nothing where that is too little to be worth a line.
@@ -264,7 +280,7 @@ impl<'a> ShortSteps<'a> {
             }
         };
         if formula.is_none() {
-            blocks.push(sentence::by_calculation(self.display, unknown));
+            blocks.push(bracket::found(self.display, &script.derivation, unknown));
         }
         let is_law = |line: &Line| matches!(line.origin, Origin::Law(_)) && line.integral.is_none();
         let lines = script.derivation.lines.iter();

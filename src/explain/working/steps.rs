@@ -24,13 +24,13 @@ use super::super::terms::ledger::Item;
 use super::super::terms::printed;
 use super::super::terms::term::Term;
 use super::super::wording::join;
+use super::bracket;
 use super::counting;
 use super::quadratic;
 use super::script::Formula;
 use super::script::Opening;
 use super::script::Script;
 use super::script::formula_of_equation;
-use super::sentence;
 
 /// The widest root that is written in symbols, in widths of a digit.
 const WIDEST_ROOT: f64 = 75.0;
@@ -79,7 +79,8 @@ impl<'a> Steps<'a> {
                 Opening::Move(place) => match step.moves.get(*place) {
                     Some(Move::Numeric { unknown }) => {
                         let formula = formula_of_equation(self.display, step, *unknown);
-                        let found = formula.is_none().then(|| sentence::by_calculation(self.display, *unknown));
+                        let found =
+                            formula.is_none().then(|| bracket::found(self.display, &script.derivation, *unknown));
                         blocks.extend(found);
                     }
                     Some(Move::Quadratic { unknown, a, b, c, .. }) => {
