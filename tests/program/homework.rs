@@ -105,7 +105,7 @@ fn a_student_has_one_sheet_with_every_problem_and_the_numbers_of_the_problems_al
 fn every_format_has_one_sheet() {
     let room = room();
     for (format, problem) in
-        [("html", "<h2>2. "), ("latex", "\\large\\bfseries 2. "), ("typst", "#heading(level: 2)[2. ")]
+        [("html", "<h2>2. "), ("latex", "\\large\\bfseries 2. "), ("typst", "#heading(level: 2)[2\\. ")]
     {
         let one = room.fine(&["generate", "homework/week-3.yaml", "--seed", "7", "--format", format]);
         assert!(one.contains(problem) && one.contains("Week 3: impact") && one.contains("due 14 October"), "{one}");
