@@ -12,7 +12,7 @@ use crate::bank::load_in_course;
 use crate::exercise::SheetSeed;
 use crate::fault::Input;
 use crate::fault::Source;
-use crate::fault::did_you_mean;
+use crate::fault::unknown_name;
 use crate::problem::Problem;
 use crate::problem::compile;
 use crate::problem::is_guessable;
@@ -116,10 +116,5 @@ pub(super) fn form(problem: &Problem, name: Option<&str>) -> Result<usize, Failu
 
 /// A name that is none of the known ones, with the nearest.
 pub(super) fn unknown(name: &str, what: &str, known: &[&str]) -> Failure {
-    let help = match did_you_mean(name, known.iter().copied()) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None if known.is_empty() => "there are none".to_owned(),
-        None => format!("choose one of {}", known.join(", ")),
-    };
-    Failure::unusable(format!("`{name}` is not a {what}\nhelp: {help}"))
+    Failure::unusable(unknown_name(name, what, known))
 }

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
+use momentous_fault::unknown_name;
 use momentous_grade as grade;
 use momentous_grade::Expected;
 use momentous_grade::Reading;
@@ -131,6 +132,27 @@ impl Exercise {
         let worked = self.worked();
         let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
         Names::of(worked.problem, worked.form).meant(&ids, typed)
+    }
+
+    /// Answers by the names of their parts in the file, of names as a student or a tool wrote them.
+    ///
+    /// # Errors
+    /// Each name that is no part of the question, or whose part is answered twice.
+    pub fn answers_by_part<'a>(
+        &self,
+        typed: impl IntoIterator<Item = (&'a str, &'a str)>,
+    ) -> Result<BTreeMap<String, String>, Vec<String>> {
+        let parts: Vec<&str> = self.worked().form.parts.iter().map(|part| part.id.as_str()).collect();
+        let (mut answers, mut faults) = (BTreeMap::new(), Vec::new());
+        for (name, text) in typed {
+            let own = self.usual_name(name);
+            if !parts.contains(&own) {
+                faults.push(unknown_name(name, "part of this question", &parts));
+            } else if answers.insert(own.to_owned(), text.to_owned()).is_some() {
+                faults.push(format!("`{name}` is answered twice"));
+            }
+        }
+        if faults.is_empty() { Ok(answers) } else { Err(faults) }
     }
 
     /// What a right answer to a part is.

@@ -4,6 +4,7 @@ use serde_json::Value;
 use serde_json::json;
 
 use momentous_explain as explain;
+use momentous_grade::Report;
 use momentous_problem::End;
 use momentous_problem::Part;
 use momentous_problem::PartKind;
@@ -48,6 +49,25 @@ impl Exercise {
             object.insert("lines".into(), json!(explain::lines(worked)));
         }
         record
+    }
+
+    /// A report on answers to the variant as one JSON object, with what makes the same variant again.
+    ///
+    /// # Errors
+    /// None that is known: a report is made of texts and numbers.
+    pub fn mark_record(&self, report: &Report) -> serde_json::Result<Value> {
+        let identity = self.identity();
+        let mut record = json!({
+            "problem": identity.problem,
+            "digest": identity.digest,
+            "scheme": identity.scheme,
+            "seed": identity.seed,
+            "form": identity.form,
+        });
+        if let (Some(record), Value::Object(report)) = (record.as_object_mut(), serde_json::to_value(report)?) {
+            record.extend(report);
+        }
+        Ok(record)
     }
 
     fn asked(&self, part: &Part) -> Value {

@@ -10,7 +10,7 @@ mod suggest;
 pub use input::Input;
 pub use path::{Path, Segment};
 pub use source::{Source, Span};
-pub use suggest::did_you_mean;
+pub use suggest::{did_you_mean, unknown_name};
 
 use std::fmt;
 

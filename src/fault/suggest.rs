@@ -1,4 +1,4 @@
-//! "Did you mean": the known name nearest to one that is not known.
+//! "Did you mean": the known name nearest to one that is not known, and what is said of such a name.
 
 /// The candidate nearest to `name`, where one is near enough to be meant.
 ///
@@ -20,4 +20,21 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str
     };
     let (distance, _, best) = candidates.into_iter().filter(may_be_near).map(near).min()?;
     (distance <= most && distance < length).then_some(best)
+}
+
+/// What is said of a name that is none of the known ones: the nearest, or all of them.
+///
+/// ```
+/// use momentous_fault::unknown_name;
+/// let said = unknown_name("v_A", "part of this question", &["v_A2", "T"]);
+/// assert_eq!(said, "`v_A` is not a part of this question\nhelp: did you mean `v_A2`?");
+/// ```
+#[must_use]
+pub fn unknown_name(name: &str, what: &str, known: &[&str]) -> String {
+    let help = match did_you_mean(name, known.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if known.is_empty() => "there are none".to_owned(),
+        None => format!("choose one of {}", known.join(", ")),
+    };
+    format!("`{name}` is not a {what}\nhelp: {help}")
 }

@@ -31,6 +31,7 @@ const ORDER: &[&[&str]] = &[
     &["store"],
     &["course_pages"],
     &["cli"],
+    &["python"],
 ];
 
 /// Rooms that see less than their place allows: a simulation that shared code with the laws could not check them.
@@ -53,6 +54,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("prometheus-client", &["web"]),
     ("rapier2d-f64", &["simulate"]),
     ("zip", &["export"]),
+    ("pyo3", &["python"]),
 ];
 
 /// The lines that a file may have.
