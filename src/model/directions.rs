@@ -54,6 +54,11 @@ impl Builder<'_> {
         if is_bare_name(text) && self.resolve(text).is_none() {
             self.words.push((text.to_owned(), path.clone()));
         }
+        // An angle is a term, and no phrase.
+        if text.contains(' ') && text.split(' ').all(|word| word.chars().all(char::is_alphabetic)) {
+            self.faults.push(self.no_direction(text).at_path(path.clone()));
+            return self.first_axis();
+        }
         let turn = self.read_angle(text, path);
         // An angle of exactly zero is an axis, along which no components n and t need be made.
         Direction::turned(0, self.zero_if_so_written(turn))

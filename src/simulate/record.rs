@@ -180,7 +180,10 @@ fn instants<const D: usize>(world: &World<D>, run: &Trajectory<D>) -> Vec<Instan
 }
 
 fn state_at<const D: usize>(world: &World<D>, run: &Trajectory<D>, (time, after): Instant) -> State<D> {
-    let mut state = if time > 0.0 { run.last.clone() } else { world.start() };
+    if time <= 0.0 && !after {
+        return world.start();
+    }
+    let mut state = run.last.clone();
     state.time = time;
     if after && time >= run.last.time {
         return run.last.clone();

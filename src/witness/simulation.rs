@@ -12,8 +12,6 @@ use momentous_model::Name;
 use momentous_model::QuantityKind;
 use momentous_model::Timeline;
 use momentous_model::VectorKind;
-use momentous_model::VectorName;
-use momentous_model::component_name;
 use momentous_scene::Scene;
 use momentous_scene::Stage;
 use momentous_simulate::scene::Asked;
@@ -234,23 +232,35 @@ impl<'a> Witness<'a> {
             .map(|own| Seen { value: own.value, error: own.error })
             .or_else(|| self.measured(name))
             .or_else(|| self.magnitude(name))
+            .or_else(|| self.exchanged(name))
     }
 
     fn measured(&self, name: &str) -> Option<Seen> {
-        let simulated = Cell::new(false);
+        let entering = RefCell::new(BTreeMap::new());
         let value = |name: &str| {
-            let found = self.found_as(name).map(|own| own.value);
-            simulated.set(simulated.get() || found.is_some());
-            found.or_else(|| self.value(name))
+            let found = self.found_as(name).map(|own| (own.name.clone(), own.error));
+            entering.borrow_mut().extend(found);
+            self.found_as(name).map(|own| own.value).or_else(|| self.value(name))
         };
         let own = self.asked(name, &|asked, alive| {
             // What nothing simulated enters would only repeat a formula.
-            let own = measure(self.case.scene, alive, asked, &value).filter(|_| simulated.get());
+            let own = measure(self.case.scene, alive, asked, &value).filter(|_| !entering.borrow().is_empty());
             // Where no stage has been yet, the bodies are watched.
             let watched = || watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1);
             own.or_else(|| watched().inspect(|_| self.watched.set(true)))
         });
-        own.map(|own| self.as_seen(own))
+        let seen = self.as_seen(own?);
+        let entered: Vec<(String, f64)> = entering.borrow().clone().into_iter().collect();
+        let off = |(moved, error): &(String, f64)| {
+            let value = |name: &str| {
+                let found = self.found_as(name)?;
+                Some(found.value + if found.name == *moved { *error } else { 0.0 })
+            };
+            let value = |name: &str| value(name).or_else(|| self.value(name));
+            let other = self.asked(name, &|asked, alive| measure(self.case.scene, alive, asked, &value));
+            other.map_or(0.0, |(other, _)| (other - seen.value).abs())
+        };
+        Some(Seen { error: seen.error + entered.iter().map(off).sum::<f64>(), ..seen })
     }
 
     /// What a quantity at the start is by what is told of the bodies: part of something that is found, and nothing by itself.
@@ -277,16 +287,6 @@ impl<'a> Witness<'a> {
         let component = parsed.component.as_deref();
         let base = &parsed.kind.spelling();
         of(Asked { base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
-    }
-
-    /// The magnitude of a vector by what is found of its components.
-    fn magnitude(&self, name: &str) -> Option<Seen> {
-        let Some(VectorName::Magnitude(vector)) = VectorName::parse(name) else { return None };
-        let axes = self.case.scene.axes.rectangular();
-        let parts = axes.iter().map(|(axis, _)| self.seen(&component_name(vector, axis.letter())));
-        let parts: Vec<Seen> = parts.collect::<Option<_>>()?;
-        let value = libm::sqrt(parts.iter().map(|own| own.value * own.value).sum());
-        Some(Seen { value, error: parts.iter().map(|own| own.error).sum() })
     }
 
     /// What a term comes to with what the simulation finds; none where it finds nothing in it.

@@ -13,7 +13,8 @@ pub struct Drawn {
     /// The stages, each with its keys as they are written.
     pub stages: Vec<Written>,
     frame: Frame,
-    bodies: Vec<String>,
+    /// The bodies whose masses are given.
+    pub bodies: Vec<String>,
     /// What is given, in the order of the sheet.
     pub given: Vec<(String, String)>,
     /// The guided body, if there is one.
@@ -103,7 +104,7 @@ const FRAMES: &[Frame] = &[
 ];
 
 /// How many questions are tried until the scene knows what is asked.
-const QUESTIONS: usize = 8;
+const QUESTIONS: usize = 14;
 
 /// What can be asked of every scene: a velocity, an energy, a momentum, a change.
 const GENERAL: &[&str] =
@@ -111,6 +112,9 @@ const GENERAL: &[&str] =
 
 /// Draws one thing after another.
 struct Dice(ChaCha8Rng);
+
+/// How often a scene is drawn with other numbers.
+pub const NUMBERS: u64 = 8;
 
 impl Dice {
     fn of<'a, T>(&mut self, all: &'a [T]) -> &'a T {
@@ -124,6 +128,12 @@ impl Dice {
 
 /// Scene number `seed` with a stage of that kind, alone or before another.
 pub fn draw(table: &Table, kind: &str, seed: u64) -> Drawn {
+    draw_again(table, kind, seed, 0)
+}
+
+/// The same scene with other numbers.
+pub fn draw_again(table: &Table, kind: &str, seed: u64, numbers: u64) -> Drawn {
+    let mut number = Dice(ChaCha8Rng::seed_from_u64(seed ^ digest(&format!("{kind} {numbers}"))));
     let mut dice = Dice(ChaCha8Rng::seed_from_u64(seed ^ digest(kind)));
     let first = table.kind(kind);
     let shape = dice.of(&first.shapes).clone();
@@ -146,15 +156,17 @@ pub fn draw(table: &Table, kind: &str, seed: u64) -> Drawn {
     }
     let can_be_guided = frame.components == [".x", ".y"] && (shape.has("guided") || dice.once_in(4));
     let guided = can_be_guided.then(|| bodies.last().cloned().unwrap_or_else(|| "A".to_owned()));
-    given.start(&shape, &bodies, guided.as_deref(), &mut dice);
-    given.within(&text, &mut dice);
+    given.start(&shape, &bodies, guided.as_deref(), &mut number);
+    for (_, value) in stages.iter().flat_map(|stage| &stage.keys) {
+        given.within(value, &mut number);
+    }
     let numbers = stages.len();
     let mut asked = Vec::new();
     for _ in 0..QUESTIONS {
         let at = dice.0.random_range(0..numbers);
         let kind = table.kind(&stages[at].kind);
         let ways: Vec<&str> = kind.finds.iter().map(String::as_str).collect();
-        let pattern = if dice.once_in(2) { *dice.of(GENERAL) } else { *dice.of(&ways) };
+        let pattern = if kind.asks_generally && dice.once_in(2) { *dice.of(GENERAL) } else { *dice.of(&ways) };
         let name = named(pattern, at, numbers, &stages[at]);
         let name = if pattern.starts_with("v_") && !pattern.contains('.') && frame.components.len() > 1 {
             format!("{name}{}", dice.of(frame.components))
@@ -282,6 +294,9 @@ impl<'a> Given<'a> {
         if text.contains("{R}") {
             self.add("I_R", "I", dice);
         }
+        if text.contains("piston") {
+            self.add("v_piston", "w", dice);
+        }
     }
 }
 
@@ -292,8 +307,18 @@ impl Shape {
 }
 
 impl Drawn {
-    /// The scene as a problem file that asks one of the questions.
+    /// The endings of the names of its velocities and momenta, one for each axis.
+    pub fn components(&self) -> &'static [&'static str] {
+        self.frame.components
+    }
+
+    /// The scene as a problem file that asks one of its questions.
     pub fn file(&self, question: usize) -> String {
+        self.asking(self.questions.get(question..=question).unwrap_or_default())
+    }
+
+    /// The scene as a problem file that asks for quantities, each with its unit.
+    pub fn asking(&self, questions: &[(String, String)]) -> String {
         let text = values(&self.stages);
         let mut file = String::from("id: random/scene\ntitle: A random scene\nlevel: core\nscene:\n");
         let _ = writeln!(file, "  axes: {}", self.frame.axes);
@@ -310,6 +335,11 @@ impl Drawn {
         }
         if text.contains("wall") {
             let _ = writeln!(file, "  surfaces:\n    wall: {{ name: the wall, normal: {} }}", self.frame.normal);
+        }
+        if text.contains("piston") {
+            let normal = self.frame.normal;
+            let _ =
+                writeln!(file, "  surfaces:\n    piston: {{ name: the piston, normal: {normal}, velocity: v_piston }}");
         }
         let axes = self.frame.name;
         if axes.starts_with("circle") || axes.starts_with("polar") || text.split_whitespace().any(|word| word == "O") {
@@ -329,7 +359,7 @@ impl Drawn {
         let told: Vec<String> = self.given.iter().map(|(name, _)| format!("{{{{ {name} | named }}}}")).collect();
         let _ = writeln!(file, "text: >\n  Given are {}. Find what is asked.", told.join(", "));
         file.push_str("allow: [one-sheet, one-answer, equals-given]\nask:\n");
-        if let Some((name, unit)) = self.questions.get(question) {
+        for (name, unit) in questions {
             let _ = writeln!(file, "  - {{ find: \"{name}\", unit: {unit} }}");
         }
         file

@@ -77,7 +77,7 @@ fn no_key_is_ignored() {
             }
             match end(&other.file(question), &renderer) {
                 End::Fault(why) => Some(format!("`{key}`: {why}\n{}", other.file(question))),
-                End::Witnessed | End::Unwitnessed(_) | End::Refused(_) => None,
+                End::Witnessed | End::Unwitnessed(_) | End::Refused(..) => None,
             }
         };
         changes(&table, &scene).into_iter().filter_map(wrong).collect::<Vec<_>>()

@@ -24,6 +24,8 @@ pub struct Kind {
     pub shapes: Vec<Shape>,
     /// The names that it may make known.
     pub finds: Vec<String>,
+    /// Whether what can be asked of every scene is asked of it: not where all bodies begin and end at rest.
+    pub asks_generally: bool,
 }
 
 /// Keys that belong together.
@@ -37,7 +39,7 @@ pub struct Shape {
     pub further: Vec<String>,
     /// What is given at its ends: names, each with its kind of value.
     pub given: Vec<(String, String)>,
-    /// Further words: `bare`, where no velocities are given; `positions`; `tied`; `guided`; `falls` and `flies`.
+    /// Further words: `bare`, where no velocities are given; `positions`; `tied`, where only the first body's velocity is; `guided`.
     pub words: Vec<String>,
 }
 
@@ -68,6 +70,7 @@ impl Table {
                     keys: BTreeMap::new(),
                     shapes: Vec::new(),
                     finds: Vec::new(),
+                    asks_generally: true,
                 }),
                 _ => table.stages.last_mut().unwrap().add(word, rest),
             }
@@ -93,9 +96,16 @@ impl Table {
 
     /// The unit in which a quantity is asked for.
     pub fn unit(&self, name: &str) -> &str {
+        self.unit_of(name).unwrap_or_else(|| panic!("no row `unit` for {name}"))
+    }
+
+    /// The unit of a quantity, where the table has a row for it.
+    pub fn unit_of(&self, name: &str) -> Option<&str> {
+        if let Some(kind) = self.kind_of(name) {
+            return Some(self.values(kind).0);
+        }
         let fits = |row: &str| row.strip_suffix('!').map_or_else(|| name.starts_with(row), |whole| name == whole);
-        let row = self.units.iter().find(|(row, _)| fits(row));
-        row.map_or_else(|| panic!("no row `unit` for {name}"), |(_, unit)| unit.as_str())
+        self.units.iter().find(|(row, _)| fits(row)).map(|(_, unit)| unit.as_str())
     }
 }
 
@@ -119,6 +129,7 @@ impl Kind {
                 self.shapes.push(Shape { axes, needed, further, given, words });
             }
             "find:" => self.finds = words(rest),
+            "asks:" => self.asks_generally = false,
             _ => panic!("a row begins with {word}"),
         }
     }

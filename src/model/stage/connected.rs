@@ -132,12 +132,15 @@ impl Builder<'_> {
         }
     }
 
+    fn weight_of(&mut self, mass: &Expr) -> Expr {
+        mass.clone() * self.gravity()
+    }
+
     /// A body on its side of the pulley: `forwards` is down (1) or up (-1) for one that hangs.
     fn strand(&mut self, index: usize, strand: &Strand, forwards: i64, stops: bool, path: &Path) -> Side {
         let body = strand.body.as_str();
         let name = self.called(body);
         let mass = self.mass(body);
-        let weight = mass.clone() * self.gravity();
         let hung = (1..=MOST_STRANDS).contains(&strand.strands()) && (strand.strands() == 1 || strand.hangs());
         if !hung {
             let message = format!("{name} cannot hang on {} strands", strand.strands());
@@ -152,12 +155,18 @@ impl Builder<'_> {
                 (angle.clone().sin().simplify(), angle.cos().simplify())
             }
         };
-        let mut parts = vec![Expr::product([Expr::integer(forwards), weight.clone(), along])];
+        // On a level way weight has no part along the string.
+        let pull = if along.is_zero() {
+            along
+        } else {
+            Expr::product([Expr::integer(forwards), self.weight_of(&mass), along])
+        };
+        let mut parts = vec![pull];
         self.acts(Influence::outside(index, body, "weight").force(parts.clone()));
         if let Some(term) = &strand.friction {
             let meaning = format!("the coefficient of kinetic friction of {name}");
             let friction = self.read_positive(term, Dimension::NONE, &meaning, &path.key("friction"));
-            let friction = -Expr::product([friction, weight, press]);
+            let friction = -Expr::product([friction, self.weight_of(&mass), press]);
             self.acts(Influence::outside(index, body, "friction").force(vec![friction.clone()]));
             parts.push(friction);
         }

@@ -162,6 +162,11 @@ impl Builder<'_> {
             let length =
                 if stage.releases() { -deformation.travel.clone() } else { deformation.travel.clone() }.simplify();
             let (law, because, sides) = self.energies_on_the_way(&name, &on_the_way, &energies, &length);
+            if !stops {
+                let moving = on_the_way.mass.clone() * way.energies[1].clone();
+                let left = (sides.0.clone() - sides.1.clone() + moving).simplify();
+                self.goes_the_whole_way(&name, left, []);
+            }
             self.law(law, Some(index), because, sides);
         }
         self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));

@@ -63,6 +63,11 @@ impl Builder<'_> {
         let raised = self.gravity() * height.clone();
         let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
         // From one angle to another the height counts downwards.
+        if !stage.stops() {
+            // Only then does it come to the end of its way, asked how fast or not.
+            let worked = if ends[0].is_lowest { -raised.clone() } else { raised.clone() };
+            self.goes_the_whole_way(&name, start.clone(), [worked]);
+        }
         let sides = if ends[0].is_lowest { (start, end + raised) } else { (start + raised, end) };
         let holds = stage.held_by();
         let force = if stage.radius.is_some() { "the push of the track" } else { "the pull of the cord" };

@@ -99,11 +99,16 @@ impl Builder<'_> {
         Burn { index, body, masses, exhaust, flow, thrust, time, direction }
     }
 
-    /// A burn begins with the mass that the body has. Between two burns something may be dropped.
+    /// A burn begins with the mass that the body has. Between two burns something may be dropped, and nothing is gained.
     fn check_mass_at_start(&mut self, index: usize, body: &str, start: &Expr, path: &Path) {
         let earlier = self.scene.stages.iter().take(index);
         let is_own = |stage: &Stage| matches!(stage, Stage::Thrust(own) if own.body == body);
-        if earlier.into_iter().any(is_own) || (self.mass(body) - start.clone()).simplify().is_zero() {
+        if earlier.into_iter().any(is_own) {
+            let left = self.mass_at(body, index + 1);
+            self.require(left, Relation::AtLeast, start.clone(), Reason::GainsMass(self.called(body)));
+            return;
+        }
+        if (self.mass(body) - start.clone()).simplify().is_zero() {
             return;
         }
         let message = format!("the mass of {} at the start of the burn is told in two ways", self.called(body));

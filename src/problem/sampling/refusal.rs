@@ -7,6 +7,7 @@ use momentous_solve::Bounded;
 use momentous_solve::Cause;
 use momentous_solve::Step;
 
+use super::super::compiling::regimes::Dead;
 use super::super::questions::choices::choice::ChoicePart;
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::PartKind;
@@ -40,8 +41,14 @@ impl Sampler<'_> {
         let dead = scratch.dead(regimes);
         let leaf = regimes.leaf(scratch.leaf());
         let model = self.problem.model();
-        // What was followed furthest was nearest to a solution.
-        let furthest = dead.iter().rev().max_by_key(|dead| dead.step.unwrap_or(usize::MAX));
+        // What was followed furthest was nearest to a solution; of two, the one that the author asks for.
+        let is_other = |dead: &Dead| {
+            let Cause::Condition(position) = dead.cause else { return false };
+            let condition = leaf.system.conditions.get(position);
+            let reason = condition.and_then(|condition| model.reasons.get(condition.tag));
+            matches!(reason, Some(Reason::OtherSolutionAsked))
+        };
+        let furthest = dead.iter().rev().max_by_key(|dead| (dead.step.unwrap_or(usize::MAX), !is_other(dead)));
         let lost = furthest.and_then(|dead| {
             let step = leaf.audit.plan.steps.get(dead.step?).filter(|_| matches!(dead.cause, Cause::NotReal))?;
             step.unknowns.iter().copied().find(|unknown| self.directions.contains(unknown))

@@ -11,6 +11,12 @@ use super::stage_run::StageRun;
 /// The evenly spaced instants of a motion.
 const INSTANTS: u32 = 120;
 
+/// The share of what forces give in a time by which two ways to add it up may be apart; the finer one is off by far less.
+const OFF: f64 = 1e-7;
+
+/// How often the time between two instants is halved, at most, until that is so.
+const HALVINGS: u32 = 6;
+
 /// A motion to be watched: how its state goes on from a start to an end, and what is seen of it.
 pub(super) struct Motion<'a, const N: usize> {
     pub names: &'a [&'a str],
@@ -71,9 +77,9 @@ impl<const N: usize> Motion<'_, N> {
     fn watch(&self, integrator: Integrator, record: &mut Record) -> Result<(), NothingToSimulate> {
         let (start, mut state) = self.start;
         let first = (self.look)(start, &state);
-        let (mut outside, mut work) = match record.moments.last() {
-            Some(last) => (last.outside.clone(), last.work),
-            None => (vec![0.0; self.components.len()], 0.0),
+        let mut given = match record.moments.last() {
+            Some(last) => Given { outside: last.outside.clone(), work: last.work, ..Given::default() },
+            None => Given { outside: vec![0.0; self.components.len()], ..Given::default() },
         };
         if record.bodies.is_empty() {
             let named = self.names.iter().zip(&first.bodies);
@@ -81,27 +87,96 @@ impl<const N: usize> Motion<'_, N> {
                 named.map(|(name, body)| Recorded { name: (*name).to_owned(), mass: body.mass, radius: 0.0 }).collect();
         }
         let mut time = start;
-        record.moments.push(moment(time, first, &outside, work));
+        record.moments.push(moment(time, first, &given));
         for step in 1..=INSTANTS {
-            let next = start + (self.end - start) * f64::from(step) / f64::from(INSTANTS);
-            let (middle, half) = (f64::midpoint(time, next), (next - time) / 2.0);
-            for (place, weight) in GAUSS {
-                let node = middle + place * half;
-                (state, time) = (integrator.until(time, state, node, self.slope)?, node);
-                let look = (self.look)(time, &state);
-                for (sum, force) in outside.iter_mut().zip(&look.outside) {
-                    *sum += force * weight * half;
-                }
-                work += look.power * weight * half;
-            }
-            (state, time) = (integrator.until(time, state, next, self.slope)?, next);
-            record.moments.push(moment(time, (self.look)(time, &state), &outside, work));
+            // What goes on from here begins at the very end.
+            let share = f64::from(step) / f64::from(INSTANTS);
+            let next = if step == INSTANTS { self.end } else { start + (self.end - start) * share };
+            let (_, roughly) = self.at_nodes(integrator, (time, state), next)?;
+            let own = self.gives(integrator, (time, state), next, &roughly, HALVINGS)?;
+            (state, time) = (own.0, next);
+            given.add(&own.1);
+            record.moments.push(moment(time, (self.look)(time, &state), &given));
         }
         Ok(())
     }
+
+    /// The state at an instant, and what forces give until then, by halves until those agree with the whole.
+    fn gives(
+        &self,
+        integrator: Integrator,
+        from: (f64, [f64; N]),
+        to: f64,
+        whole: &Given,
+        halvings: u32,
+    ) -> Result<([f64; N], Given), NothingToSimulate> {
+        let middle = f64::midpoint(from.0, to);
+        let (half_way, first) = self.at_nodes(integrator, from, middle)?;
+        let (end, second) = self.at_nodes(integrator, (middle, half_way), to)?;
+        let mut both = first.clone();
+        both.add(&second);
+        if halvings == 0 || both.agrees(whole) {
+            return Ok((end, both));
+        }
+        let (half_way, mut both) = self.gives(integrator, from, middle, &first, halvings - 1)?;
+        let (end, second) = self.gives(integrator, (middle, half_way), to, &second, halvings - 1)?;
+        both.add(&second);
+        Ok((end, both))
+    }
+
+    /// The same by Gauss' rule for the whole time.
+    fn at_nodes(
+        &self,
+        integrator: Integrator,
+        (mut time, mut state): (f64, [f64; N]),
+        to: f64,
+    ) -> Result<([f64; N], Given), NothingToSimulate> {
+        let (middle, half) = (f64::midpoint(time, to), (to - time) / 2.0);
+        let mut given = Given { outside: vec![0.0; self.components.len()], ..Given::default() };
+        for (place, weight) in GAUSS {
+            let node = middle + place * half;
+            (state, time) = (integrator.until(time, state, node, self.slope)?, node);
+            let look = (self.look)(time, &state);
+            for (sum, force) in given.outside.iter_mut().zip(&look.outside) {
+                *sum += force * weight * half;
+                given.pushes += force.abs() * weight * half;
+            }
+            given.work += look.power * weight * half;
+            given.works += look.power.abs() * weight * half;
+        }
+        Ok((integrator.until(time, state, to, self.slope)?, given))
+    }
 }
 
-fn moment(time: f64, look: Look, outside: &[f64], work: f64) -> Moment {
+/// What forces give in a time.
+#[derive(Clone, Debug, Default)]
+struct Given {
+    /// The impulse from outside.
+    outside: Vec<f64>,
+    work: f64,
+    /// What they would give if they acted one way all the time.
+    pushes: f64,
+    works: f64,
+}
+
+impl Given {
+    fn add(&mut self, other: &Self) {
+        for (sum, own) in self.outside.iter_mut().zip(&other.outside) {
+            *sum += own;
+        }
+        self.work += other.work;
+        self.pushes += other.pushes;
+        self.works += other.works;
+    }
+
+    fn agrees(&self, other: &Self) -> bool {
+        let off = self.outside.iter().zip(&other.outside).map(|(one, other)| (one - other).abs());
+        off.sum::<f64>() <= OFF * self.pushes && (self.work - other.work).abs() <= OFF * self.works
+    }
+}
+
+fn moment(time: f64, look: Look, given: &Given) -> Moment {
+    let outside = &given.outside;
     let total: f64 = look.bodies.iter().map(|body| body.mass).sum();
     let added = |value: &dyn Fn(&Seen, usize) -> f64| -> Vec<f64> {
         (0..outside.len()).map(|part| look.bodies.iter().map(|body| body.mass * value(body, part)).sum()).collect()
@@ -111,11 +186,11 @@ fn moment(time: f64, look: Look, outside: &[f64], work: f64) -> Moment {
         time,
         centre: added(&|body, part| body.place[part] / total),
         momentum: added(&|body, part| body.velocity[part]),
-        outside: outside.to_vec(),
+        outside: outside.clone(),
         kinetic: look.bodies.iter().map(|body| body.mass * squares(body) / 2.0).sum(),
         potential: look.potential,
         lost: look.lost,
-        work,
+        work: given.work,
         masses: look.bodies.iter().map(|body| body.mass).collect(),
         positions: look.bodies.iter().map(|body| body.place.clone()).collect(),
         velocities: look.bodies.into_iter().map(|body| body.velocity).collect(),

@@ -33,6 +33,10 @@ impl Values<'_> {
                 }
                 if stage.plastic { self.union(stage, [first, second]) } else { self.contact(stage, [first, second]) }
             }
+            // What a guide takes up, and what weight gives meanwhile, is in no world.
+            Some(Partners::Surface(body, _)) if self.guide(body).is_some() || !stage.include.is_empty() => {
+                Err(NothingToSimulate::NoMethod)
+            }
             Some(Partners::Surface(body, surface)) => self.at_surface(stage, body, surface),
             None => Err(NothingToSimulate::NoStage),
         }

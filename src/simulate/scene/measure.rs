@@ -46,8 +46,8 @@ pub fn measure(
             let (own, scale) = sum(&values, &[body], &moving)?;
             Some((one(own)?, scale))
         }
-        ("T", "") => energy(&values, alive, &moving),
-        ("T", body) if body != "G" => energy(&values, &[body], &moving),
+        ("T", "") => energy_by_speed(&values, alive),
+        ("T", body) if body != "G" => energy_by_speed(&values, &[body]),
         ("V", body) => {
             let (own, mass) = (place(&values, body).ok()?, values.mass(body).ok()?);
             let lifted = values.axes().into_iter().map(|axis| Some(-values.gravity(axis).ok()? * part(own, axis)));
@@ -153,6 +153,16 @@ pub(super) fn mean(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Op
     let (all, scale) = sum(values, bodies, of)?;
     let whole: f64 = bodies.iter().map(|body| values.mass(body).ok()).sum::<Option<f64>>()?;
     Some((times(1.0 / whole, all), scale / whole))
+}
+
+/// The kinetic energy of bodies, by their velocities or by their speeds.
+fn energy_by_speed(values: &Values<'_>, bodies: &[&str]) -> Option<(f64, f64)> {
+    let each = bodies.iter().map(|body| {
+        let speed = || values.named(&format!("speed_{body}{}", values.index + 1)).ok();
+        let speed = velocity(values, body).ok().map(size).or_else(speed)?;
+        Some(values.mass(body).ok()? * speed * speed / 2.0)
+    });
+    Some((each.sum::<Option<f64>>()?, 0.0))
 }
 
 /// The kinetic energy of bodies that move so.

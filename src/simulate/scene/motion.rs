@@ -20,6 +20,10 @@ impl Values<'_> {
         if stage.incline.is_some() || stage.resistance.is_some() || stage.mass_change().is_some() {
             return Err(NothingToSimulate::NoMethod);
         }
+        // What a guide takes up is no force of known law.
+        if stage.pushed().any(|body| self.guide(body).is_some()) {
+            return Err(NothingToSimulate::NoMethod);
+        }
         let [start, end] = match &stage.during {
             Some(During::For(term)) => [0.0, self.term(term)?],
             Some(During::Between([from, to])) => [self.term(from)?, self.term(to)?],

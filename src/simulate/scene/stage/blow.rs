@@ -50,10 +50,14 @@ impl StageRun<'_> {
             };
             force = add(force, times(strength, unit(axis)));
         }
-        let hit = struck(before, force);
+        let mut hit = struck(before, force);
+        // Weight acts for as long as the force does.
+        for particle in &mut hit.particles {
+            particle.falls = times(1.0 / end, weight);
+        }
         let reached = self.go(&hit, integrator, &until)?.state;
         self.remark("How the force varies is not given: it is drawn as half a sine wave of one second.");
-        self.note_velocity(body, add(velocity(&reached, 0), weight), size(before));
+        self.note_velocity(body, velocity(&reached, 0), size(before));
         self.note_impulse(body, times(reached[IMPULSE], force), stage.duration.as_ref());
         Ok(())
     }

@@ -56,6 +56,11 @@ impl StageRun<'_> {
         // In space, from the middle of the cone or bowl.
         let system = System::<6> { constraint: wall, ..System::new(Frame::upright_space(), vec![slides]) };
         let integrator = self.integrator(0.02 * libm::sqrt(start / gravity));
+        // On one level it only goes round.
+        let is_level = |height: f64| height.abs() <= f64::EPSILON * start;
+        if !stage.is_horizontal(1) && height.or(goal.map(|goal| goal - start)).is_ok_and(is_level) {
+            return Err(NothingToSimulate::NothingChanges);
+        }
         let ends: Box<dyn Fn(&State) -> f64> = match (stage.is_horizontal(1), height, goal) {
             (true, ..) => Box::new(move |state| sense * state[5]),
             (false, Ok(height), _) => Box::new(move |state| height - sense * (state[2] - level)),

@@ -277,7 +277,7 @@ impl StageRun<'_> {
         }
         let end = self.go_along(&system, (0, ahead), finish)?;
         if at_rest.is_none() {
-            self.note_ends(body, &system, [(begun, &system.state()), (end.time, &end.state)]);
+            self.note_ends(body, &system, [(begun, &system.state()), (end.time.next_down(), &end.state)]);
             self.note_place(body, place(&end.state, 0));
         }
         self.note_velocity(body, velocity(&end.state, 0), size(moves));

@@ -50,32 +50,36 @@ impl StageRun<'_> {
         let known = self.values.known(stage.over.as_ref());
         let known = known
             .or_else(|| Some((self.values.named(&self.values.place_name(body, index + 2, axis)).ok()? - from).abs()));
-        let (way, energy) = match (stage.until, known) {
+        let (way, energy, most) = match (stage.until, known) {
             (Some(Until::Rest), _) => {
                 let quick = force(from).abs().max(force(from + ahead).abs()).max(f64::MIN_POSITIVE);
                 let integrator = self.integrator((begins / quick).clamp(1e-6, 100.0) / 4.0);
                 let (way, _) = integrator.event(0.0, [begins], &gains, &|_, state| state[0])?;
-                (way, 0.0)
+                (way, 0.0, begins)
             }
             (None, Some(way)) => {
                 // A body that comes to rest on the way gets no further; from rest, one that is driven back goes nowhere.
                 let end = self.integrator(way / 64.0).run(0.0, [begins], way, &gains, &|_, state| state[0])?;
+                let most = end.largest[0];
                 match (begins == 0.0 && ahead * force(from) < 0.0, end.stopped) {
-                    (true, _) => (0.0, 0.0),
-                    (false, true) => (end.time, 0.0),
-                    (false, false) => (way, end.state[0]),
+                    (true, _) => (0.0, 0.0, most),
+                    (false, true) => (end.time, 0.0, most),
+                    (false, false) => (way, end.state[0], most),
                 }
             }
             (None, None) => return Err(NothingToSimulate::ValueMissing),
         };
         let after = ahead * libm::sqrt(2.0 * energy.max(0.0) / mass);
-        self.note(&self.values.velocity_after(body, axis), after, before);
+        // Near a place where it turns back, a small error of the energy is a large one of the velocity.
+        let slow = libm::sqrt(2.0 * self.tolerance * most / mass);
+        let scale = before.abs().max(if most > 0.0 { most / (mass * after.abs().max(slow)) } else { 0.0 });
+        self.note(&self.values.velocity_after(body, axis), after, scale);
         self.note(&self.values.place_name(body, index + 2, axis), from + ahead * way, from.abs().max(way));
         self.note_term(stage.over.as_ref(), way, 0.0);
         if grip != 0.0 {
             self.note_here(&format!("N_{body}"), mass * gravity * slope.across - all(&lifts, from), 0.0);
         }
-        self.note_impulse(body, times(mass * (after - before), unit(axis)), None);
+        self.note_vector_of(&format!("J_{body}"), times(mass * (after - before), unit(axis)), mass * scale);
         let ends = [from, from + ahead * way].map(force);
         let largest = [0.0, 0.3, 0.5, 1.0].map(|share| force(from + share * ahead * way).abs());
         let largest = largest.into_iter().fold(0.0, f64::max);

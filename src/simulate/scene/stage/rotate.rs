@@ -114,14 +114,15 @@ impl StageRun<'_> {
         };
         let integrator = self.integrator(span / 32.0);
         let names: Vec<&str> = held.iter().map(|own| own.body).collect();
-        let (mut time, mut state) = (start, [0.0, before, 0.0]);
+        let (mut time, mut state, mut fastest) = (start, [0.0, before, 0.0], before.abs());
         for next in changes.into_iter().filter(|change| *change > start && *change < end).chain([end]) {
             let within = |at: f64, state: &[f64; 3]| slope(if at >= next { next.next_down() } else { at }, state);
             let look = |at: f64, state: &[f64; 3]| seen(&held, state, within(at, state), [at - start, span]);
             let (components, begun) = (Frame::plane(false).components, (time, state));
             self.film(&Motion { names: &names, components, start: begun, end: next, slope: &within, look: &look })?;
             self.about(vec![0.0; 2], false);
-            (state, time) = (integrator.until(time, state, next, &within)?, next);
+            let reached = integrator.run(time, state, next, &within, &|_, _| 1.0)?;
+            (state, time, fastest) = (reached.state, next, fastest.max(reached.largest[1]));
         }
         if held.len() > 1 {
             self.remark(
@@ -137,27 +138,27 @@ impl StageRun<'_> {
         self.note_here("work", work, energy);
         if stage.is_driven() {
             let (from, to) = (resists(0) * before, resists(1) * after);
-            self.note_angular_impulse("", to - from, from.abs().max(to.abs()));
+            self.note_angular_impulse("", to - from, resists(1) * fastest);
         }
         let all = self.values.scene.bodies.len() == stage.turning().len();
         for (instant, side, rate) in [(first, 0, before), (first + 1, 1, after)] {
             if weighed && all {
-                self.note(&format!("H_{}{instant}", stage.about), resists(side) * rate, 0.0);
-                self.note(&format!("T_{instant}"), resists(side) * rate * rate / 2.0, 0.0);
+                self.note(&format!("H_{}{instant}", stage.about), resists(side) * rate, resists(side) * fastest);
+                self.note(&format!("T_{instant}"), resists(side) * rate * rate / 2.0, resists(side) * rate * fastest);
             }
-            self.note(&format!("omega_{turning_of}{instant}"), rate, before);
-            self.note(&format!("period_{turning_of}{instant}"), TAU / rate.abs(), 0.0);
+            self.note(&format!("omega_{turning_of}{instant}"), rate, fastest);
+            self.note(&format!("period_{turning_of}{instant}"), TAU / rate.abs(), TAU * fastest / (rate * rate));
             for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
-                let towards = own.ends[side] * rate * rate;
-                self.note(&format!("a_{}{instant}.n", own.body), towards, 0.0);
+                let [towards, scale] = [rate, fastest].map(|other| own.ends[side] * rate * other);
+                self.note(&format!("a_{}{instant}.n", own.body), towards, scale);
                 if weighed {
-                    self.note(&format!("tension_{}{instant}", own.body), own.mass * towards, 0.0);
+                    self.note(&format!("tension_{}{instant}", own.body), own.mass * towards, own.mass * scale);
                 }
             }
         }
         for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
             self.note(&self.values.start_name(own.body, axis), own.ends[0] * before, 0.0);
-            self.note_velocity(own.body, times(own.ends[1] * after, unit(axis)), own.ends[0] * before);
+            self.note_velocity(own.body, times(own.ends[1] * after, unit(axis)), own.ends[1] * fastest);
         }
         Ok(())
     }

@@ -87,7 +87,11 @@ impl StageRun<'_> {
         self.about(vec![0.0, length], true);
         let [before, after] = [system.state(), end.state];
         let reached = size(velocity(&after, 0));
-        let rise = (after[1] - before[1]).abs();
+        // Between two angles the height is that by which it comes down; else that between the lowest place and the other.
+        let rise = match (from, to) {
+            (Place::Angle(_), Place::Angle(_)) => before[1] - after[1],
+            (Place::Lowest, _) | (_, Place::Lowest) => (after[1] - before[1]).abs(),
+        };
         match to {
             Place::Lowest => self.note_velocity(body, times(sense * reached, unit(axis)), 0.0),
             Place::Angle(term) => {

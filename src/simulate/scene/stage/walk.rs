@@ -39,6 +39,7 @@ impl StageRun<'_> {
         let [ahead, back] = [0, 1].map(|own| dot(along, place(&end, own)));
         for (name, way) in names.into_iter().zip([ahead, back]) {
             self.note_here(&format!("s_{name}"), way, 0.0);
+            self.note_place(name, times(way, along));
         }
         self.note_term(Some(&stage.distance), ahead - back, 0.0);
         Ok(())
