@@ -69,30 +69,33 @@ const TOO_WIDE: [f64; 3] = [1.0, 1.15, 1.35];
 /// The size of type for rows that could not be broken, of three that grow smaller; none for those that fit.
 pub(super) fn smaller<'s>(rows: &[Row<'_>], sizes: [&'s str; 3]) -> Option<&'s str> {
     let [left, right] = [0, 1].map(|side| rows.iter().map(|row| row.widths[side]).fold(0.0, f64::max));
-    let excess = (left + right) / WIDEST;
+    let excess = (left + right) / PAPER;
     TOO_WIDE.iter().zip(sizes).rev().find(|(least, _)| excess > **least).map(|(_, size)| size)
 }
 
-/// The widest row, in widths of a digit: what fits the text of a page at 11 pt and of a screen column.
-const WIDEST: f64 = 62.0;
+/// The widest row on paper, in widths of a digit: what fits the text of a page at 11 pt.
+pub(super) const PAPER: f64 = 62.0;
+
+/// The widest row on a screen that may be that of a telephone, 390 pixels wide.
+pub(super) const SCREEN: f64 = 40.0;
 
 /// How many items most lines have, or fewer.
 const USUAL_LENGTH: usize = 16;
 
-/// The rows of an equation of those lines, each aligned at its first relation and broken where it is too long.
-pub(super) fn rows(lines: &[Math]) -> Vec<Row<'_>> {
-    lines.iter().flat_map(line_rows).collect()
+/// The rows of an equation of those lines, each aligned at its first relation and broken where it is wider than that.
+pub(super) fn rows(lines: &[Math], widest: f64) -> Vec<Row<'_>> {
+    lines.iter().flat_map(|line| line_rows(line, widest)).collect()
 }
 
-fn line_rows(line: &Math) -> Vec<Row<'_>> {
-    if let Some(row) = unbroken(line) {
+fn line_rows(line: &Math, widest: f64) -> Vec<Row<'_>> {
+    if let Some(row) = unbroken(line, widest) {
         return vec![row];
     }
     let mut items = flattened(line);
     let relation = items.iter().position(is_relation);
-    let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
+    let aligned = relation.filter(|at| width(&items[..*at]) <= widest / 2.0).unwrap_or(0);
     let rest = items.split_off(aligned);
-    let room = WIDEST - width(&items);
+    let room = widest - width(&items);
     let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
     let mut left = Some(items);
     let row = |right: Vec<_>| match left.take() {
@@ -105,7 +108,7 @@ fn line_rows(line: &Math) -> Vec<Row<'_>> {
 
 /// The only row of a line that fits, rows within it left as they are; none where it must be broken, or where a row within
 /// would look otherwise if its parts stood in the line themselves.
-fn unbroken(line: &Math) -> Option<Row<'_>> {
+fn unbroken(line: &Math, widest: f64) -> Option<Row<'_>> {
     let parts = match line {
         Math::Row(parts) => parts.as_slice(),
         other => std::slice::from_ref(other),
@@ -114,10 +117,10 @@ fn unbroken(line: &Math) -> Option<Row<'_>> {
         return None;
     }
     let relation = parts.iter().position(relates);
-    let aligned = relation.filter(|at| spread_width(&parts[..*at]) <= WIDEST / 2.0).unwrap_or(0);
+    let aligned = relation.filter(|at| spread_width(&parts[..*at]) <= widest / 2.0).unwrap_or(0);
     let (left, right) = parts.split_at(aligned);
     let widths = [left, right].map(spread_width);
-    let fits = widths[1] <= WIDEST - widths[0];
+    let fits = widths[1] <= widest - widths[0];
     fits.then_some(Row { items: Cow::Borrowed(parts), aligned, widths })
 }
 
@@ -247,7 +250,7 @@ mod tests {
     fn a_short_chain_stays_on_one_row() {
         let line = Math::relation(identifier("p"), Operator::Equals, identifier("q"));
         let lines = [line];
-        let rows = rows(&lines);
+        let rows = rows(&lines, PAPER);
         assert_eq!(rows.len(), 1);
         assert_eq!(rows[0].left(), [identifier("p")]);
     }
@@ -262,7 +265,7 @@ mod tests {
             Math::Operator(Operator::Equals),
             long.clone(),
         ]);
-        let rows = rows(std::slice::from_ref(&line));
+        let rows = rows(std::slice::from_ref(&line), PAPER);
         assert_eq!(rows.len(), 2);
         assert_eq!(rows[1].left(), []);
         assert_eq!(rows[1].right(), [Math::Operator(Operator::Equals), long]);
@@ -277,7 +280,7 @@ mod tests {
         let fraction = Math::Fraction(Arc::new(sum), Arc::new(identifier("m")));
         let line = Math::relation(identifier("v"), Operator::Equals, fraction);
         let lines = [line];
-        let rows = rows(&lines);
+        let rows = rows(&lines, PAPER);
         assert_eq!(rows.len(), 2);
         assert_eq!(rows[0].right().last(), Some(&term));
         assert_eq!(rows[1].right().last(), Some(&Math::Text("]".into())));
@@ -299,7 +302,7 @@ mod tests {
             term.clone(),
         ]);
         let lines = [line];
-        let rows = rows(&lines);
+        let rows = rows(&lines, PAPER);
         assert_eq!(rows.len(), 3);
         assert_eq!(rows[0].right(), [Math::Operator(Operator::Equals), minus, term]);
     }

@@ -13,12 +13,17 @@ use super::authored::Authored;
 use super::authored::Piece;
 use super::equation;
 use super::equation::Row;
+use super::equation::SCREEN;
 use super::writer::Writer;
 
 /// The writer of HTML.
 pub(super) struct Html;
 
 impl Writer for Html {
+    fn widest(&self) -> f64 {
+        SCREEN
+    }
+
     fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
         Cow::Owned(escape(text))
     }

@@ -140,7 +140,7 @@ impl Markup {
         match block {
             Block::Paragraph(run) => out.push_str(&self.paragraph(&self.inline(run))),
             Block::Equation { lines, number } => {
-                out.push_str(&Writer::equation(&self, &equation::rows(lines), *number));
+                out.push_str(&Writer::equation(&self, &equation::rows(lines, Writer::widest(&self)), *number));
                 out.push_str(if self == Self::Markdown { "\n\n" } else { "\n" });
             }
             Block::List(items) => {

@@ -181,7 +181,7 @@ impl<'a> View<'a> {
             Block::Paragraph(run) => map([("kind", "paragraph".into()), ("text", self.inline(run))]),
             Block::Equation { lines, number } => map([
                 ("kind", "equation".into()),
-                ("text", ready(&self.writer.equation(&equation::rows(lines), *number))),
+                ("text", ready(&self.writer.equation(&equation::rows(lines, self.writer.widest()), *number))),
             ]),
             Block::List(items) => map([("kind", "list".into()), ("items", cells(items))]),
             Block::Table { head, rows } => map([

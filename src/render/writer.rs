@@ -8,6 +8,7 @@ use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::inline_mathml;
+use super::equation::PAPER;
 use super::equation::Row;
 
 /// The room that a run takes, in bytes, or less.
@@ -27,6 +28,10 @@ pub(super) trait Writer {
     fn math(&self, math: &Math) -> String;
     /// A displayed equation.
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String;
+    /// The widest row of an equation, in widths of a digit.
+    fn widest(&self) -> f64 {
+        PAPER
+    }
     /// A figure without its caption.
     fn figure(&self, drawing: &Drawing) -> String;
     /// The author's text, its own headings at least of that level.

@@ -42,7 +42,7 @@ use super::steps::Steps;
 use super::steps::taken;
 
 /// The widest row that holds several results, in widths of a digit.
-const WIDEST_ROW: f64 = 50.0;
+const WIDEST_ROW: f64 = 38.0;
 
 /// How the quadrant of an angle is found.
 const QUADRANT: &str = "The signs of both components give the quadrant.";
