@@ -132,6 +132,9 @@ impl Regimes {
     }
 }
 
+/// The most ways out that a message names: each costs a plan.
+const MOST_WAYS: usize = 4;
+
 /// Where no tactic closes some equations: quantities that let the rest be found, each with a given whose place it has to take.
 fn ways_out(
     planner: &mut Planner,
@@ -156,7 +159,7 @@ fn ways_out(
         })?;
         Some((*symbol, given))
     };
-    unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(replaced).collect()
+    unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(replaced).take(MOST_WAYS).collect()
 }
 
 /// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given. Where what is asked
@@ -198,7 +201,7 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Sy
                 [] => "describe the scene by other quantities, or ask for another".to_owned(),
                 ways => {
                     let way = |(own, given): &(Symbol, Symbol)| format!("{} in place of {}", name(own), name(given));
-                    format!("give {}", ways.iter().take(4).map(way).collect::<Vec<_>>().join(", or "))
+                    format!("give {}", ways.iter().map(way).collect::<Vec<_>>().join(", or "))
                 }
             };
             Fault::new(Code::Stuck, message).help(help)
