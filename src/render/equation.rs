@@ -95,8 +95,9 @@ fn line_rows(line: &Math, widest: f64) -> Vec<Row<'_>> {
     let relation = items.iter().position(is_relation);
     let aligned = relation.filter(|at| width(&items[..*at]) <= widest / 2.0).unwrap_or(0);
     let rest = items.split_off(aligned);
-    let room = widest - width(&items);
-    let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
+    let [room, on_paper] = [widest, PAPER].map(|widest| widest - width(&items));
+    // A fraction that paper holds reads better whole, though a telephone has to scroll.
+    let rest = rest.into_iter().flat_map(|item| unfolded(item, on_paper)).collect();
     let mut left = Some(items);
     let row = |right: Vec<_>| match left.take() {
         Some(items) => Row::new(items, right),
