@@ -1,5 +1,6 @@
 //! The variant as one JSON object: what tools and courses keep.
 
+use serde_json::Map;
 use serde_json::Value;
 use serde_json::json;
 
@@ -8,9 +9,22 @@ use momentous_grade::Report;
 use momentous_problem::End;
 use momentous_problem::Part;
 use momentous_problem::PartKind;
+use momentous_render::Identity;
 use momentous_solve::Bounded;
 
 use super::Exercise;
+
+/// What makes the same variant again, as the first fields of a record.
+fn named(identity: &Identity) -> Map<String, Value> {
+    let fields = [
+        ("problem", json!(identity.problem)),
+        ("digest", json!(identity.digest)),
+        ("scheme", json!(identity.scheme)),
+        ("seed", json!(identity.seed)),
+        ("form", json!(identity.form)),
+    ];
+    fields.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
 
 impl Exercise {
     /// The variant as one JSON object with stable keys.
@@ -18,7 +32,7 @@ impl Exercise {
     pub fn record(&self, solution: Option<String>) -> Value {
         let worked = self.worked();
         let identity = self.identity();
-        let given: serde_json::Map<String, Value> = self
+        let given: Map<String, Value> = self
             .variant
             .all_given()
             .iter()
@@ -31,24 +45,18 @@ impl Exercise {
             })
             .collect();
         let ask: Vec<Value> = worked.form.parts.iter().map(|part| self.asked(part)).collect();
-        let mut record = json!({
-            "problem": identity.problem,
-            "digest": identity.digest,
-            "scheme": identity.scheme,
-            "seed": identity.seed,
-            "form": identity.form,
-            "text": self.variant.text(&self.problem),
-            "given": given,
-            "ask": ask,
-        });
-        if let (Some(mark), Some(object)) = (identity.secret, record.as_object_mut()) {
-            object.insert("secret".into(), Value::String(mark));
+        let mut record = named(&identity);
+        record.insert("text".into(), Value::String(self.variant.text(&self.problem)));
+        record.insert("given".into(), Value::Object(given));
+        record.insert("ask".into(), Value::Array(ask));
+        if let Some(mark) = identity.secret {
+            record.insert("secret".into(), Value::String(mark));
         }
-        if let (Some(solution), Some(object)) = (solution, record.as_object_mut()) {
-            object.insert("solution".into(), Value::String(solution));
-            object.insert("lines".into(), json!(explain::lines(worked)));
+        if let Some(solution) = solution {
+            record.insert("solution".into(), Value::String(solution));
+            record.insert("lines".into(), json!(explain::lines(worked)));
         }
-        record
+        Value::Object(record)
     }
 
     /// A report on answers to the variant as one JSON object, with what makes the same variant again.
@@ -56,18 +64,11 @@ impl Exercise {
     /// # Errors
     /// None that is known: a report is made of texts and numbers.
     pub fn mark_record(&self, report: &Report) -> serde_json::Result<Value> {
-        let identity = self.identity();
-        let mut record = json!({
-            "problem": identity.problem,
-            "digest": identity.digest,
-            "scheme": identity.scheme,
-            "seed": identity.seed,
-            "form": identity.form,
-        });
-        if let (Some(record), Value::Object(report)) = (record.as_object_mut(), serde_json::to_value(report)?) {
+        let mut record = named(&self.identity());
+        if let Value::Object(report) = serde_json::to_value(report)? {
             record.extend(report);
         }
-        Ok(record)
+        Ok(Value::Object(record))
     }
 
     fn asked(&self, part: &Part) -> Value {

@@ -63,35 +63,31 @@ fn enter_step(
     without: &[Symbol],
 ) {
     let steps = Steps::new(display);
-    let Some((place, root)) = taken(display, position, step) else { return };
-    let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
-    for (index, (unknown, closed)) in root.values.iter().enumerate() {
-        if !found.get(index).is_none_or(|found| found.is_printed) {
+    let Some(root) = taken(display, position, step) else { return };
+    for (unknown, closed, Found { formula, .. }) in script.printed(root) {
+        if without.contains(&unknown) {
+            display.enter(ledger, unknown);
             continue;
         }
-        if script.solving == Solving::InNumbers
-            && !without.contains(unknown)
-            && enter_in_numbers(display, ledger, (step, script), (*unknown, found.get(index)))
-        {
+        let is_in_numbers = script.solving == Solving::InNumbers;
+        if is_in_numbers && enter_in_numbers(display, ledger, (step, script), (unknown, formula)) {
             continue;
         }
         let solved = step.moves.iter().find_map(|step_move| match step_move {
-            Move::Quadratic { unknown: own, a, b, c, .. } if own == unknown => Some([a, b, c]),
+            Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => Some([a, b, c]),
             _ => None,
         });
-        let formula = found.get(index).map_or(&Formula::Varies, |found| &found.formula);
         match (solved, closed, formula) {
-            _ if without.contains(unknown) => display.enter(ledger, *unknown),
-            (Some(coefficients), ..) => quadratic::enter(display, ledger, *unknown, coefficients),
-            (None, Closed::FirstInteger { .. }, _) => counting::enter(display, ledger, *unknown, closed),
+            (Some(coefficients), ..) => quadratic::enter(display, ledger, unknown, coefficients),
+            (None, Closed::FirstInteger { .. }, _) => counting::enter(display, ledger, unknown, closed),
             (None, _, Formula::Fixed(formula)) => {
                 if let Some(formula) = formula {
-                    display.enter_term(ledger, formula, Item::Quantity(*unknown));
+                    display.enter_term(ledger, formula, Item::Quantity(unknown));
                 }
             }
             (None, _, Formula::Varies) => {
-                if let Some(formula) = steps.formula(step, *unknown, closed) {
-                    display.enter_term(ledger, &formula, Item::Quantity(*unknown));
+                if let Some(formula) = steps.formula(step, unknown, closed) {
+                    display.enter_term(ledger, &formula, Item::Quantity(unknown));
                 }
             }
         }
@@ -103,7 +99,7 @@ fn enter_in_numbers(
     display: Display<'_>,
     ledger: &mut Ledger,
     (step, script): (&Step, &Script),
-    (unknown, found): (Symbol, Option<&Found>),
+    (unknown, formula): (Symbol, &Formula),
 ) -> bool {
     if let Some((solved, Short::Equation(terms))) = on_paper::quadratic_of(display, step)
         && solved == unknown
@@ -111,7 +107,6 @@ fn enter_in_numbers(
         quadratic::enter(display, ledger, unknown, terms.each_ref());
         return true;
     }
-    let formula = found.map_or(&Formula::Varies, |found| &found.formula);
     let Some(term) = on_paper::as_on_paper(display, step, script, unknown, formula) else { return false };
     display.enter_term(ledger, &term, Item::Quantity(unknown));
     true

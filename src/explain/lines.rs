@@ -137,25 +137,24 @@ impl List<'_> {
                 pieces.push(self.push(&left, Some(&right), Operation::Piece, vec![before + place + 1]));
             }
         }
-        let Some((root_place, root)) = taken(self.display, position, step) else { return };
-        for (index, (unknown, closed)) in root.values.iter().enumerate() {
-            let found = script.roots.get(root_place).and_then(|found| found.get(index));
+        let Some(root) = taken(self.display, position, step) else { return };
+        for (unknown, closed, found) in script.printed(root) {
             let own;
-            let formula = match found.map(|found| &found.formula) {
-                Some(Formula::Fixed(term)) => term.as_ref().map(|term| &term.expr),
-                _ => {
-                    own = self.steps.formula(step, *unknown, closed);
+            let formula = match &found.formula {
+                Formula::Fixed(term) => term.as_ref().map(|term| &term.expr),
+                Formula::Varies => {
+                    own = self.steps.formula(step, unknown, closed);
                     own.as_ref().map(|term| &term.expr)
                 }
             };
-            let sources = script.derivation.sources.get(unknown).map(Vec::as_slice).unwrap_or_default();
+            let sources = script.derivation.sources.get(&unknown).map(Vec::as_slice).unwrap_or_default();
             let from = if pieces.is_empty() {
                 sources.iter().map(|place| before + place + 1).collect()
             } else {
                 pieces.clone()
             };
-            let (operation, formula, not_zero) = self.found(step, script, root_place, (*unknown, closed), formula);
-            self.result(*unknown, formula.as_ref(), operation, from, &not_zero);
+            let (operation, formula, not_zero) = self.found(step, script, root.0, (unknown, closed), formula);
+            self.result(unknown, formula.as_ref(), operation, from, &not_zero);
         }
     }
 

@@ -50,6 +50,18 @@ pub(crate) struct Script {
     pub roots: Vec<Vec<Found>>,
 }
 
+impl Script {
+    /// The values of the root of that place that are printed, each with how it is found.
+    pub(crate) fn printed<'s>(
+        &'s self,
+        (place, root): (usize, &'s Root),
+    ) -> impl Iterator<Item = (Symbol, &'s Closed, &'s Found)> {
+        let values = root.values.iter().zip(self.roots.get(place).into_iter().flatten());
+        let printed = values.filter(|(_, found)| found.is_printed);
+        printed.map(|((unknown, closed), found)| (*unknown, closed, found))
+    }
+}
+
 /// How an unknown is found.
 #[derive(Debug)]
 pub(crate) struct Found {

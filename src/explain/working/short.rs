@@ -12,7 +12,6 @@ use momentous_laws::separation::GUIDE;
 use momentous_model::Instance;
 use momentous_solve::Closed;
 use momentous_solve::Equation;
-use momentous_solve::Root;
 use momentous_solve::Statement;
 use momentous_solve::Step;
 
@@ -95,11 +94,11 @@ impl<'a> ShortSteps<'a> {
         for line in &script.derivation.lines {
             blocks.extend(self.line(step, script, line, is_together));
         }
-        let Some((place, root)) = taken(self.display, position, step) else { return blocks };
+        let Some(root) = taken(self.display, position, step) else { return blocks };
         let from = from(script);
         if is_together {
             blocks.extend(from.map(|from| Block::text(&format!("{from}:"))));
-            blocks.push(self.results(printed(script, place, root).map(|(unknown, ..)| *unknown)));
+            blocks.push(self.results(script.printed(root).map(|(unknown, ..)| unknown)));
             return blocks;
         }
         let quadratic = quadratic_of(self.display, step).and_then(|(unknown, way)| match way {
@@ -111,9 +110,9 @@ impl<'a> ShortSteps<'a> {
             None => blocks.extend(from.map(|from| Block::text(&format!("{from}:")))),
         }
         let solved = quadratic.map(|(unknown, _)| unknown);
-        for (unknown, closed, formula) in printed(script, place, root) {
-            if solved != Some(*unknown) {
-                self.result(&mut blocks, (step, script), (*unknown, closed), formula);
+        for (unknown, closed, found) in script.printed(root) {
+            if solved != Some(unknown) {
+                self.result(&mut blocks, (step, script), (unknown, closed), &found.formula);
             }
         }
         blocks.extend(self.rejected(position, step));
@@ -158,12 +157,11 @@ impl<'a> ShortSteps<'a> {
         if line.integral.is_none() && only_evaluates(step, [&line.left, &line.right]) {
             return blocks;
         }
-        let known = |term: &Expr| display.without_known_zeros(term, &step.unknowns);
-        let left = display.symbolic(&known(&line.left));
-        let right = line.integral.as_ref().map(|integral| script::integral(display, integral));
-        let right = right.unwrap_or_else(|| display.symbolic(&known(&line.right)));
+        let sides = [&line.left, &line.right].map(|side| display.without_known_zeros(side, &step.unknowns));
+        let [left, right] = sides.each_ref().map(|side| display.symbolic(side));
+        let right = line.integral.as_ref().map_or(right, |integral| script::integral(display, integral));
         let symbols = Math::relation(left, line.relation, right);
-        match is_together.then(|| self.with_numbers(step, line)).flatten() {
+        match is_together.then(|| self.with_numbers(step, line.relation, &sides)).flatten() {
             Some(numbers) => {
                 blocks.push(Block::Equation { lines: vec![symbols], number: None });
                 blocks.push(Block::Equation { lines: vec![numbers], number: line.number });
@@ -198,12 +196,11 @@ impl<'a> ShortSteps<'a> {
     }
 
     /// A law with numbers for what is known; nothing where that is too little to be worth a line.
-    fn with_numbers(&self, step: &Step, line: &Line) -> Option<Math> {
-        let sides = [&line.left, &line.right].map(|side| self.display.without_known_zeros(side, &step.unknowns));
+    fn with_numbers(&self, step: &Step, relation: Operator, sides: &[Expr; 2]) -> Option<Math> {
         let symbols: BTreeSet<Symbol> = sides.iter().flat_map(Expr::symbols).collect();
         let known = symbols.iter().filter(|symbol| !step.unknowns.contains(symbol)).count();
         let [left, right] = sides.each_ref().map(|side| self.display.with_known_numbers(side, &step.unknowns));
-        (known >= FEWEST_NUMBERS).then(|| Math::relation(left, line.relation, right))
+        (known >= FEWEST_NUMBERS).then(|| Math::relation(left, relation, right))
     }
 
     fn law(&self, place: usize) -> Option<(&'a Equation, &'a Instance)> {
@@ -316,17 +313,6 @@ impl<'a> ShortSteps<'a> {
         parts.push(value);
         Block::Equation { lines: vec![Math::chain(parts, Operator::Equals)], number: None }
     }
-}
-
-/// The values of a root that are printed, with their formulas.
-fn printed<'s>(
-    script: &'s Script,
-    place: usize,
-    root: &'s Root,
-) -> impl Iterator<Item = (&'s Symbol, &'s Closed, &'s Formula)> {
-    let found = script.roots.get(place).into_iter().flatten();
-    let values = root.values.iter().zip(found).filter(|(_, found)| found.is_printed);
-    values.map(|((unknown, closed), found)| (unknown, closed, &found.formula))
 }
 
 /// A term in symbols; the root of a square as the size of what is squared.

@@ -94,14 +94,11 @@ impl<'a> Steps<'a> {
                 },
             }
         }
-        if let Some((place, root)) = taken(self.display, position, step) {
-            let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
-            for (index, (unknown, closed)) in root.values.iter().enumerate() {
-                if solved != Some(*unknown) {
-                    let how = found.get(index);
-                    blocks.extend(how.and_then(|how| how.words.clone()));
-                    let formula = how.map_or(&Formula::Varies, |how| &how.formula);
-                    self.result(&mut blocks, step, (*unknown, closed), formula);
+        if let Some(root) = taken(self.display, position, step) {
+            for (unknown, closed, found) in script.printed(root) {
+                if solved != Some(unknown) {
+                    blocks.extend(found.words.clone());
+                    self.result(&mut blocks, step, (unknown, closed), &found.formula);
                 }
             }
         }
