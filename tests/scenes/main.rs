@@ -26,7 +26,7 @@ use end::{End, Ended, Refusal, ended};
 use table::Table;
 
 /// Scenes of each kind that are tried with every change.
-const EACH: u64 = 6;
+const EACH: u64 = 12;
 
 /// How many scenes of a kind ended how, and how often they were refused with other numbers or questions.
 #[derive(Default)]
@@ -76,7 +76,7 @@ impl fmt::Display for Counts {
 }
 
 /// The first of them.
-const FIRST: u64 = 2_400_000;
+const FIRST: u64 = 0;
 
 /// A number in the environment.
 fn number(name: &str, else_: u64) -> u64 {
