@@ -7,6 +7,7 @@ use momentous_problem::CourseSymbols;
 use super::key::Key;
 use super::moment::Moment;
 use super::people::{Course, Member};
+use super::weights::Weights;
 
 /// Problems that are handed out together, under one policy.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
@@ -38,6 +39,12 @@ pub struct Item {
     pub form: Option<String>,
     /// What the whole item is worth; the points of the problem's parts are scaled to it.
     pub points: u32,
+    /// How much its parts count beside each other.
+    #[serde(default, skip_serializing_if = "Weights::is_empty")]
+    pub weights: Weights,
+    /// Which of the items that ask the same problem in the same form it is, from 0; each draws other numbers.
+    #[serde(default)]
+    pub repeat: u32,
     /// The digest of the file from which its sheets are drawn, once the assignment has opened.
     pub digest: Option<String>,
     /// The letters in which its sheets are printed, once it has opened; the problem's own come first.

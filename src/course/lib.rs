@@ -26,6 +26,7 @@ mod share;
 mod statistics;
 mod stored_report;
 mod student_data;
+mod weights;
 mod window;
 
 pub use account::{Account, Accounts, GradeMark, Ledger, Said, Standing, points_by_hand};
@@ -53,4 +54,5 @@ pub use share::{NoShare, Share};
 pub use statistics::{ClassStatistics, ItemStatistics, statistics};
 pub use stored_report::{Found, NextHint, ShownPart, ShownReport, StoredPart, StoredReport};
 pub use student_data::{AttemptData, ByHandData, SheetData, StudentData};
+pub use weights::{NoWeights, Weights};
 pub use window::{ExtensionForm, Late, Phase, Window};

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use momentous_bank::course_letters;
-use momentous_course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet};
+use momentous_course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet, Weights};
 use momentous_exercise::calls::{Refused, RefusedKind};
 use momentous_exercise::{Derivation, Exercise, SeedSource};
-use momentous_problem::{CourseSymbols, Problem, digest};
+use momentous_problem::{CourseSymbols, Part, Problem, digest};
 use momentous_store::AssignmentWithItems;
 
 use super::library::source;
@@ -73,6 +73,8 @@ pub(super) fn unpinned(problem: &str) -> Item {
         problem,
         form: None,
         points: 1,
+        weights: Weights::default(),
+        repeat: 0,
         digest: None,
         letters,
         issue: 0,
@@ -107,26 +109,33 @@ pub(super) async fn current(visit: &Visit, problem: &str) -> Result<ProblemFile,
 /// The problem of an item, compiled: as it was pinned, or before that as it is now.
 pub(super) async fn problem(visit: &Visit, item: &Item) -> Result<Arc<Problem>, NotShown> {
     let course = visit.course()?.clone();
-    let known = |digest: &String| visit.courses.library.known(course.key, digest, &item.letters);
+    let known = |digest: &String| visit.courses.library.known(course.key, digest, item);
     if let Some(known) = item.digest.as_ref().and_then(known) {
         return Ok(known);
     }
-    let (file, letters) = match &item.digest {
+    let (file, item) = match &item.digest {
         Some(digest) => {
             let file = visit.store().problem_file(course.key, digest).await?.ok_or_else(|| {
                 let message = format!("the file of {} with the digest {digest} is missing", item.problem);
                 NotShown::Refused(Refused::new(RefusedKind::Fault, message))
             })?;
-            (file, item.letters.clone())
+            (file, item.clone())
         }
         None => {
             let file = current(visit, &item.problem).await?;
             let letters = letters(visit, &file).await?;
-            (file, letters)
+            (file, Item { letters, ..item.clone() })
         }
     };
     let courses = Arc::clone(&visit.courses);
-    visit.work(move |_| Ok(courses.library.problem(&course, &file, &letters)?)).await
+    visit.work(move |_| Ok(courses.library.problem(&course, &file, &item)?)).await
+}
+
+/// The parts that an item asks for, with the points that they have in the file; nothing where its problem has no such form.
+pub(super) async fn parts(visit: &Visit, item: &Item) -> Result<Option<Vec<Part>>, NotShown> {
+    let problem = problem(visit, &Item { weights: Weights::default(), ..item.clone() }).await?;
+    let form = problem.form(item.form.as_deref()).and_then(|place| problem.forms().get(place));
+    Ok(form.map(|form| form.parts.clone()))
 }
 
 /// A new sheet of an item for a member of the course.
@@ -140,7 +149,10 @@ pub(super) fn sheet(
     let seeds = SeedSource { secret: Some(course.secret.as_bytes()), ..SeedSource::default() };
     // Names and identities do not enter the seed: they may change, and others may know them.
     let student = if item.issue == 0 { member.to_string() } else { format!("{member}/{}", item.issue) };
-    let seed = seeds.seed(&student, &item.problem, item.form.as_deref().unwrap_or_default());
+    let form = item.form.as_deref().unwrap_or_default();
+    // The first of several that ask the same draws what it draws alone.
+    let asked = if item.repeat == 0 { form.to_owned() } else { format!("{form}#{}", item.repeat.saturating_add(1)) };
+    let seed = seeds.seed(&student, &item.problem, &asked);
     let form = problem.form(item.form.as_deref()).ok_or_else(|| NotShown::missing("the problem has no such form"))?;
     let exercise = Exercise::draw(problem, form, seed).map_err(Refused::from)?;
     let issued = exercise.issue(Some(Derivation::default()), course.decimal);

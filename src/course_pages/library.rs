@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use lru::LruCache;
 
 use momentous_bank::FOLDER;
-use momentous_course::{Course, Key, ProblemFile};
+use momentous_course::{Course, Item, Key, ProblemFile, Weights};
 use momentous_fault::Faults;
 use momentous_fault::Source;
 use momentous_problem::{self as problem, CourseSymbols, Problem, compile, load};
@@ -17,8 +17,16 @@ const MOST: NonZeroUsize = NonZeroUsize::new(128).expect("not zero");
 /// Problems compiled with the secret of a course; those least asked for are forgotten.
 pub(super) struct CourseLibrary(Mutex<Compiled>);
 
-/// Compiled problems by course, digest and the course's letters.
-type Compiled = LruCache<(Key<Course>, String, CourseSymbols), Arc<Problem>>;
+type Compiled = LruCache<Name, Arc<Problem>>;
+
+/// By what compiled problems are told apart: the course, the digest, the course's letters, and where parts weigh otherwise than in the
+/// file the form with their weights.
+type Name = (Key<Course>, String, CourseSymbols, Option<(Option<String>, Weights)>);
+
+fn name(course: Key<Course>, digest: &str, item: &Item) -> Name {
+    let weighed = (!item.weights.is_empty()).then(|| (item.form.clone(), item.weights.clone()));
+    (course, digest.to_owned(), item.letters.clone(), weighed)
+}
 
 impl Default for CourseLibrary {
     fn default() -> Self {
@@ -28,30 +36,35 @@ impl Default for CourseLibrary {
 
 impl CourseLibrary {
     /// A problem that was compiled before and is still kept.
-    pub(super) fn known(&self, course: Key<Course>, digest: &str, letters: &CourseSymbols) -> Option<Arc<Problem>> {
+    pub(super) fn known(&self, course: Key<Course>, digest: &str, item: &Item) -> Option<Arc<Problem>> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.get(&(course, digest.to_owned(), letters.clone())).map(Arc::clone)
+        kept.get(&name(course, digest, item)).map(Arc::clone)
     }
 
-    /// A problem as a course draws it, printed in these letters.
+    /// A problem as a course draws it, printed in the letters of an item and with the weights of its parts.
     ///
     /// # Errors
     /// Where the file is no problem.
-    pub(super) fn problem(
-        &self,
-        course: &Course,
-        file: &ProblemFile,
-        letters: &CourseSymbols,
-    ) -> Result<Arc<Problem>, Faults> {
-        if let Some(problem) = self.known(course.key, &file.digest, letters) {
+    pub(super) fn problem(&self, course: &Course, file: &ProblemFile, item: &Item) -> Result<Arc<Problem>, Faults> {
+        if let Some(problem) = self.known(course.key, &file.digest, item) {
             return Ok(problem);
         }
         // Others are served while it compiles.
-        let loaded = load(source(file))?.in_course(&problem::Course { symbols: letters.clone() });
-        let problem = Arc::new(compile(loaded, Some(course.secret.as_bytes()))?);
-        let name = (course.key, file.digest.clone(), letters.clone());
+        let loaded = load(source(file))?.in_course(&problem::Course { symbols: item.letters.clone() });
+        let problem = Arc::new(weighed(compile(loaded, Some(course.secret.as_bytes()))?, item));
+        let name = name(course.key, &file.digest, item);
         self.0.lock().unwrap_or_else(PoisonError::into_inner).put(name, Arc::clone(&problem));
         Ok(problem)
+    }
+}
+
+/// The problem with the weights of an item in place of its parts' points.
+fn weighed(problem: Problem, item: &Item) -> Problem {
+    let form = problem.form(item.form.as_deref()).filter(|_| !item.weights.is_empty());
+    let parts = form.and_then(|place| Some((place, &problem.forms().get(place)?.parts)));
+    match parts.map(|(place, parts)| (place, item.weights.over(parts))) {
+        Some((place, points)) => problem.with_points(place, &points),
+        None => problem,
     }
 }
 

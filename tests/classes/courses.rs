@@ -8,6 +8,7 @@ mod five_places;
 mod grades;
 mod handed;
 mod hidden;
+mod homework;
 mod links;
 mod old_data;
 mod print;

@@ -75,11 +75,11 @@ async fn one(
 ) -> Result<Corrected, NotShown> {
     let (course, courses) = (visit.course()?.clone(), Arc::clone(&visit.courses));
     // What was printed in some letters is read in them.
-    let (own_file, letters, policy) = (file.clone(), item.letters.clone(), whole.assignment.policy.clone());
+    let (own_file, own_item, policy) = (file.clone(), item.clone(), whole.assignment.policy.clone());
     let sheets = Arc::new(sheets);
     let own = Arc::clone(&sheets);
     let worked = move || {
-        let problem = courses.library.problem(&course, &own_file, &letters);
+        let problem = courses.library.problem(&course, &own_file, &own_item);
         let (problem, fault): (Option<Arc<Problem>>, _) = match problem {
             Ok(problem) => (Some(problem), None),
             Err(faults) => (None, Some(faults.to_string())),

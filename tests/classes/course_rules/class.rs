@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex};
 
 use momentous::bank::Bank;
 use momentous::course::{
-    Accepted, Attempt, HandIn, HintShown, Item, Key, Moment, Policy, PolicyForm, Refusal, Sheet, StoredReport, Window,
-    WorkedSheet,
+    Accepted, Attempt, HandIn, HintShown, Item, Key, Moment, Policy, PolicyForm, Refusal, Sheet, StoredReport, Weights,
+    Window, WorkedSheet,
 };
 use momentous::exercise::Exercise;
 use momentous::fault::Source;
@@ -64,6 +64,8 @@ pub fn item(position: u32, points: u32) -> Item {
         problem: "impact/two-carts".into(),
         form: Some("forward".into()),
         points,
+        weights: Weights::default(),
+        repeat: 0,
         digest: None,
         letters: CourseSymbols::default(),
         issue: 1,

@@ -37,7 +37,8 @@ pub fn form<'a>(request: &'a str, answers: &'a [(&'a str, &'a str)]) -> Vec<(&'a
     fields
 }
 
-fn total(page: &str) -> Option<&str> {
+/// What a page says that one has for the item.
+pub fn total(page: &str) -> Option<&str> {
     let from = page.split("<p class=\"total\" role=\"status\"><strong>").nth(1)?;
     from.split("</strong>").next()
 }

@@ -8,7 +8,7 @@ use axum::body::{Body, to_bytes};
 use axum::http::{HeaderMap, Method, Request};
 use momentous::course::{
     Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
-    Unsubmitted,
+    Unsubmitted, Weights,
 };
 use momentous::course_pages::{Clock, Courses, invite};
 use momentous::grade::DecimalMark;
@@ -178,6 +178,8 @@ impl University {
             problem: (*problem).to_owned(),
             form: (!form.is_empty()).then(|| (*form).to_owned()),
             points: *points,
+            weights: Weights::default(),
+            repeat: 0,
             digest: None,
             letters: CourseSymbols::default(),
             issue: 0,

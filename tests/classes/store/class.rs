@@ -4,7 +4,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use momentous::course::{
     Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
-    Unsubmitted,
+    Unsubmitted, Weights,
 };
 use momentous::course_pages::{Clock, invite};
 use momentous::grade::DecimalMark;
@@ -103,6 +103,8 @@ fn item(assignment: &Assignment, (problem, form): (&str, &str), position: u32) -
         problem: problem.to_owned(),
         form: (!form.is_empty()).then(|| form.to_owned()),
         points: 5,
+        weights: Weights::default(),
+        repeat: 0,
         digest: None,
         letters: CourseSymbols::default(),
         issue: 0,

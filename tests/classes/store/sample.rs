@@ -2,7 +2,7 @@
 
 use momentous::course::{
     Assignment, Course, Extension, Item, Key, Member, Moment, Override, OverrideRule, Person, Policy, Release, Role,
-    Share, Sheet, SolutionRelease, Solvers, Unsubmitted,
+    Share, Sheet, SolutionRelease, Solvers, Unsubmitted, Weights,
 };
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
@@ -72,6 +72,8 @@ impl Sample {
             problem: "impact/two-carts".into(),
             form: Some("forward".into()),
             points: 5,
+            weights: Weights::default(),
+            repeat: 0,
             digest: None,
             letters: CourseSymbols::default(),
             issue: 0,

@@ -40,6 +40,8 @@ const USUAL_POINTS: &str = "5";
 pub(super) struct Draft {
     pub(super) form: Form,
     pub(super) rows: Vec<Row>,
+    /// What the file of a homework says of its date, where the fields were filled in from one.
+    pub(super) date: Option<String>,
     /// The state of the assignment on which the fields build.
     pub(super) revision: String,
 }
@@ -52,16 +54,30 @@ pub(super) struct Row {
     pub(super) problem: String,
     pub(super) form: String,
     pub(super) points: String,
+    /// How much its parts count, as it is typed.
+    pub(super) weights: String,
     pub(super) order: String,
     pub(super) fault: Option<String>,
+}
+
+impl Row {
+    /// Says what is wrong with it; a line `help:` says the way out.
+    pub(super) fn say(&mut self, message: &str) {
+        self.fault = Some(sentences(message));
+    }
 }
 
 impl Draft {
     /// The fields of a new assignment.
     pub(super) fn empty() -> Self {
-        let names = ["title", "items"].into_iter().chain(POLICY);
-        let form = Form::new(names.map(|name| (name, String::new())));
-        Self { form, rows: Vec::new(), revision: String::new() }
+        Self::titled(String::new())
+    }
+
+    /// The fields of a new assignment with that title.
+    pub(super) fn titled(title: String) -> Self {
+        let names = [("title", title), ("items", String::new())].into_iter();
+        let form = Form::new(names.chain(POLICY.map(|name| (name, String::new()))));
+        Self { form, rows: Vec::new(), date: None, revision: String::new() }
     }
 
     /// The fields of one that is kept, in a course with this time zone.
@@ -75,10 +91,11 @@ impl Draft {
             problem: item.problem.clone(),
             form: item.form.clone().unwrap_or_default(),
             points: item.points.to_string(),
+            weights: item.weights.to_string(),
             order: (item.position + 1).to_string(),
             fault: None,
         };
-        Self { form, rows: whole.items.iter().map(row).collect(), revision: whole.revision.to_string() }
+        Self { form, rows: whole.items.iter().map(row).collect(), date: None, revision: whole.revision.to_string() }
     }
 
     /// The fields as they were sent, with what their buttons do: problems are added and taken out.
@@ -96,6 +113,7 @@ impl Draft {
                 "problem" => &mut row.problem,
                 "form" => &mut row.form,
                 "points" => &mut row.points,
+                "weights" => &mut row.weights,
                 "order" => &mut row.order,
                 _ => continue,
             };
@@ -116,7 +134,7 @@ impl Draft {
         }
         rows.truncate(MOST_ITEMS);
         let revision = visit.fields.text("revision").to_owned();
-        Ok(Self { form, rows, revision })
+        Ok(Self { form, rows, date: None, revision })
     }
 
     /// The fields of the policy.
@@ -133,7 +151,7 @@ impl Draft {
         }
         for (place, message) in rows {
             if let Some(row) = self.rows.get_mut(*place) {
-                row.fault = Some(sentences(message));
+                row.say(message);
             }
         }
     }

@@ -10,6 +10,7 @@ use super::super::super::visit::Visit;
 use super::catalogue::Catalogue;
 use super::draft::Draft;
 use super::editor;
+use super::homework;
 use super::read::read;
 
 /// The editor for a new assignment.
@@ -44,8 +45,14 @@ async fn current(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
 const CHANGED: &str = "this assignment has changed since you opened it\nhelp: look at it in another tab; kept again, your fields take its place";
 
 async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Reply, NotShown> {
-    let mut draft = Draft::sent(visit)?;
     let catalogue = Catalogue::of(visit).await?;
+    if before.is_none() && visit.fields.get("do") == Some("homework") {
+        return match homework::filled_in(visit, &catalogue).await? {
+            Ok(draft) => editor::page(visit, draft, &catalogue, None).await,
+            Err(refused) => editor::refused(visit, refused, &catalogue).await,
+        };
+    }
+    let mut draft = Draft::sent(visit)?;
     if visit.fields.get("do") != Some("save") {
         return editor::page(visit, draft, &catalogue, before.as_ref()).await;
     }
@@ -59,6 +66,11 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
             return editor::page(visit, draft, &catalogue, before.as_ref()).await;
         }
     };
+    let wrong = weighed_wrongly(visit, &whole.items).await?;
+    if !wrong.is_empty() {
+        draft.say(&[], &wrong);
+        return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+    }
     if whole.assignment.pinned.is_some() {
         for item in whole.items.iter_mut().filter(|item| item.digest.is_none()) {
             items::pin(visit, item).await?;
@@ -71,6 +83,17 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
     }
     visit.courses.hidden.forget();
     Ok(Reply::To(visit.in_course(&format!("/assignments/{}/edit?saved=yes", whole.assignment.key))?))
+}
+
+/// What is wrong with the weights of items that students have not seen, by their places.
+async fn weighed_wrongly(visit: &Visit, items: &[Item]) -> Result<Vec<(usize, String)>, NotShown> {
+    let mut wrong = Vec::new();
+    let is_new = |item: &Item| item.digest.is_none() && !item.weights.is_empty();
+    for (place, item) in items.iter().enumerate().filter(|(_, item)| is_new(item)) {
+        let parts = items::parts(visit, item).await?.unwrap_or_default();
+        wrong.extend(item.weights.fault(&parts).map(|fault| (place, fault)));
+    }
+    Ok(wrong)
 }
 
 /// The editor with the fields as they were typed, beside an assignment that has changed meanwhile.

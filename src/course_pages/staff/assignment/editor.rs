@@ -13,6 +13,7 @@ use super::super::course_form::Choice;
 use super::super::form::Form;
 use super::catalogue::{Catalogue, Offered};
 use super::draft::{Draft, Row};
+use super::homework::Refused;
 
 #[derive(Serialize)]
 struct EditorPage {
@@ -23,6 +24,11 @@ struct EditorPage {
     pinned: Option<String>,
     form: Form,
     rows: Vec<ShownRow>,
+    /// What the file of the homework says of its date.
+    date: Option<String>,
+    /// The file of a homework that cannot be used, and why.
+    homework: String,
+    homework_faults: Option<String>,
     revision: String,
     verdicts: Vec<Choice>,
     solutions: Vec<Choice>,
@@ -56,9 +62,26 @@ pub(super) async fn page(
     catalogue: &Catalogue,
     before: Option<&AssignmentWithItems>,
 ) -> Result<Reply, NotShown> {
+    with(visit, draft, catalogue, before, None).await
+}
+
+/// The editor of a new assignment beside a homework that cannot be used.
+pub(super) async fn refused(visit: &Visit, homework: Refused, catalogue: &Catalogue) -> Result<Reply, NotShown> {
+    with(visit, Draft::empty(), catalogue, None, Some(homework)).await
+}
+
+async fn with(
+    visit: &Visit,
+    draft: Draft,
+    catalogue: &Catalogue,
+    before: Option<&AssignmentWithItems>,
+    homework: Option<Refused>,
+) -> Result<Reply, NotShown> {
     let is_pinned = before.is_some_and(|before| before.assignment.pinned.is_some());
     let is_kept = |key: &str| before.is_some_and(|own| own.items.iter().any(|item| item.key.to_string() == key));
     let wrong = draft.is_wrong();
+    let is_refused = homework.is_some();
+    let (homework, homework_faults) = homework.map_or_else(Default::default, |own| (own.text, Some(own.faults)));
     let mut rows = Vec::new();
     for (row, order) in draft.rows.into_iter().zip(1_u32..) {
         let offered = catalogue.find(&row.problem).map(|offered| &offered.card);
@@ -85,6 +108,9 @@ pub(super) async fn page(
         pinned: before.and_then(|before| before.assignment.pinned).map(|at| at.shown(zone)),
         form: draft.form,
         rows,
+        date: draft.date,
+        homework,
+        homework_faults,
         revision: draft.revision,
         verdicts: Release::ALL.map(|own| Choice { name: own.name(), said: verdicts_said(own) }).into(),
         solutions: SolutionRelease::ALL.map(|own| Choice { name: own.name(), said: solutions_said(own) }).into(),
@@ -98,7 +124,7 @@ pub(super) async fn page(
         wrong,
     };
     let page = visit.page("courses/staff/editor", page).await?;
-    Ok(if wrong { page.wrong() } else { page })
+    Ok(if wrong || is_refused { page.wrong() } else { page })
 }
 
 fn verdicts_said(release: Release) -> &'static str {

@@ -5,6 +5,7 @@ mod draft;
 mod edit;
 mod editor;
 mod extensions;
+mod homework;
 mod look;
 mod read;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use momentous_course::{Assignment, Course, FieldFault, Item, Key, Policy};
+use momentous_course::{Assignment, Course, FieldFault, Item, Key, Policy, Weights};
 use momentous_problem::CourseSymbols;
 use momentous_store::AssignmentWithItems;
 
@@ -33,22 +33,14 @@ pub(super) fn read(
     faults.extend(message.map(|message| FieldFault { field: "title", message }));
     let policy = Policy::read(&draft.policy(), &course.zone).map_err(|wrong| faults.extend(wrong)).ok();
     let key = before.map_or_else(session::key, |before| before.assignment.key);
-    let mut asked: BTreeSet<(String, Option<String>)> = BTreeSet::new();
     let (mut items, mut wrong) = (Vec::new(), Vec::new());
     for (place, row) in draft.rows.iter().enumerate() {
         match item(row, key, place, catalogue, before) {
             Err(message) => wrong.push((place, message)),
-            // Numbers are drawn from problem and form: the second would be the first again.
-            Ok(item) if !asked.insert((item.problem.clone(), item.form.clone())) => {
-                wrong.push((
-                    place,
-                    "this problem stands above in the same form\nhelp: choose another form, or take one of them out"
-                        .to_owned(),
-                ));
-            }
             Ok(item) => items.push(item),
         }
     }
+    number_repeats(&mut items);
     if draft.rows.is_empty() {
         faults.push(FieldFault {
             field: "items",
@@ -90,8 +82,12 @@ fn item(
     let position = u32::try_from(place).unwrap_or(u32::MAX);
     let old = before.into_iter().flat_map(|before| &before.items).find(|own| own.key.to_string() == row.key);
     let is_pinned = before.is_some_and(|before| before.assignment.pinned.is_some());
-    if let Some(old) = old.filter(|old| is_pinned || is_same(old, row)) {
+    if let Some(old) = old.filter(|_| is_pinned) {
         return Ok(Item { position, points, ..old.clone() });
+    }
+    let weights: Weights = row.weights.parse().map_err(|wrong| format!("{wrong}"))?;
+    if let Some(old) = old.filter(|old| is_same(old, row)) {
+        return Ok(Item { position, points, weights, ..old.clone() });
     }
     let offered = catalogue.find(row.problem.trim());
     let card =
@@ -109,11 +105,23 @@ fn item(
         problem,
         form,
         points,
+        weights,
+        repeat: 0,
         digest: None,
         letters: CourseSymbols::default(),
         issue: 0,
         dropped: false,
     })
+}
+
+/// Numbers the items that ask the same problem in the same form, since each draws other numbers. One that was pinned keeps its number.
+fn number_repeats(items: &mut [Item]) {
+    let mut taken: BTreeSet<(String, Option<String>, u32)> = BTreeSet::new();
+    let asked = |item: &Item, repeat| (item.problem.clone(), item.form.clone(), repeat);
+    taken.extend(items.iter().filter(|item| item.digest.is_some()).map(|item| asked(item, item.repeat)));
+    for item in items.iter_mut().filter(|item| item.digest.is_none()) {
+        item.repeat = (0..=u32::MAX).find(|repeat| taken.insert(asked(item, *repeat))).unwrap_or(0);
+    }
 }
 
 /// Whether a row asks what its item does.

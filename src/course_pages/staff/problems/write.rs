@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use momentous_bank::course_letters;
-use momentous_course::ProblemFile;
+use momentous_course::{Item, ProblemFile};
 use momentous_fault::{Faults, Source};
 use momentous_problem::{digest, load};
 
@@ -53,7 +53,8 @@ pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
             let problem = load(source.clone())?.draft.id;
             let (digest, key) = (digest(&source), Some(course.key));
             let file = ProblemFile { digest, problem, text: own, course: key, published: None, saved: now };
-            courses.library.problem(&course, &file, &course_letters(&library::source(&file))?)?;
+            let letters = course_letters(&library::source(&file))?;
+            courses.library.problem(&course, &file, &Item { letters, ..items::unpinned(&file.problem) })?;
             Ok(file)
         };
         Ok(read())
