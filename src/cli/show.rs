@@ -24,7 +24,15 @@ pub(super) struct Show {
 
 impl Show {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        Output::whole(None, &*Bank::here()?.open(&self.problem)?.text)?;
+        let built_in = Bank::built_in();
+        let built_in = built_in.find(&self.problem);
+        // The course's own file goes before the built-in one of that name, and its refusal says what else there is.
+        let source = match (Bank::here()?.open(&self.problem), built_in) {
+            (Ok(source), _) => source,
+            (Err(_), Ok(source)) => source.clone(),
+            (Err(refused), Err(_)) => return Err(refused.into()),
+        };
+        Output::whole(None, &*source.text)?;
         Ok(Exit::Fine)
     }
 }

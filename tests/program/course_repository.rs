@@ -173,11 +173,34 @@ fn a_new_repository_is_sound_as_it_stands() {
 fn problems_and_templates_are_printed_and_written() {
     let room = Room::with(&[]);
     assert_eq!(room.fine(&["show", "impact/two-carts"]), CARTS);
+    let course = repository(&[("problem_bank/impact/curling-stones.yaml", "id: impact/curling-stones\n")]);
+    assert_eq!(
+        course.fine(&["show", "impact/curling-stones"]),
+        "id: impact/curling-stones\n",
+        "the course's own first"
+    );
+    let built_in = course.fine(&["show", "impulse/lift-cable"]);
+    assert_eq!(built_in, include_str!("../../problem_bank/impulse/lift-cable.yaml"));
+    assert!(course.run(&["show", "impact/curling-stone"]).err.contains("did you mean `impact/curling-stones`?"));
     assert!(room.fine(&["templates"]).contains("html/sheet.tera\n"));
     room.fine(&["templates", "html/sheet.tera", "--write"]);
     assert_eq!(room.read("templates/html/sheet.tera"), include_str!("../../templates/html/sheet.tera"));
     let near = room.run(&["templates", "html/shet.tera"]);
     assert!(near.code == 2 && near.err.contains("did you mean `html/sheet.tera`?"), "{}", near.err);
+}
+
+#[test]
+fn a_name_in_other_capitals_is_taken_for_the_one_that_is_there() {
+    let room = repository(&[]);
+    for (old, new, said) in [
+        ("m_B: { min", "m_b: { min", "did you mean `m_B`?"),
+        ("mass: m_A", "mass: m_a", "did you mean `m_A` by `m_a`? Capitals count"),
+    ] {
+        change(&room, "problem_bank/impact/two-carts.yaml", old, new);
+        let checked = check(&room, &["-q"]);
+        assert!(checked.code == 2 && checked.out.contains(said), "{}", checked.out);
+        fs::write(room.path("problem_bank/impact/two-carts.yaml"), CARTS).unwrap();
+    }
 }
 
 #[test]

@@ -162,6 +162,17 @@ fn ways_out(
     unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(replaced).take(MOST_WAYS).collect()
 }
 
+/// The question whether a given was meant by a missing quantity whose name differs from it in capitals only; empty where none is.
+fn other_case(model: &Model, stuck: &Stuck, enough: &[Vec<Symbol>]) -> String {
+    let name = |symbol: &Symbol| model.symbols.entry(*symbol).name.as_str();
+    let alike = |missing: &Symbol| {
+        let mut given = stuck.known.iter().map(name);
+        let given = given.find(|given| given.eq_ignore_ascii_case(name(missing)) && *given != name(missing))?;
+        Some(format!("; did you mean `{given}` by `{}`? Capitals count", name(missing)))
+    };
+    enough.iter().flatten().find_map(alike).unwrap_or_default()
+}
+
 /// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given. Where what is asked
 /// is fixed as it is, the values of further quantities do not matter.
 fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Symbol, Symbol)], bool)) -> Fault {
@@ -191,7 +202,7 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Sy
                         format!("; its value does not matter: `{}: any {unit}` will do", model.symbols.entry(*own).name)
                     },
                 );
-                format!("give also {}{any}", ways.join(", or "))
+                format!("give also {}{any}{}", ways.join(", or "), other_case(model, stuck, enough))
             };
             Fault::new(Code::UnderDetermined, message).help(help)
         }
