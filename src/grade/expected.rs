@@ -157,6 +157,11 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// Whether it is counted from the positive end of the first axis, or from none of its ends.
+    pub(super) fn level(&self) -> bool {
+        self.quarters.rem_euclid(4) != 2
+    }
+
     /// The direction from which it is counted, as it is typed: `+x`.
     #[must_use]
     pub fn zero(&self) -> String {

@@ -1,6 +1,7 @@
 //! Units beside what is asked: the dimension decides between readings, and a hertz beside a rotation is a turn a second.
 
 use super::unit::Symbol;
+use super::unit_lookup::in_other_case;
 use super::{Dimension, Factor, Rational, Unit, UnitFault, UnitFaultKind};
 
 /// How often one text may be read in two ways.
@@ -26,6 +27,7 @@ impl Unit {
     pub fn parse_asked(text: &str, asked: Dimension) -> Result<Self, UnitFault> {
         let fault = match Self::parse(text) {
             Err(fault) if matches!(fault.kind, UnitFaultKind::Ambiguous { .. }) => fault,
+            Ok(unit) if unit.dimension() != asked => return Ok(in_other_case_asked(text, asked).unwrap_or(unit)),
             clear => return clear,
         };
         let mut found: Vec<Self> = Vec::new();
@@ -91,6 +93,18 @@ impl Unit {
     }
 }
 
+/// The unit that a word of several letters names in another case, where that alone measures what is asked: `kn` beside a force.
+fn in_other_case_asked(text: &str, asked: Dimension) -> Option<Unit> {
+    let word = text.trim();
+    if word.len() < 2 || !word.chars().all(char::is_alphabetic) {
+        return None;
+    }
+    let units = in_other_case(word).into_iter().filter_map(|name| Unit::parse(&name).ok());
+    let mut units = units.filter(|unit| unit.dimension() == asked);
+    let found = units.next();
+    if units.next().is_none() { found } else { None }
+}
+
 /// Every unit that a text can mean.
 fn readings(text: &str, choices: usize) -> Vec<Unit> {
     match Unit::parse(text) {
@@ -128,6 +142,8 @@ mod tests {
             ("rads^-1", Dimension::new(0, 0, -1), Some("rad/s")),
             ("KN", Dimension::FORCE, Some("kN")),
             ("KN", Dimension::MASS, None),
+            ("kn", Dimension::FORCE, Some("kN")),
+            ("kn", Dimension::VELOCITY, Some("kt")),
             ("MM", Dimension::LENGTH, None),
             ("m/s kg", Dimension::MOMENTUM, Some("m kg/s")),
             ("furlong", Dimension::LENGTH, None),

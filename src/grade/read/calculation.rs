@@ -1,5 +1,6 @@
 //! Calculations with units: `600 m + 600 m`, `2 kg*(-1.6 m/s)`; and values in several units: `1 km 200 m`, `36°52'`.
 
+use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 use momentous_quantity::Unit;
 
@@ -18,6 +19,16 @@ const MAX_PARTS: usize = 20;
 /// The parts of a degree, as they are written.
 const PARTS_OF_DEGREE: [(&str, u32); 6] =
     [("''", 3600), ("\"", 3600), ("″", 3600), ("'", 60), ("′", 60), ("arcmin", 60)];
+
+/// The marks of feet and of inches, and the units.
+const FEET: (&[&str], &str) = (&["'", "′"], "ft");
+const INCHES: (&[&str], &str) = (&["''", "\"", "″"], "in");
+
+/// The unit that a mark stands for behind a length.
+fn mark_of_length(written: &str, asked: &Unit, (marks, unit): &(&[&str], &str)) -> Option<Unit> {
+    let is_meant = asked.dimension() == Dimension::LENGTH && marks.contains(&written.trim());
+    is_meant.then(|| Unit::parse(unit).ok())?
+}
 
 /// A value with its unit.
 struct Quantity {
@@ -67,7 +78,10 @@ fn in_several_units(text: &str, asked: &Unit, mark: DecimalMark) -> Option<Quant
         let written = written.strip_suffix(" and").unwrap_or(written);
         total = Some(match total {
             None => {
-                let unit = unit(written, 0, written.len(), asked).ok()??;
+                let unit = match mark_of_length(written, asked, &FEET) {
+                    Some(unit) => unit,
+                    None => unit(written, 0, written.len(), asked).ok()??,
+                };
                 (Quantity { number: term.number, unit: Some(unit.clone()) }, unit)
             }
             Some((sum, last)) => {
@@ -86,12 +100,17 @@ fn in_several_units(text: &str, asked: &Unit, mark: DecimalMark) -> Option<Quant
 
 /// The size of a smaller unit in the first one, and the unit itself; it must be smaller than the last.
 fn part(written: &str, asked: &Unit, first: &Unit, last: &Unit) -> Option<(Number, Unit)> {
+    let by_mark = mark_of_length(written, asked, &INCHES);
     let degree = Unit::degree();
-    if let Some((_, share)) = PARTS_OF_DEGREE.iter().find(|(sign, _)| written.trim() == *sign) {
+    let is_turn = by_mark.is_none();
+    if let Some((_, share)) = PARTS_OF_DEGREE.iter().find(|(sign, _)| is_turn && written.trim() == *sign) {
         let size = Number::exact(Rational::ONE / Rational::from(*share));
         return (*first == degree).then_some((size, degree));
     }
-    let own = unit(written, 0, written.len(), asked).ok()??;
+    let own = match by_mark {
+        Some(unit) => unit,
+        None => unit(written, 0, written.len(), asked).ok()??,
+    };
     let smaller = own.dimension() == first.dimension() && own.factor().to_f64() < last.factor().to_f64();
     smaller.then(|| Number::exact(Rational::ONE).scaled(&own.in_terms_of(first)).map(|size| (size, own)))?
 }
@@ -196,6 +215,8 @@ impl<'t> Reader<'t> {
             let joins = match next {
                 '+' => before != '^',
                 // Directly before digits it is the sign of an exponent.
+                // A power of a degree is no angle.
+                '-' if before == '°' => true,
                 '-' => before == ' ' && behind.starts_with(' ') || behind.trim_start().starts_with('('),
                 '*' | '·' | '×' | '/' | 'x' => {
                     before != '^' && arithmetic::begins_number(behind) && (next != 'x' || before == ' ')

@@ -2,10 +2,14 @@
 
 use super::answer::ChoiceAnswer;
 use super::plain::MAX_LENGTH;
+use super::reasons;
 use super::unreadable::{Unreadable, UnreadableKind};
+use super::yes_or_no::{answer_of, first_word};
 
-const YES: [&str; 4] = ["yes", "y", "true", "t"];
-const NO: [&str; 4] = ["no", "n", "false", "f"];
+/// Words by which an option denies what stands behind them.
+const DENYING: [&str; 5] = ["not", "no", "never", "neither", "without"];
+/// The fewest letters of a word by which an option is known from its end.
+const SHORTEST_ENDING: usize = 4;
 
 /// What is called in several ways, and the word for it here.
 const SAME: [(&str, &str); 5] = [
@@ -29,9 +33,27 @@ pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unr
             _ => Err(fault),
         })
         .or_else(|fault| match fault.kind {
-            UnreadableKind::NoOption(_) => in_letters(answer, options).ok_or(fault),
+            UnreadableKind::NoOption(_) => in_letters(answer, options)
+                .or_else(|| by_last_words(&normal(answer), options))
+                .or_else(|| reasons::with_reason(&normal(answer), options))
+                .ok_or(fault),
             _ => Err(fault),
         })
+}
+
+/// The option that ends with these words, where one alone does and they deny nothing there: `plastic` of `perfectly plastic`.
+fn by_last_words(written: &str, options: &[String]) -> Option<ChoiceAnswer> {
+    let ends = |text: &str| {
+        let before = text.strip_suffix(written).filter(|before| before.ends_with(' '))?;
+        (!before.split_whitespace().any(|word| DENYING.contains(&word))).then_some(())
+    };
+    let long =
+        written.chars().count() >= SHORTEST_ENDING && written.chars().all(|next| next.is_alphabetic() || next == ' ');
+    let mut found = options.iter().enumerate().filter(|(_, text)| long && ends(&normal(text)).is_some());
+    match (found.next(), found.next()) {
+        (Some((option, text)), None) => Some(ChoiceAnswer { option, text: text.clone() }),
+        _ => None,
+    }
 }
 
 /// The option that has the same letters and signs, where one alone does: as it is printed, or with other spaces.
@@ -94,15 +116,6 @@ fn normal(text: &str) -> String {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let bare = words.trim_matches(|edge: char| "()[].:;,\"'`“”‘’ ".contains(edge));
     bare.to_lowercase().replace('’', "'")
-}
-
-/// Yes or no.
-fn answer_of(word: &str) -> Option<bool> {
-    if YES.contains(&word) { Some(true) } else { NO.contains(&word).then_some(false) }
-}
-
-fn first_word(text: &str) -> &str {
-    text.split(|next: char| !next.is_alphanumeric()).next().unwrap_or(text)
 }
 
 /// Whether a text begins with these whole words.

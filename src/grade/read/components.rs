@@ -126,6 +126,8 @@ fn without_between(piece: &str) -> &str {
 
 /// `px = 1.5, py = -2 N s`; nothing where the text is not of that form.
 pub(super) fn by_names(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At<Parts>> {
+    // `x: 1.5; y: -2`
+    let text = &if text.contains('=') { text.to_owned() } else { text.replace(':', "=") };
     if text.matches('=').count() != asked.components.len() {
         return None;
     }

@@ -18,6 +18,9 @@ const DIRECTIONS: &[&[&str]] = &[
     &["backward", "backwards", "back"],
 ];
 
+/// Before what one goes away from: `from the wall` is away from it.
+const FROM: &str = "from ";
+
 /// Words that say nothing beside a direction, and so does `in` before `the` and `positive direction`; alone it is an inch.
 const FILLERS: &[&str] = &[
     "to",
@@ -76,10 +79,12 @@ pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>, axis: Option<char
     let along = along.map(|(positive, own)| (positive, own.zip(axis).is_none_or(|(own, axis)| own == axis)));
     if let Some([plus, minus]) = senses {
         let sense = |positive| Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() });
-        if same(&bare, &self::bare(plus)) || along == Some((true, true)) {
+        let away = format!("away {bare}");
+        let is = |word: &str| same(&bare, word) || bare.starts_with(FROM) && away == *word;
+        if is(&self::bare(plus)) || along == Some((true, true)) {
             return sense(true);
         }
-        if same(&bare, &self::bare(minus)) || along == Some((false, true)) {
+        if is(&self::bare(minus)) || along == Some((false, true)) {
             return sense(false);
         }
     }

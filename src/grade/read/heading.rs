@@ -69,8 +69,9 @@ enum Word {
     Of,
 }
 
-/// Reads a direction that takes the whole text.
-pub(super) fn read(text: &str, frame: &Frame, mark: DecimalMark) -> At<Heading> {
+/// Reads a direction that takes the whole text. The horizontal without an end of its own is meant at that end of the first axis from
+/// which the question counts.
+pub(super) fn read(text: &str, frame: &Frame, level: bool, mark: DecimalMark) -> At<Heading> {
     let words = words(text, frame, mark)?;
     let start = words.first().map_or(0, |(at, _)| *at);
     let bare: Vec<Word> = words.iter().map(|(_, word)| word.clone()).collect();
@@ -91,9 +92,8 @@ pub(super) fn read(text: &str, frame: &Frame, mark: DecimalMark) -> At<Heading> 
         [Word::Angle { degrees, form, signed, unit, .. }, Word::Above(above), Word::Side(base)] => {
             (degrees, form, *signed, *unit, *base, (1, *above))
         }
-        // Without an end of its own it is counted from the first axis.
         [Word::Angle { degrees, form, signed, unit, .. }, Word::Above(above), Word::Horizontal] => {
-            (degrees, form, *signed, *unit, (0, true), (1, *above))
+            (degrees, form, *signed, *unit, (0, level), (1, *above))
         }
         [Word::Angle { degrees, form, signed, unit, .. }, Word::Above(above), Word::Horizontal, Word::Side(base)]
             if base.0 == 0 =>

@@ -57,7 +57,20 @@ const WORDS: [(&str, bool, bool); 30] = [
 ];
 
 /// Words before a condition that say nothing of it.
-const BEFORE: [&str; 9] = ["only for ", "only if ", "for ", "if ", "when ", "where ", "provided ", "iff ", "whenever "];
+const BEFORE: [&str; 12] = [
+    "only for ",
+    "only if ",
+    "for all ",
+    "for every ",
+    "for any ",
+    "for ",
+    "if ",
+    "when ",
+    "where ",
+    "provided ",
+    "iff ",
+    "whenever ",
+];
 /// Words between the name and the condition.
 const LINKS: [&str; 9] = ["in ", "is ", "∈", "lies ", "must be ", "has to be ", "should be ", "= ", ": "];
 

@@ -4,6 +4,7 @@ mod answer;
 mod arithmetic;
 mod calculation;
 mod choice;
+mod comments;
 mod components;
 mod direction;
 mod doubtful;
@@ -11,6 +12,7 @@ mod ending;
 mod form;
 mod formula;
 mod functions;
+mod hats;
 mod heading;
 mod interval;
 mod latex;
@@ -19,6 +21,7 @@ mod multiple;
 mod numeral;
 mod plain;
 mod quantity;
+mod reasons;
 mod remarks;
 mod several;
 mod unit;
@@ -28,6 +31,7 @@ mod unreadable;
 mod value;
 mod vector;
 mod vulgar;
+mod yes_or_no;
 
 pub use answer::{
     Answer, ChoiceAnswer, EndAnswer, FormulaAnswer, IntervalAnswer, NumberAnswer, Sense, VectorAnswer, Written,

@@ -12,6 +12,8 @@ use super::vulgar::of_character;
 
 /// Signs of multiplication before a quantity, as they are typed.
 const TIMES: [&str; 9] = ["*", "·", "×", "⋅", "∙", "\\cdot", "\\times", "\\,", "~"];
+/// The word before a quantity of which something is a part.
+const OF: &str = " of";
 /// What joins the letters of a name and its index.
 const JOINTS: [char; 5] = ['_', '{', '}', ',', '\\'];
 const SIGNS: [char; 4] = ['+', '-', '−', '–'];
@@ -85,10 +87,12 @@ fn factor(answer: &str, name: &str) -> Result<String, (usize, UnreadableKind)> {
 fn without_name(mut signs: Vec<char>, start: usize, end: usize) -> Option<String> {
     let before: String = signs[..start].iter().collect();
     let bare = before.trim_end();
-    let factor = TIMES.iter().find_map(|times| bare.strip_suffix(times)).unwrap_or(bare).trim_end();
+    let bare = TIMES.iter().find_map(|times| bare.strip_suffix(times)).unwrap_or(bare).trim_end();
+    let factor = bare.strip_suffix(OF).unwrap_or(bare).trim_end();
     let last = factor.chars().next_back();
-    let is_multiplied = last
-        .is_some_and(|last| last.is_ascii_digit() || [')', '}', '.'].contains(&last) || of_character(last).is_some());
+    let is_multiplied = last.is_some_and(|last| {
+        last.is_ascii_digit() || [')', '}', '.', '%'].contains(&last) || of_character(last).is_some()
+    });
     let next = signs[end..].iter().find(|next| **next != ' ').copied();
     let goes_on = next.is_some_and(|next| next.is_ascii_digit() || SIGNS.contains(&next) || "^√π".contains(next));
     if goes_on || last.is_some_and(|last| last == '/' || last == '^') {
@@ -154,6 +158,9 @@ mod tests {
             ("0.75·v_{A,1}", "0.75"),
             ("0.75 \\cdot v_{A1}", "0.75"),
             ("0.75 v_A₁ to the right", "0.75      to the right"),
+            ("0.75 of v_A1", "0.75"),
+            ("26 % of v_A1", "26 %"),
+            ("26% v_A1", "26%"),
             ("3 v_A1/4", "3     /4"),
             ("3/4 v_A1", "3/4"),
             ("(3/4)v_A1", "(3/4)"),

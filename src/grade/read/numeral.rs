@@ -134,6 +134,8 @@ fn one_mark(written: &str, found: char, mark: DecimalMark) -> Result<String, Unr
     let ungrouped = || grouped(written, found);
     match (mark, found) {
         (DecimalMark::Point | DecimalMark::Either, '.') | (DecimalMark::Comma, ',') => decimal(),
+        // Nobody groups thousands behind a zero.
+        (DecimalMark::Point, _) if written.starts_with("0,") => decimal(),
         (DecimalMark::Point, _) => {
             let Ok(ungrouped) = ungrouped() else { return Err(UnreadableKind::OtherMark('.')) };
             Err(UnreadableKind::AmbiguousMark([ungrouped, written.replace(',', ".")]))

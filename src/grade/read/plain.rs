@@ -48,6 +48,11 @@ const REPLACED: &[(&str, &str)] = &[
 /// Commands of LaTeX with an argument, and what opens the bracket that is read instead.
 const WRAPPERS: &[(&str, &str)] = &[("\\mathrm{", "("), ("\\text{", "("), ("\\unit{", "("), ("\\sqrt{", "sqrt(")];
 
+/// The sign of a degree.
+const DEGREE: &str = "°";
+/// What is written for it.
+const ZEROS_FOR_DEGREES: [&str; 4] = ["^{0}", "^(0)", "^0", "⁰"];
+
 /// The offset between a full-width form and the ASCII character that it shows.
 const FULL_WIDTH: u32 = 0xFEE0;
 
@@ -90,6 +95,10 @@ impl Plain {
                     }
                     (read.len(), written.to_owned())
                 }
+                // Behind `s` it begins a power, before digits on the line it is a sign.
+                None if first == '⁻' && rest[first.len_utf8()..].starts_with(|next: char| next.is_ascii_digit()) => {
+                    (first.len_utf8(), "-".to_owned())
+                }
                 // At the start it is a sign for about, elsewhere a space that does not break.
                 None if first == '~' && !plain.text.trim().is_empty() => (1, " ".to_owned()),
                 None => (first.len_utf8(), plain_character(first, &mut braces)),
@@ -112,6 +121,28 @@ impl Plain {
         &self.text
     }
 
+    /// The same with the sign of a degree where a small zero is written for it, behind a number: `143^0`, `143⁰`.
+    pub(super) fn with_degrees(mut self) -> Self {
+        let mut at = 0;
+        while at < self.text.len() {
+            let sign = ZEROS_FOR_DEGREES.iter().find(|sign| self.text[at..].starts_with(**sign));
+            let ends = |sign: &&&str| {
+                !self.text[at + sign.len()..].starts_with(|next: char| next.is_ascii_digit() || next == '.')
+            };
+            let is_behind = self.text[..at].trim_end().ends_with(|last: char| last.is_ascii_digit() || last == ')');
+            match sign.filter(ends).filter(|_| is_behind) {
+                Some(sign) => {
+                    let place = self.places.get(at).copied().unwrap_or(0);
+                    self.text.replace_range(at..at + sign.len(), DEGREE);
+                    self.places.splice(at..at + sign.len(), std::iter::repeat_n(place, DEGREE.len()));
+                    at += DEGREE.len();
+                }
+                None => at += self.text[at..].chars().next().map_or(1, char::len_utf8),
+            }
+        }
+        self
+    }
+
     /// A fault at a byte of the plain text.
     pub(super) fn fault(&self, byte: usize, kind: UnreadableKind) -> Unreadable {
         let at = self.places.get(byte).or(self.places.last()).copied().unwrap_or(0);
@@ -129,12 +160,13 @@ fn plain_character(character: char, braces: &mut Vec<char>) -> String {
         _ => character,
     };
     match ascii {
-        '−' | '–' | '—' | '‒' | '﹣' => "-".to_owned(),
+        '−' | '–' | '—' | '‒' | '﹣' | '‐' | '‑' | '―' | '﹘' | '⁃' | '˗' | '➖' => "-".to_owned(),
         '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' => String::new(),
         space if space.is_whitespace() => " ".to_owned(),
         '⋅' | '∙' | '•' | '‧' => "·".to_owned(),
         '’' | '‘' => "'".to_owned(),
-        '˚' => "°".to_owned(),
+        '”' | '“' | '″' => "\"".to_owned(),
+        '˚' | '∘' | 'ᵒ' => "°".to_owned(),
         '∕' | '⁄' | '÷' => "/".to_owned(),
         '{' => {
             braces.push('}');

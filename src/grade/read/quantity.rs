@@ -14,6 +14,9 @@ use super::unreadable::{Unreadable, UnreadableKind};
 use super::value;
 use super::value::Asked;
 
+/// Words before a direction as navigators count it.
+const BEARING: &str = "bearing";
+const OF: &str = "of ";
 /// How an angle ends that says which way it is turned, and not from where.
 const TURNS: [&str; 2] = ["clockwise", "cw"];
 
@@ -28,6 +31,7 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
         return Ok(found);
     }
     let plain = Plain::new(&multiple::without(answer, asked)?)?;
+    let plain = if asked.unit.is_plain_angle() { plain.with_degrees() } else { plain };
     let text = plain.text();
     let own = Asked::of(asked);
     let found = match value::read(text, own, mark) {
@@ -54,14 +58,24 @@ fn measures(answer: &NumberAnswer, asked: &ExpectedNumber) -> bool {
     answer.unit.as_ref().is_none_or(|unit| unit.dimension() == asked.unit.dimension())
 }
 
+/// `bearing 044°`, where the axes point to the sides of the compass: in other words.
+fn clockwise_from_north(text: &str, reference: &Reference) -> Option<String> {
+    let angle = text.trim_start().strip_prefix(BEARING)?.trim_start_matches([' ', ':', '=']);
+    let angle = angle.strip_prefix(OF).unwrap_or(angle);
+    let north = reference.frame.axes.get(1).filter(|_| heading::is_compass(&reference.frame))?.letter;
+    Some(format!("{angle} clockwise from +{north}"))
+}
+
 /// A direction in words, as the question counts it.
 fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Result<NumberAnswer, (usize, UnreadableKind)> {
     let text = text.trim_end_matches([' ', '.']);
-    let heading = heading::read(text, &reference.frame, mark).or_else(|fault| {
+    let bearing = clockwise_from_north(text, reference);
+    let text = bearing.as_deref().unwrap_or(text);
+    let heading = heading::read(text, &reference.frame, reference.level(), mark).or_else(|fault| {
         // `30° clockwise`: from where the question counts.
         let turn = TURNS.iter().any(|turn| text.ends_with(turn)) && matches!(fault.1, UnreadableKind::Direction);
         let from = turn.then(|| format!("{text} from {}", reference.zero()));
-        from.map_or(Err(fault), |text| heading::read(&text, &reference.frame, mark))
+        from.map_or(Err(fault), |text| heading::read(&text, &reference.frame, reference.level(), mark))
     })?;
     let words = heading.words(&reference.frame, |angle, form| echo_number(angle, form.written()));
     Ok(NumberAnswer {

@@ -4,8 +4,9 @@ use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
 use super::super::number::Number;
-use super::answer::{NumberAnswer, Written};
+use super::answer::{NumberAnswer, Sense, Written};
 use super::calculation;
+use super::comments;
 use super::direction::Phrase;
 use super::numeral::DecimalMark;
 use super::plain::ENDS;
@@ -97,6 +98,9 @@ pub(super) fn read(
     mark: DecimalMark,
     fault: (usize, UnreadableKind),
 ) -> At<NumberAnswer> {
+    if let Some(found) = in_brackets(text, asked, mark) {
+        return found;
+    }
     if fault.1.is_doubt() {
         return Err(fault);
     }
@@ -115,7 +119,15 @@ pub(super) fn read(
     while let Some(end) = before_remark(&text[from..to], asked) {
         to = from + end;
     }
-    let inner = &text[from..to];
+    let bare = &text[from..to];
+    if let Some(count) = comments::counted(bare, asked) {
+        return Ok(count);
+    }
+    let comment = comments::start(bare, asked).filter(|end| !bare[..*end].trim().is_empty());
+    if let Some(end) = comment {
+        to = from + end;
+    }
+    let inner = text[from..to].trim_end_matches([' ', ',', '(']);
     if let Some(zero) = in_words(inner, asked) {
         return Ok(zero);
     }
@@ -133,10 +145,42 @@ pub(super) fn read(
     } else {
         value::read(inner, asked, mark).map_err(|(at, kind)| (from + at, kind))
     };
+    // A sign says nothing of a size beside a direction in words.
+    let again = match again {
+        Ok(found) if comment.is_some() && found.signed && asked.senses.is_none() => {
+            Err((from, UnreadableKind::SignAndDirection))
+        }
+        again => again,
+    };
+    let again = again.or_else(|fault| in_several_units(inner, asked, mark).ok_or(fault));
     again.or_else(|fault| match calculation::read(inner, asked.unit, mark).filter(|_| !fault.1.is_doubt()) {
         Some(found) => found.map_err(|(at, kind)| (from + at, kind)),
         None => Err(fault),
     })
+}
+
+/// `1 ft 1.9 in away from the quay`: a value in several units, and its direction.
+fn in_several_units(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<NumberAnswer> {
+    text.match_indices(' ').find_map(|(at, _)| {
+        let Phrase::Declared(sense) = asked.direction(&text[at..]) else { return None };
+        let found = calculation::read(&text[..at], asked.unit, mark)?.ok()?;
+        (!found.signed).then_some(NumberAnswer { sense: Some(sense), ..found })
+    })
+}
+
+/// `-3.16 m/s (to the left)`: a value with its sign, and in brackets what the sign means.
+fn in_brackets(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
+    let bare = text.trim_end_matches(ENDS).strip_suffix(')')?;
+    let at = bare.rfind('(')?;
+    let Phrase::Declared(sense) = asked.direction(&bare[at + 1..]) else { return None };
+    let found = value::read(text[..at].trim_end(), asked, mark).ok().filter(|found| found.signed)?;
+    Some(agreeing(found, &sense, at))
+}
+
+/// The value where its sign says the direction beside it.
+fn agreeing(found: NumberAnswer, sense: &Sense, at: usize) -> At<NumberAnswer> {
+    let agree = found.number.is_zero() || found.number.is_negative() != sense.positive;
+    if agree { Ok(found) } else { Err((at, UnreadableKind::SignAndDirection)) }
 }
 
 /// `-0.25 m/s, i.e. to the left`: a value, and in words what its sign means. The two must agree; words alone tell the direction.
@@ -153,8 +197,7 @@ fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Numbe
     if !found.signed {
         return Some(Ok(NumberAnswer { sense: Some(sense), ..found }));
     }
-    let agree = found.number.is_zero() || found.number.is_negative() != sense.positive;
-    Some(if agree { Ok(found) } else { Err((at, UnreadableKind::SignAndDirection)) })
+    Some(agreeing(found, &sense, at))
 }
 
 /// `-3.2 î m/s`: a component with the unit vector of its axis.

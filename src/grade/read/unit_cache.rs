@@ -19,6 +19,8 @@ thread_local! {
 pub(super) fn parse(text: &str, asked: &Unit) -> Result<Unit, UnitFault> {
     match remembered(text) {
         Err(UnitFault { kind: UnitFaultKind::Ambiguous { .. }, .. }) => Unit::parse_asked(text, asked.dimension()),
+        // `kn` is a knot, and beside a force a kilonewton.
+        Ok(unit) if unit.dimension() != asked.dimension() => Unit::parse_asked(text, asked.dimension()),
         clear => clear,
     }
 }

@@ -8,6 +8,7 @@ use super::super::number::Number;
 use super::answer::{NumberAnswer, VectorAnswer, Written, echo_number};
 use super::components::{self, Parts};
 use super::direction;
+use super::hats;
 use super::heading;
 use super::multiple;
 use super::numeral::DecimalMark;
@@ -32,7 +33,8 @@ pub(super) fn read(answer: &str, asked: &ExpectedVector, mark: DecimalMark) -> R
         None => answer.into(),
     };
     let plain = Plain::new(&answer)?;
-    read_plain(plain.text(), asked, mark).map_err(|(at, kind)| plain.fault(at, kind))
+    let text = hats::without_brackets(&hats::put_on(plain.text()));
+    read_plain(&text, asked, mark).map_err(|(at, kind)| plain.fault(at, kind))
 }
 
 fn read_plain(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnswer> {
@@ -286,7 +288,7 @@ fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnsw
         let size = text[..at].trim_end_matches([' ', ',', '(']);
         let bare = size.strip_suffix(" at").or(size.strip_suffix('@')).or(size.strip_suffix('∠')).unwrap_or(size);
         let Ok(size) = component(bare, asked, mark) else { continue };
-        match heading::read(&text[at..], &asked.frame, mark) {
+        match heading::read(&text[at..], &asked.frame, true, mark) {
             Ok(_) if size.number.is_negative() || size.signed => return Err((0, UnreadableKind::SignAndDirection)),
             Ok(heading) => {
                 let components = heading.components(&size.number, &asked.frame).ok_or((0, UnreadableKind::TooLarge))?;
