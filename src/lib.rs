@@ -75,3 +75,4 @@ pub use momentous_store as store;
 #[cfg(feature = "serve")]
 pub use momentous_web as web;
 pub use momentous_witness as witness;
+pub use momentous_work as work;

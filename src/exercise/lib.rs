@@ -29,6 +29,7 @@ mod submission;
 mod table;
 mod together;
 mod tried;
+mod work;
 
 pub use drawer::Drawer;
 

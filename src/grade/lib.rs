@@ -36,7 +36,10 @@ pub use judge::{BESIDE_A_WHOLE_NUMBER, Judgement, VerdictWindow, brought_near, j
 pub use marks::Points;
 pub use messages::Message;
 pub use number::Number;
-pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
+pub use read::{
+    Answer, BehindBars, DecimalMark, FormulaAnswer, Letters, Manner, Unreadable, UnreadableKind, WrittenNumber,
+    WrittenTerm, read, read_several, read_term,
+};
 pub use reading::{Reading, Readings};
 pub use report::{Entry, InputFault, PartReport, Report, grade, grade_read, not_right, some_values};
 pub use rows::RowCounts;

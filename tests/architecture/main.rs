@@ -24,7 +24,7 @@ const ORDER: &[&[&str]] = &[
     &["problem"],
     &["figure", "simulate"],
     &["explain", "grade", "witness"],
-    &["render"],
+    &["render", "work"],
     &["exercise"],
     &["bank"],
     &["course", "export", "web"],

@@ -87,8 +87,11 @@ pub(super) struct Grade {
     #[arg(long, value_name = "MARK", default_value = "point")]
     decimal: Mark,
     /// The answer to a part
-    #[arg(long, value_name = "NAME=TEXT", value_parser = assignment, required_unless_present = "submissions")]
+    #[arg(long, value_name = "NAME=TEXT", value_parser = assignment, required_unless_present_any = ["submissions", "work"])]
     answer: Vec<(String, String)>,
+    /// Judge the lines of this file as the work that led to the answers, and give points for the method; - for standard input
+    #[arg(long, value_name = "FILE", conflicts_with = "submissions")]
+    work: Option<PathBuf>,
     /// Show N further hints about wrong answers
     #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "submissions")]
     hints: usize,

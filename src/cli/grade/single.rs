@@ -1,12 +1,17 @@
 //! One set of answers, from the arguments.
 
+use std::path::Path;
+
 use crate::cli::exit::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::format::Listing;
 use crate::cli::open;
 use crate::cli::output::Output;
 use crate::exercise::Drawer;
+use crate::exercise::Exercise;
 use crate::exercise::SheetSeed;
+use crate::grade::Report;
+use crate::work::WorkReport;
 
 use super::Grade;
 
@@ -22,10 +27,18 @@ impl Grade {
         let typed = self.answer.iter().map(|(name, text)| (name.as_str(), text.as_str()));
         let answers = exercise.answers_by_part(typed);
         let answers = answers.map_err(|faults| Failure::all(faults.into_iter().map(Failure::unusable).collect()))?;
-        let report = exercise.mark(&answers, self.decimal.into(), self.sitting());
+        let Some(work) = self.work.as_ref().map(|path| read(path)).transpose()? else {
+            return self.answers(&exercise, &exercise.mark(&answers, self.decimal.into(), self.sitting()));
+        };
+        let (report, judged) = exercise.mark_with_work(&answers, &work, self.decimal.into(), self.sitting());
+        self.worked(&exercise, &work, &report, &judged)
+    }
+
+    /// The answers alone.
+    fn answers(&self, exercise: &Exercise, report: &Report) -> Result<Exit, Failure> {
         let text = match self.format {
             Listing::Text => report.to_string(),
-            Listing::Json => format!("{}\n", exercise.mark_record(&report)?),
+            Listing::Json => format!("{}\n", exercise.mark_record(report)?),
         };
         Output::whole(None, &text)?;
         Ok(if report.is_unreadable() {
@@ -36,4 +49,33 @@ impl Grade {
             Exit::NotRight
         })
     }
+
+    /// The work, and then the answers where there are some.
+    fn worked(&self, exercise: &Exercise, work: &str, report: &Report, judged: &WorkReport) -> Result<Exit, Failure> {
+        if self.format == Listing::Json {
+            let mut record = exercise.mark_record(report)?;
+            if let Some(object) = record.as_object_mut() {
+                object.insert("work".to_owned(), serde_json::to_value(judged)?);
+            }
+            Output::whole(None, &format!("{record}\n"))?;
+        } else {
+            let mut text = judged.to_string();
+            if let Some(next) = exercise.next_step(work, self.decimal.into()).filter(|_| self.hints > 0) {
+                text = format!("{text}Next: {}\n", next.strength(self.hints));
+            }
+            if !self.answer.is_empty() {
+                text = format!("{text}\n{report}");
+            }
+            Output::whole(None, &text)?;
+        }
+        let is_right = if self.answer.is_empty() { judged.is_right() } else { report.is_right() };
+        Ok(if is_right { Exit::Fine } else { Exit::NotRight })
+    }
+}
+
+/// The lines of a file, or of standard input.
+fn read(path: &Path) -> Result<String, Failure> {
+    let text =
+        if path == Path::new("-") { std::io::read_to_string(std::io::stdin()) } else { std::fs::read_to_string(path) };
+    text.map_err(|fault| Failure::unusable(format!("{}: {fault}", path.display())))
 }

@@ -204,6 +204,7 @@ impl FormDraft {
             sensitivities: Sensitivities::default(),
             followings: Followings::default(),
             cache: FormCache::default(),
+            work: FormCache::default(),
         })
     }
 }

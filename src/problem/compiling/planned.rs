@@ -106,6 +106,8 @@ pub struct Form {
     pub(crate) samples: Samples,
     /// What all explanations of the form have in common; worked out when one is first wanted.
     pub cache: FormCache,
+    /// What the lines of a student's work are compared with; worked out when one is first judged.
+    pub work: FormCache,
 }
 
 /// A value that is solved first and then given, rounded as it is printed.

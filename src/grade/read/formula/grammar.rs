@@ -5,9 +5,9 @@ use momentous_expr::Function;
 use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
-use super::super::super::expected::ExpectedFormula;
 use super::super::unreadable::{At, UnreadableKind};
 use super::token::{Lexeme, MAX_DEPTH, Token};
+use super::vocabulary::{BehindBars, Vocabulary};
 
 /// The most numbers, names and operations.
 const MAX_PARTS: usize = 200;
@@ -32,7 +32,7 @@ pub(super) struct Grammar<'a> {
     next: usize,
     /// The character behind the last.
     end: usize,
-    asked: &'a ExpectedFormula,
+    vocabulary: &'a Vocabulary<'a>,
     depth: usize,
     parts: usize,
     steps: usize,
@@ -58,12 +58,12 @@ impl Term {
 }
 
 impl<'a> Grammar<'a> {
-    pub(super) fn new(lexemes: &'a [Lexeme], end: usize, asked: &'a ExpectedFormula) -> Self {
+    pub(super) fn new(lexemes: &'a [Lexeme], end: usize, vocabulary: &'a Vocabulary<'a>) -> Self {
         Self {
             lexemes,
             next: 0,
             end,
-            asked,
+            vocabulary,
             depth: 0,
             parts: 0,
             steps: 0,
@@ -78,7 +78,7 @@ impl<'a> Grammar<'a> {
         match self.peek() {
             None => Ok(formula.value),
             Some(Token::PlusMinus) => self.fault(UnreadableKind::NotOneValue),
-            Some(Token::Number { .. }) => self.fault(UnreadableKind::NumberBehind),
+            Some(Token::Number { .. } | Token::Written { .. }) => self.fault(UnreadableKind::NumberBehind),
             Some(_) => self.fault(UnreadableKind::NotAFormula),
         }
     }
@@ -147,12 +147,19 @@ impl<'a> Grammar<'a> {
 
     /// Whether a term measures nothing: it may be the argument of a sine, or an exponent.
     pub(super) fn is_pure(&self, term: &Expr) -> bool {
-        term.dimension(&self.asked.symbols) == Ok(Dimension::NONE)
+        term.dimension(self.vocabulary.symbols) == Ok(Dimension::NONE)
+    }
+
+    /// Whether a term holds numbers only.
+    fn is_numeric(&self, term: &Expr) -> bool {
+        let symbols = term.symbols();
+        let is_written = !symbols.is_empty() && symbols.iter().all(|symbol| self.vocabulary.is_written(*symbol));
+        is_written || term.as_number().is_some()
     }
 
     /// The fault of a text that has two readings; of those that are shown, the first stands first.
     pub(super) fn two_readings<T>(&self, at: usize, readings: [&Expr; 2]) -> At<T> {
-        let readings = readings.map(|reading| reading.text(&self.asked.symbols));
+        let readings = readings.map(|reading| reading.text(self.vocabulary.symbols));
         Err((at, UnreadableKind::TwoReadings(readings)))
     }
 
@@ -207,13 +214,21 @@ impl<'a> Grammar<'a> {
                 }
                 Some(next) if self.is_factor(next) => {
                     // `1/2 m v^2` is plain; `a/b c` may mean either.
-                    let fraction = product.value.as_number().is_some() && self.gap() && !bracketed;
-                    if divided && !fraction {
+                    let fraction = self.is_numeric(&product.value) && self.gap() && !bracketed;
+                    let is_below = divided && !fraction && self.vocabulary.behind_bars == BehindBars::Below;
+                    if divided && !fraction && self.vocabulary.behind_bars == BehindBars::Doubtful {
                         return Err((at, UnreadableKind::ProductAfterBar));
                     }
-                    divided = false;
+                    divided = is_below;
                     self.part()?;
                     let factor = self.power()?;
+                    if is_below {
+                        if factor.value.is_zero() {
+                            return Err((at, UnreadableKind::Undefined));
+                        }
+                        product = Term { bare: product.bare && factor.bare, value: product.value / factor.value };
+                        continue;
+                    }
                     product = Term { bare: product.bare && factor.bare, value: product.value * factor.value };
                 }
                 _ => return Ok(product),
@@ -250,7 +265,7 @@ impl<'a> Grammar<'a> {
             return Ok(base);
         }
         // `e^2n` is meant as often for a power of 2n.
-        let is_e = matches!(base.value, Expr::Symbol(own) if self.asked.symbols.entry(own).name == "e");
+        let is_e = matches!(base.value, Expr::Symbol(own) if self.vocabulary.symbols.entry(own).name == "e");
         let value = self.exponent(&|exponent| base.value.clone().power(exponent), is_e)?;
         Ok(Term { value, bare: base.bare })
     }
@@ -277,7 +292,7 @@ impl<'a> Grammar<'a> {
             .is_some_and(|number| number.is_int() && (number.is_one() || *number == -Rational::ONE));
         let open = exponent.as_number().is_none() || of_e;
         let goes_on = match self.peek() {
-            Some(Token::Over) if unit => matches!(self.ahead(1), Some(Token::Number { .. })),
+            Some(Token::Over) if unit => matches!(self.ahead(1), Some(Token::Number { .. } | Token::Written { .. })),
             Some(Token::Over) => open,
             Some(next) => open && self.is_factor(next) && !self.gap(),
             None => false,
@@ -309,6 +324,13 @@ impl<'a> Grammar<'a> {
             Some(Token::Name(symbol)) => {
                 self.advance();
                 Term::of(Expr::from(*symbol))
+            }
+            Some(Token::Written { place, measured }) => {
+                let Some(symbol) = self.vocabulary.numbers.get(*place) else {
+                    return self.fault(UnreadableKind::NoTerm);
+                };
+                self.advance();
+                Term { value: Expr::from(*symbol), bare: !measured }
             }
             Some(Token::Pi) => {
                 self.advance();

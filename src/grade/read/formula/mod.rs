@@ -11,7 +11,9 @@ mod names;
 mod over;
 mod resolve;
 mod signs;
+mod term;
 mod token;
+mod vocabulary;
 mod word;
 
 use momentous_expr::Expr;
@@ -23,7 +25,10 @@ use super::numeral::DecimalMark;
 use super::unreadable::{Unreadable, UnreadableKind};
 use grammar::Grammar;
 use names::Names;
+pub use term::{WrittenNumber, WrittenTerm, read_term};
 use token::{Lexeme, Token};
+use vocabulary::Vocabulary;
+pub use vocabulary::{BehindBars, Letters, Manner};
 
 /// The longest formula that is read, in characters.
 pub const MAX_FORMULA: usize = 1000;
@@ -48,17 +53,18 @@ pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> 
         return Err(Unreadable { at: MAX_FORMULA, kind: UnreadableKind::TooLong(MAX_FORMULA) });
     }
     let fault = |(at, kind)| Unreadable { at, kind };
-    let names = Names::new(asked);
+    let vocabulary = Vocabulary::of(asked);
+    let names = Names::new(&vocabulary);
     let lexemes = lexer::lexemes(answer, mark, names.has_own_e()).map_err(fault)?;
     let lexemes = resolve::resolve(lexemes, &names).map_err(fault)?;
     let end = answer.trim_end().chars().count();
-    let formula = Grammar::new(&lexemes, end, asked).whole().map_err(fault)?;
-    let shifted = shifted(&lexemes, end, asked);
+    let formula = Grammar::new(&lexemes, end, &vocabulary).whole().map_err(fault)?;
+    let shifted = shifted(&lexemes, end, &vocabulary);
     Ok(FormulaAnswer { text: formula.text(&asked.symbols), formula, shifted })
 }
 
 /// The formula with each decimal that may be rounded larger by half a unit of its last place.
-fn shifted(lexemes: &[Lexeme], end: usize, asked: &ExpectedFormula) -> Vec<Expr> {
+fn shifted(lexemes: &[Lexeme], end: usize, vocabulary: &Vocabulary<'_>) -> Vec<Expr> {
     let places = lexemes.iter().enumerate().filter_map(|(place, own)| match &own.token {
         Token::Number { value, half: Some(half) } => Some((place, value + half)),
         _ => None,
@@ -66,7 +72,7 @@ fn shifted(lexemes: &[Lexeme], end: usize, asked: &ExpectedFormula) -> Vec<Expr>
     let formula = |(place, value): (usize, Rational)| {
         let mut lexemes = lexemes.to_vec();
         lexemes.get_mut(place)?.token = Token::Number { value, half: None };
-        Grammar::new(&lexemes, end, asked).whole().ok()
+        Grammar::new(&lexemes, end, vocabulary).whole().ok()
     };
     places.take(MAX_DECIMALS).filter_map(formula).collect()
 }

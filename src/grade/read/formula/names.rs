@@ -4,16 +4,16 @@ use momentous_expr::Symbol;
 use momentous_expr::name_math;
 use momentous_fault::did_you_mean;
 
-use super::super::super::expected::ExpectedFormula;
 use super::super::unreadable::UnreadableKind;
 use super::named::Named;
 use super::signs;
-use super::token::{Letter, Place};
+use super::token::{Letter, Place, Token};
+use super::vocabulary::Vocabulary;
 
 /// The names that a formula may contain, and that of what is asked.
 pub(super) struct Names<'a> {
     known: Vec<Known>,
-    asked: &'a ExpectedFormula,
+    vocabulary: &'a Vocabulary<'a>,
 }
 
 /// A name, by its letters alone: Greek ones as such, without what joins them.
@@ -34,29 +34,31 @@ pub(super) enum Meant {
 }
 
 impl<'a> Names<'a> {
-    pub(super) fn new(asked: &'a ExpectedFormula) -> Self {
-        let name = |symbol: Symbol| asked.symbols.entry(symbol).name.as_str();
-        let mut known: Vec<Known> = allowed(asked)
-            .flat_map(|symbol| letters(name(symbol)).into_iter().map(move |letters| (letters, symbol)))
-            .map(|(letters, symbol)| Known { letters, meant: Meant::Given(symbol) })
-            .collect();
-        known.extend(letters(name(asked.asked)).into_iter().map(|letters| Known { letters, meant: Meant::Asked }));
+    pub(super) fn new(vocabulary: &'a Vocabulary<'a>) -> Self {
+        let spelt = |symbol: Symbol, meant: Meant| {
+            let name = vocabulary.symbols.entry(symbol).name.as_str();
+            letters(name).into_iter().map(move |letters| Known { letters, meant })
+        };
+        let mut known: Vec<Known> =
+            vocabulary.names.iter().flat_map(|symbol| spelt(*symbol, Meant::Given(*symbol))).collect();
+        known.extend(vocabulary.asked.into_iter().flat_map(|asked| spelt(asked, Meant::Asked)));
         known.push(Known { letters: vec!['π'], meant: Meant::Pi });
-        Self { known, asked }
+        Self { known, vocabulary }
     }
 
     /// The name of a quantity, as the problem has it.
     pub(super) fn printed(&self, meant: Meant) -> &'a str {
-        match meant {
-            Meant::Given(symbol) => &self.asked.symbols.entry(symbol).name,
-            Meant::Asked => &self.asked.symbols.entry(self.asked.asked).name,
-            Meant::Pi => "pi",
-        }
+        let symbol = match meant {
+            Meant::Given(symbol) => Some(symbol),
+            Meant::Asked => self.vocabulary.asked,
+            Meant::Pi => None,
+        };
+        symbol.map_or("pi", |symbol| &self.vocabulary.symbols.entry(symbol).name)
     }
 
     /// Whether `e` alone cannot be Euler's number: some quantity of the problem is called so.
     pub(super) fn has_own_e(&self) -> bool {
-        self.asked.symbols.iter().any(|(_, entry)| {
+        self.vocabulary.symbols.iter().any(|(_, entry)| {
             let mut rest = entry.name.chars();
             matches!(rest.next(), Some('e' | 'ε')) && !rest.next().is_some_and(char::is_alphabetic)
                 || entry.name.starts_with("epsilon")
@@ -74,6 +76,15 @@ impl<'a> Names<'a> {
         self.at(word, 0).find(|(_, length)| *length == word.len()).map(|(meant, _)| meant)
     }
 
+    /// A word that is one name, in a line of work: there it is no product of others.
+    pub(super) fn alone(&self, word: &[Letter]) -> Option<Token> {
+        match self.whole(word).filter(|_| self.vocabulary.asked.is_none())? {
+            Meant::Given(symbol) => Some(Token::Name(symbol)),
+            Meant::Pi => Some(Token::Pi),
+            Meant::Asked => None,
+        }
+    }
+
     /// Whether a word is the letter of what is asked without its index, and names nothing else.
     pub(super) fn is_letter_of_asked(&self, word: &[Letter]) -> bool {
         let first =
@@ -89,7 +100,7 @@ impl<'a> Names<'a> {
         if Named::find(text).is_some() {
             return UnreadableKind::NoArgument;
         }
-        let printed = allowed(self.asked).map(|symbol| self.printed(Meant::Given(symbol)));
+        let printed = self.vocabulary.names.iter().map(|symbol| self.printed(Meant::Given(*symbol)));
         let near = did_you_mean(text, printed).map(str::to_owned);
         // A Greek letter without its index.
         let begins =
@@ -98,11 +109,6 @@ impl<'a> Names<'a> {
         let near = near.or_else(|| longer.map(|known| self.printed(known.meant).to_owned()));
         UnreadableKind::UnknownName { name: text.to_owned(), near }
     }
-}
-
-/// The symbols that a formula may contain.
-fn allowed(asked: &ExpectedFormula) -> impl Iterator<Item = Symbol> + '_ {
-    asked.domain.iter().map(|(symbol, ..)| *symbol).chain(asked.values.iter().map(|(symbol, _)| *symbol))
 }
 
 /// The letters of a name, Greek ones as such: as the file spells it, and as it is printed where that differs.

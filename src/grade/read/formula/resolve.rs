@@ -24,7 +24,10 @@ pub(super) fn resolve(lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
         };
         let next = rest.peek();
         let spelt = names::text(word);
-        let measures = matches!(found.last().map(|own| &own.token), Some(Token::Number { .. } | Token::Close(_)));
+        let measures = matches!(
+            found.last().map(|own| &own.token),
+            Some(Token::Number { .. } | Token::Written { .. } | Token::Close(_))
+        );
         if let Some(unit) = angle_unit(&spelt).filter(|_| measures && names.whole(word).is_none()) {
             found.push(Lexeme { token: unit, ..lexeme });
             continue;
@@ -36,6 +39,10 @@ pub(super) fn resolve(lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
         let apart = lexeme.gap && next.is_some_and(|next| next.gap);
         if apart && matches!(spelt.as_str(), "x" | "X") && names.whole(word).is_none() {
             found.push(Lexeme { token: Token::Times, ..lexeme });
+            continue;
+        }
+        if let Some(token) = names.alone(word) {
+            found.push(Lexeme { token, ..lexeme });
             continue;
         }
         let reader = Word { names, letters: word, next: next.map(|next| &next.token) };

@@ -26,6 +26,11 @@ pub(super) enum Token {
         value: Rational,
         half: Option<Rational>,
     },
+    /// A number for which a symbol stands: its place among them, and whether it has a unit.
+    Written {
+        place: usize,
+        measured: bool,
+    },
     /// Letters side by side, in which names and functions are still to be found.
     Word(Vec<Letter>),
     /// A quantity that the sheet gives.
@@ -84,7 +89,7 @@ pub(super) enum Place {
 impl Token {
     /// Whether the argument of a function may begin with it.
     pub(super) fn begins_argument(&self) -> bool {
-        self.begins_factor() || matches!(self, Self::Number { .. } | Self::Bar)
+        self.begins_factor() || matches!(self, Self::Number { .. } | Self::Written { .. } | Self::Bar)
     }
 
     /// Whether it continues a product without a sign; a number never does, and a bar may close what it opened.

@@ -1,0 +1,258 @@
+//! A side of an equation as a student writes it: names, and numbers with units, each number as a symbol of its own. So what a number
+//! stands for can still be asked when the term is read.
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolEntry;
+use momentous_expr::SymbolTable;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
+
+use super::super::numeral::DecimalMark;
+use super::super::unreadable::{Unreadable, UnreadableKind};
+use super::grammar::Grammar;
+use super::names::{self, Names};
+use super::token::{Lexeme, Token};
+use super::vocabulary::{BehindBars, Letters, Manner, Vocabulary};
+use super::{MAX_FORMULA, lexer, resolve};
+
+/// A unit has no more words.
+const MAX_WORDS: usize = 6;
+/// No power of ten behind a number is larger.
+const MAX_POWER_OF_TEN: usize = 40;
+/// A number without decimals stands for what rounds to it within this share, where it has fewer figures than that.
+const WHOLE: (i64, i64) = (1, 200);
+
+/// A number in a term.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrittenNumber {
+    /// The symbol that stands for it in the term.
+    pub symbol: Symbol,
+    /// Its value in its unit.
+    pub value: Rational,
+    /// Its unit; none where none is written.
+    pub unit: Option<Unit>,
+    /// How far it may lie from what was rounded to it, in its unit.
+    pub half: Rational,
+}
+
+/// A term, read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrittenTerm {
+    /// The term, with a symbol for each number.
+    pub term: Expr,
+    /// The numbers, in the order in which they are written.
+    pub numbers: Vec<WrittenNumber>,
+    /// Whether a letter behind a number may be a unit or a quantity.
+    pub is_doubtful: bool,
+}
+
+/// Reads a term in which quantities and numbers with units may stand. Numbers are added to the symbols.
+///
+/// ```
+/// use momentous_expr::{SymbolEntry, SymbolTable};
+/// use momentous_grade::{BehindBars, DecimalMark, Letters, Manner, read_term};
+/// use momentous_quantity::Dimension;
+///
+/// let mut symbols = SymbolTable::default();
+/// let entry = SymbolEntry { name: "v_A1".into(), dimension: Dimension::VELOCITY, meaning: String::new() };
+/// let names = [symbols.intern(entry)];
+/// let manner = Manner { letters: Letters::Units, behind_bars: BehindBars::Doubtful };
+/// let read = read_term("2.0 kg * v_{A1} + (3 kg)(1.5 m/s)", &mut symbols, &names, manner, DecimalMark::Point)?;
+/// assert_eq!(read.numbers.len(), 3);
+/// assert_eq!(read.term.dimension(&symbols), Ok(Dimension::MOMENTUM));
+/// # Ok::<(), momentous_grade::Unreadable>(())
+/// ```
+///
+/// # Errors
+/// Where the text is no term, or may be read in two ways.
+pub fn read_term(
+    text: &str,
+    symbols: &mut SymbolTable,
+    names: &[Symbol],
+    manner: Manner,
+    mark: DecimalMark,
+) -> Result<WrittenTerm, Unreadable> {
+    if text.chars().nth(MAX_FORMULA).is_some() {
+        return Err(Unreadable { at: MAX_FORMULA, kind: UnreadableKind::TooLong(MAX_FORMULA) });
+    }
+    let fault = |(at, kind)| Unreadable { at, kind };
+    let (lexemes, found) = {
+        let known = Vocabulary {
+            symbols,
+            names: names.to_vec(),
+            asked: None,
+            numbers: Vec::new(),
+            behind_bars: BehindBars::Doubtful,
+        };
+        let names = Names::new(&known);
+        let lexemes = lexer::lexemes(text, mark, names.has_own_e()).map_err(fault)?;
+        let mut found = Numbers { names: &names, letters: manner.letters, taken: Vec::new(), is_doubtful: false };
+        let lexemes = found.replace(&lexemes);
+        (resolve::resolve(lexemes, &names).map_err(fault)?, (found.taken, found.is_doubtful))
+    };
+    let (numbers, is_doubtful) = found;
+    let numbers: Vec<WrittenNumber> = numbers
+        .into_iter()
+        .map(|Number { value, unit, half }| {
+            let dimension = unit.as_ref().map_or(Dimension::NONE, Unit::dimension);
+            let name = format!("number {}", symbols.len());
+            WrittenNumber {
+                symbol: symbols.intern(SymbolEntry { name, dimension, meaning: String::new() }),
+                value,
+                unit,
+                half,
+            }
+        })
+        .collect();
+    let written = numbers.iter().map(|number| number.symbol).collect();
+    let known =
+        Vocabulary { symbols, names: names.to_vec(), asked: None, numbers: written, behind_bars: manner.behind_bars };
+    let end = text.trim_end().chars().count();
+    let term = Grammar::new(&lexemes, end, &known).whole().map_err(fault)?;
+    Ok(WrittenTerm { term, numbers, is_doubtful })
+}
+
+/// A number as it stands in the text.
+struct Number {
+    value: Rational,
+    unit: Option<Unit>,
+    half: Rational,
+}
+
+/// Takes the numbers out of a text.
+struct Numbers<'a> {
+    names: &'a Names<'a>,
+    letters: Letters,
+    taken: Vec<Number>,
+    is_doubtful: bool,
+}
+
+impl Numbers<'_> {
+    /// The tokens with each number and its unit as one; exponents and the degrees of roots stay what they are.
+    fn replace(&mut self, lexemes: &[Lexeme]) -> Vec<Lexeme> {
+        let mut kept = Vec::with_capacity(lexemes.len());
+        let mut at = 0;
+        while let Some(lexeme) = lexemes.get(at) {
+            match &lexeme.token {
+                Token::Power | Token::IndexedRoot => {
+                    let end = behind_exponent(lexemes, at + 1);
+                    kept.extend_from_slice(&lexemes[at..end]);
+                    at = end;
+                }
+                Token::Number { value, half } => {
+                    let (factor, behind) = power_of_ten(lexemes, at + 1).unwrap_or((Rational::ONE, at + 1));
+                    let half = half.clone().unwrap_or_else(|| rounding(value));
+                    let (unit, end) = self.unit(lexemes, behind);
+                    let token = Token::Written { place: self.taken.len(), measured: unit.is_some() };
+                    self.taken.push(Number { value: value * &factor, half: half * factor, unit });
+                    kept.push(Lexeme { token, ..lexeme.clone() });
+                    at = end;
+                }
+                _ => {
+                    kept.push(lexeme.clone());
+                    at += 1;
+                }
+            }
+        }
+        kept
+    }
+
+    /// The unit that begins at a token, the longest that can be read, and the token behind it.
+    fn unit(&mut self, lexemes: &[Lexeme], from: usize) -> (Option<Unit>, usize) {
+        let (mut text, mut at, mut words, mut is_name) = (String::new(), from, 0, false);
+        let mut longest = (None, from);
+        while let Some(lexeme) = lexemes.get(at) {
+            match &lexeme.token {
+                Token::Word(letters) if words < MAX_WORDS => {
+                    is_name |= self.names.whole(letters).is_some();
+                    let is_before_word = matches!(lexemes.get(at + 1).map(|own| &own.token), Some(Token::Word(_)));
+                    // `2 g h` is no number of gram hours.
+                    if is_name && (self.letters == Letters::Names || is_before_word && names::text(letters) == "g") {
+                        break;
+                    }
+                    if words > 0 && !text.ends_with(['/', '*']) {
+                        text.push(' ');
+                    }
+                    text.push_str(&names::text(letters));
+                    words += 1;
+                }
+                Token::Degree if words == 0 => {
+                    return (Some(Unit::degree()), at + 1);
+                }
+                Token::Over if words > 0 => text.push('/'),
+                Token::Times if words > 0 => text.push('*'),
+                Token::Power if words > 0 => {
+                    let end = behind_exponent(lexemes, at + 1);
+                    let Some(exponent) = whole_exponent(&lexemes[at + 1..end]) else { break };
+                    text.push('^');
+                    text.push_str(&exponent);
+                    at = end - 1;
+                }
+                _ => break,
+            }
+            at += 1;
+            if let Ok(unit) = Unit::parse(&text) {
+                longest = (Some(unit), at);
+                self.is_doubtful |= is_name;
+            }
+        }
+        longest
+    }
+}
+
+/// The token behind an exponent that begins at a token: a number with its sign, or what stands in brackets.
+fn behind_exponent(lexemes: &[Lexeme], from: usize) -> usize {
+    let is_sign = |at: usize| matches!(lexemes.get(at).map(|own| &own.token), Some(Token::Minus | Token::Plus));
+    let start = from + usize::from(is_sign(from));
+    if !matches!(lexemes.get(start).map(|own| &own.token), Some(Token::Open(_))) {
+        return (start + 1).min(lexemes.len());
+    }
+    let mut depth = 0_usize;
+    for (at, lexeme) in lexemes.iter().enumerate().skip(start) {
+        match lexeme.token {
+            Token::Open(_) => depth += 1,
+            Token::Close(_) => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth == 0 {
+            return at + 1;
+        }
+    }
+    lexemes.len()
+}
+
+/// A whole exponent as text: `2`, `-1`, `(2)`.
+fn whole_exponent(lexemes: &[Lexeme]) -> Option<String> {
+    let mut text = String::new();
+    for lexeme in lexemes {
+        match &lexeme.token {
+            Token::Minus => text.push('-'),
+            Token::Number { value, half: None } if value.is_int() => text.push_str(&value.to_string()),
+            Token::Open(_) | Token::Close(_) | Token::Plus => {}
+            _ => return None,
+        }
+    }
+    Some(text)
+}
+
+/// `* 10^3` behind a number: the factor, and the token behind it.
+fn power_of_ten(lexemes: &[Lexeme], from: usize) -> Option<(Rational, usize)> {
+    let token = |at: usize| lexemes.get(at).map(|own| &own.token);
+    let is_ten = matches!(token(from + 1), Some(Token::Number { value, half: None }) if *value == Rational::from(10));
+    if token(from) != Some(&Token::Times) || !is_ten || token(from + 2) != Some(&Token::Power) {
+        return None;
+    }
+    let end = behind_exponent(lexemes, from + 3);
+    let exponent: isize = whole_exponent(lexemes.get(from + 3..end)?)?.parse().ok()?;
+    (exponent.unsigned_abs() <= MAX_POWER_OF_TEN).then(|| (Rational::from(10).pow(exponent), end))
+}
+
+/// How far a number without decimals, or with few figures, may lie from what was rounded to it.
+fn rounding(value: &Rational) -> Rational {
+    let size = if *value < Rational::ZERO { -value.clone() } else { value.clone() };
+    let half = Rational::from(1) / Rational::from(2);
+    let share = size * Rational::from(WHOLE.0) / Rational::from(WHOLE.1);
+    if value.is_int() && share > half { half } else { share }
+}

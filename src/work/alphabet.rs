@@ -1,0 +1,188 @@
+//! The letters of a form: every quantity that a student can type, and short names for what mechanics has a usual letter for.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Instant;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_model::VectorName;
+use momentous_problem::Worked;
+
+use super::ground::Ground;
+use super::written::Alphabet;
+
+/// Letters under which kinetic energies are written.
+const KINETIC_ENERGY: [&str; 5] = ["T", "K", "KE", "E_k", "E_kin"];
+
+/// The letters of a form.
+pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
+    let model = worked.problem.model();
+    let is_typed = |name: &str| name.starts_with(char::is_alphabetic) && !name.contains([' ', '(', '*', '/']);
+    let names = model.symbols.iter().filter(|(_, entry)| is_typed(&entry.name)).map(|(symbol, _)| symbol).collect();
+    let mut alphabet =
+        Alphabet { symbols: model.symbols.clone(), names, short: Vec::new(), spelt: Vec::new(), own: BTreeSet::new() };
+    magnitudes(worked, &mut alphabet);
+    motions(worked, &mut alphabet);
+    masses(worked, ground, &mut alphabet);
+    totals(worked, &mut alphabet);
+    numbered(worked, &mut alphabet);
+    once(worked, &mut alphabet);
+    alone(worked, ground, &mut alphabet);
+    alphabet
+}
+
+/// The size of a vector: `magnitude(H_O1)`, `|H_O1|`.
+fn magnitudes(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    for (symbol, entry) in worked.problem.model().symbols.iter() {
+        let Some(VectorName::Magnitude(vector)) = VectorName::parse(&entry.name).filter(|_| entry.name.ends_with(')'))
+        else {
+            continue;
+        };
+        let name = format!("magnitude_{vector}");
+        alphabet.shorten(&name, symbol.into());
+        alphabet.spelt.extend([entry.name.clone(), format!("|{vector}|")].map(|text| (text, name.clone())));
+    }
+}
+
+/// Momentum, kinetic energy and the change of velocity and momentum of each body with a mass and velocities.
+fn motions(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let named = || model.symbols.iter().map(|(symbol, _)| (symbol, model.name(symbol)));
+    let mass = |body: &str| {
+        let is_mass = |name: &Name| name.kind == QuantityKind::Mass && name.subject == body;
+        named().find(|(_, name)| is_mass(name)).map(|(symbol, _)| Expr::from(symbol))
+    };
+    // By body and component, the velocities at each instant.
+    let mut motions: BTreeMap<(&str, Option<&str>), BTreeMap<usize, Expr>> = BTreeMap::new();
+    for (symbol, name) in named().filter(|(_, name)| name.kind == QuantityKind::Velocity && name.stage.is_none()) {
+        if let Some(Instant::Number(instant)) = name.instant {
+            motions.entry((&name.subject, name.component.as_deref())).or_default().insert(instant, symbol.into());
+        }
+    }
+    let mut energies: BTreeMap<(&str, usize), Vec<Expr>> = BTreeMap::new();
+    for ((body, component), velocities) in &motions {
+        let Some(mass) = mass(body) else { continue };
+        let part = component.map_or_else(String::new, |component| format!(".{component}"));
+        for (instant, velocity) in velocities {
+            alphabet.shorten(&format!("p_{body}{instant}{part}"), mass.clone() * velocity.clone());
+            energies.entry((body, *instant)).or_default().push(velocity.clone().powi(2));
+        }
+        if let [first, last] = velocities.values().collect::<Vec<_>>().as_slice() {
+            let change = Expr::sum([(*last).clone(), -(*first).clone()]);
+            for name in [format!("v_{body}'{part}"), format!("v'_{body}{part}")] {
+                alphabet.shorten(&name, (*last).clone());
+            }
+            alphabet.shorten(&format!("u_{body}{part}"), (*first).clone());
+            alphabet.shorten(&format!("Delta_v_{body}{part}"), change.clone());
+            alphabet.shorten(&format!("Delta_p_{body}{part}"), mass.clone() * change.clone());
+            alphabet.shorten(&format!("J_{body}{part}"), mass * change);
+        }
+    }
+    for ((body, instant), squares) in energies {
+        let Some(mass) = mass(body) else { continue };
+        let energy = Expr::ratio(1, 2) * mass * Expr::sum(squares);
+        for letter in KINETIC_ENERGY {
+            alphabet.shorten(&format!("{letter}_{body}{instant}"), energy.clone());
+        }
+    }
+}
+
+/// A letter alone, where it can mean one quantity only.
+fn alone(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let letter = |symbol: Symbol| {
+        let name = model.symbols.entry(symbol).name.as_str();
+        name.find(['_', '.', '[', '@']).map_or(name, |end| &name[..end])
+    };
+    let wanted: Vec<Symbol> = worked.form.wanted().collect();
+    let used = ground.used_symbols();
+    let open: Vec<Symbol> = used.iter().copied().filter(|symbol| !ground.told.contains(symbol)).collect();
+    for symbol in &wanted {
+        let own = letter(*symbol);
+        // Of what is told, only what belongs to no body is written with the letter alone.
+        let told = ground.told.iter().filter(|told| model.name(**told).subject.is_empty());
+        let others = wanted.iter().chain(&open).chain(told).filter(|other| *other != symbol && letter(**other) == own);
+        if others.count() == 0 && own.chars().count() == 1 && own != "e" {
+            alphabet.shorten(own, (*symbol).into());
+        }
+    }
+}
+
+/// The lost energy under other letters.
+fn totals(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    if let Some(lost) = worked.problem.model().symbols.find("T_lost") {
+        for letter in KINETIC_ENERGY.iter().skip(1).chain(&["E"]) {
+            alphabet.shorten(&format!("{letter}_lost"), lost.into());
+        }
+    }
+}
+
+/// Two bodies by number, with u before and a prime after: `m1 u1 + m2 u2`, `v_A'`.
+fn numbered(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let bodies: Vec<&String> = worked.problem.loaded().draft.scene.bodies.keys().collect();
+    for (place, body) in bodies.iter().enumerate() {
+        let velocity = |instant: usize| model.symbols.find(&format!("v_{body}{instant}")).map(Expr::from);
+        if let Some(mass) = model.symbols.find(&format!("m_{body}")) {
+            alphabet.shorten(&format!("m_{}", place + 1), mass.into());
+        }
+        for number in [(*body).clone(), (place + 1).to_string()] {
+            if let Some(before) = velocity(1) {
+                alphabet.shorten(&format!("u_{number}"), before);
+            }
+            if let (Some(after), None) = (velocity(2), velocity(3)) {
+                alphabet.shorten(&format!("v_{number}'"), after);
+            }
+        }
+    }
+}
+
+/// Names without what tells nothing apart: of quantities of one instant only their number, `v_G`, and of one body only its letter, `r_1`.
+fn once(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let shorter: [fn(&Name) -> Name; 2] =
+        [|own| Name { instant: None, ..own.clone() }, |own| Name { subject: String::new(), ..own.clone() }];
+    for shorter in shorter {
+        for (symbol, _) in model.symbols.iter() {
+            let own = model.name(symbol);
+            if own.subject.is_empty() || own.instant.is_none() {
+                continue;
+            }
+            let short = shorter(own);
+            let alike = model.symbols.iter().filter(|(other, _)| shorter(model.name(*other)) == short);
+            if alike.count() == 1 {
+                alphabet.shorten(&short.to_string(), symbol.into());
+            }
+        }
+    }
+}
+
+/// One letter for masses that are the same in every variant, and for the only normal force.
+fn masses(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let of_kind = |kind: &QuantityKind| -> Vec<Symbol> {
+        model.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| model.name(*symbol).kind == *kind).collect()
+    };
+    let masses = of_kind(&QuantityKind::Mass);
+    let is_same = |one: Symbol, other: Symbol| {
+        let mut values = ground.places().map(|place| (place.value(one), place.value(other)));
+        values.all(|(one, other)| one.is_some() && one.map(|own| own.value) == other.map(|own| own.value))
+    };
+    if let Some(first) = masses.first()
+        && masses.iter().skip(1).all(|other| is_same(*first, *other))
+    {
+        alphabet.shorten("m", (*first).into());
+        for body in worked.problem.loaded().draft.scene.bodies.keys() {
+            alphabet.shorten(&format!("m_{body}"), (*first).into());
+        }
+    }
+    let normal: Vec<Symbol> =
+        model.symbols.iter().filter(|(_, entry)| entry.name.starts_with("N_")).map(|(own, _)| own).collect();
+    if let [only] = normal.as_slice() {
+        alphabet.shorten("F_N", (*only).into());
+        alphabet.shorten("N", (*only).into());
+    }
+}

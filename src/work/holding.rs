@@ -1,0 +1,182 @@
+//! Lines whose sides agree: which kind of truth they are, and from which laws.
+
+use std::collections::BTreeSet;
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_problem::PartKind;
+use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
+use momentous_quantity::Unit;
+
+use super::found::{Accepted, Found};
+use super::ground::Place;
+use super::holds::{At, Holds, is_identity};
+use super::judge::Judge;
+use super::meaning::{Meaning, Meanings};
+use super::support::{Slopes, Support};
+use super::verdict::Verdict;
+use super::written::{Statement, Written};
+
+impl Judge<'_> {
+    /// What is said of a line whose sides agree for this variant.
+    pub(crate) fn holding(&self, line: &Written, place: Place<'_>, sets: &[Meanings], here: &[Holds]) -> Found {
+        let everywhere = |set: &Meanings| {
+            let holds = |place: Place<'_>| {
+                let value = |symbol: Symbol| place.value(symbol);
+                At { value: &value, units: self.worked.problem.units(), turned: &self.turned }.line(line, set)
+            };
+            let found: Vec<Holds> = self.ground.places().map(holds).collect();
+            found.iter().all(|own| matches!(own, Holds::Yes | Holds::Open))
+        };
+        let exactly = sets.iter().zip(here).filter(|(set, own)| **own == Holds::Yes && set.is_general(line));
+        let mut is_general_here = false;
+        for (set, _) in exactly {
+            is_general_here = true;
+            if everywhere(set) {
+                return self.classed(line, place, set, true);
+            }
+        }
+        let rounded = sets.iter().zip(here).find(|(set, own)| **own <= Holds::AsFigures && !set.is_general(line));
+        match rounded {
+            Some((set, _)) if !(line.numbers.is_empty() || is_general_here && line.is_in_symbols()) => {
+                self.classed(line, place, set, false)
+            }
+            _ if is_general_here
+                && self.counts()
+                && line.statements().any(|own| has_numeric_power(&own.residual())) =>
+            {
+                // A number that counts was written as an exponent, which other variants have otherwise.
+                self.classed(line, place, &sets[0], false)
+            }
+            _ if is_general_here => Found::of(Verdict::Coincidence),
+            _ => Found::of(Verdict::Undecided),
+        }
+    }
+
+    /// Whether something that is counted is told.
+    fn counts(&self) -> bool {
+        let model = self.worked.problem.model();
+        let is_pure = |symbol: &&Symbol| model.symbols.entry(**symbol).dimension == Dimension::NONE;
+        let is_whole =
+            |symbol: &Symbol| self.base.get(symbol).is_some_and(|own| own.value.fract() == 0.0 && own.value > 1.0);
+        self.ground.told.iter().filter(is_pure).any(is_whole)
+    }
+
+    /// Which kind of true line it is.
+    fn classed(&self, line: &Written, place: Place<'_>, set: &Meanings, is_general: bool) -> Found {
+        if is_general && is_identity(line, set) {
+            return Found::of(Verdict::Identity);
+        }
+        let statements: Vec<_> = line.statements().cloned().collect();
+        let residuals: Vec<Expr> = statements.iter().map(|own| self.in_values(line, set, &own.residual())).collect();
+        let unknown: BTreeSet<Symbol> =
+            residuals.iter().flat_map(Expr::symbols).filter(|symbol| !self.ground.told.contains(symbol)).collect();
+        if unknown.is_empty() {
+            return Found { accepted: None, ..Found::of(Verdict::Restates) };
+        }
+        let slopes = Slopes::new(&self.ground, place, &unknown);
+        let mut support = Support::default();
+        for residual in &residuals {
+            let own = slopes.support(place, residual);
+            support.laws.extend(own.laws);
+            support.is_step |= own.is_step;
+        }
+        let wanted = self.answers_asked();
+        let answers: Vec<Symbol> = line
+            .stated
+            .iter()
+            .flatten()
+            .filter(|chain| {
+                chain.iter().any(|own| [&own.left, &own.right].into_iter().any(|side| self.is_known(line, side)))
+            })
+            .flat_map(|chain| chain.iter().flat_map(|own| [&own.left, &own.right]))
+            .filter_map(|side| match side {
+                Expr::Symbol(symbol) if wanted.contains(symbol) => Some(*symbol),
+                _ => None,
+            })
+            .collect();
+        let verdict = match (answers.is_empty(), support.is_step, is_general) {
+            (false, ..) => Verdict::Answer,
+            (true, false, _) => Verdict::Definition,
+            (true, true, true) => Verdict::Follows,
+            (true, true, false) => Verdict::AsFigures,
+        };
+        let is_value = |own: &Statement| is_written_value(line, &own.left) || is_written_value(line, &own.right);
+        let shows_laws = is_general
+            || !statements
+                .iter()
+                .all(|own| is_value(own) && (is_letter(line, &own.left) || is_letter(line, &own.right)));
+        let accepted = Accepted { residuals, support: support.clone(), answers, shows_laws };
+        Found { support, accepted: Some(accepted), ..Found::of(verdict) }
+    }
+
+    /// Whether a side holds nothing but numbers, what is given and the letters in which a formula is asked.
+    fn is_known(&self, line: &Written, side: &Expr) -> bool {
+        let letters = self.worked.form.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Formula(own) => self.worked.formula(own),
+            _ => None,
+        });
+        let units = self.worked.form.units();
+        let letters: BTreeSet<Symbol> = letters.flat_map(|formula| formula.symbols()).chain(units).collect();
+        let is_known = |symbol: &Symbol| self.ground.told.contains(symbol) || letters.contains(symbol);
+        side.symbols().iter().all(|symbol| line.number(*symbol).is_some() || is_known(symbol))
+    }
+
+    /// The quantities that are asked and can be written as a line.
+    pub(crate) fn answers_asked(&self) -> Vec<Symbol> {
+        self.worked.form.parts.iter().flat_map(|part| written_answers(&part.kind)).collect()
+    }
+
+    /// A term with its numbers as values, and with what the student counts the other way round as the scene counts it.
+    pub(crate) fn in_values(&self, line: &Written, set: &Meanings, term: &Expr) -> Expr {
+        term.substitute(&|symbol| {
+            let Some(number) = line.number(symbol) else {
+                return self.turned.contains(&symbol).then(|| -Expr::from(symbol));
+            };
+            match set.of(symbol) {
+                Meaning::Given { symbol, reversed } => Some(if reversed { -Expr::from(symbol) } else { symbol.into() }),
+                Meaning::Constant => Some(Expr::Number(number.value.clone())),
+                Meaning::Computed => {
+                    let factor = number.unit.as_ref().map(Unit::factor);
+                    let rational = factor.as_ref().map_or(Rational::ONE, |own| own.rational.clone());
+                    let turns = factor.map_or(0, |own| i64::from(own.pi));
+                    let value = Expr::Number(&number.value * rational);
+                    Some(if turns == 0 { value } else { value * Expr::Pi.powi(turns) })
+                }
+            }
+        })
+    }
+}
+
+/// The quantities of a part that can be written as a line.
+pub(crate) fn written_answers(part: &PartKind) -> Vec<Symbol> {
+    match part {
+        PartKind::Number(own) => vec![own.symbol],
+        PartKind::Vector(own) => own.components.iter().map(|component| component.symbol).collect(),
+        PartKind::Formula(own) => vec![own.symbol],
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a side is one number, perhaps with a sign.
+fn is_written_value(line: &Written, side: &Expr) -> bool {
+    match side {
+        Expr::Symbol(symbol) => line.number(*symbol).is_some(),
+        Expr::Product(parts) => {
+            matches!(parts.as_ref(), [Expr::Number(_), Expr::Symbol(symbol)] if line.number(*symbol).is_some())
+        }
+        _ => false,
+    }
+}
+
+/// Whether a side is one quantity.
+fn is_letter(line: &Written, side: &Expr) -> bool {
+    matches!(side, Expr::Symbol(symbol) if line.number(*symbol).is_none())
+}
+
+/// Whether a term has a number as the exponent of another.
+fn has_numeric_power(term: &Expr) -> bool {
+    let is_own = matches!(term, Expr::Power(pair) if pair.1.as_number().is_some_and(|own| own.is_int() && *own > Rational::from(2)));
+    is_own || term.children().any(has_numeric_power)
+}

@@ -1,0 +1,199 @@
+//! Whether a line holds at one place: with the values of one variant, right or mistaken.
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_expr::SymbolTable;
+use momentous_quantity::Dimension;
+use momentous_quantity::Unit;
+use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
+use momentous_solve::Bounded;
+use momentous_solve::Real;
+use momentous_solve::evaluate;
+
+use super::meaning::{Meaning, Meanings};
+use super::sides::Compared;
+use super::written::{Statement, Written};
+
+/// Two sides agree where they differ by no more than this share of what stands in them.
+const AGREE: f64 = 1e-10;
+/// A bound on rounding beyond this share decides nothing.
+const UNDECIDED: f64 = 1e-6;
+/// Numbers that were rounded decide no more than this share of what stands in a line.
+const ROUNDED: f64 = 0.02;
+/// A value that is written as the last side may be off by this share as by the rounding of its figures.
+const RESULT: f64 = 0.006;
+
+/// Whether a line holds, from the best to the worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Holds {
+    /// Its sides are equal, or compare as it says.
+    Yes,
+    /// They are equal as far as the figures of its numbers show.
+    AsFigures,
+    /// It cannot be said.
+    Open,
+    /// They differ.
+    No,
+}
+
+/// How far two sides are apart.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Difference {
+    /// The left side minus the right one.
+    pub(crate) value: f64,
+    /// The size of what stands in them.
+    pub(crate) size: f64,
+}
+
+impl Difference {
+    /// Whether the sides agree.
+    pub(crate) fn is_nothing(self) -> bool {
+        self.value.abs() <= 1e-9 * self.size
+    }
+}
+
+/// Where the values of a line come from.
+pub(crate) struct At<'a> {
+    /// The value of a quantity in SI units.
+    pub(crate) value: &'a dyn Fn(Symbol) -> Option<Bounded>,
+    /// The units in which bare numbers count.
+    pub(crate) units: UnitSystem,
+    /// Quantities that the student counts the other way round.
+    pub(crate) turned: &'a [Symbol],
+}
+
+impl At<'_> {
+    /// Whether all that a line states holds.
+    pub(crate) fn line(&self, line: &Written, meanings: &Meanings) -> Holds {
+        let chain = |chain: &Vec<Statement>| {
+            chain.iter().map(|own| self.statement(line, own, meanings)).max().unwrap_or(Holds::Yes)
+        };
+        let alternatives = |own: &Vec<Vec<Statement>>| own.iter().map(chain).min().unwrap_or(Holds::Yes);
+        line.stated.iter().map(alternatives).max().unwrap_or(Holds::Open)
+    }
+
+    /// Whether one statement holds.
+    pub(crate) fn statement(&self, line: &Written, statement: &Statement, meanings: &Meanings) -> Holds {
+        let value = |symbol: Symbol| self.of(line, symbol, meanings);
+        let residual = statement.residual();
+        let difference: Bounded = evaluate(&residual, &value);
+        if !difference.is_real() || !difference.value.is_finite() {
+            return Holds::Open;
+        }
+        let rough = |symbol: Symbol| value(symbol).value;
+        let (mut size, mut reach, mut rounds) = (0.0_f64, 0.0_f64, false);
+        residual.slopes(&rough, 1.0, &mut |symbol, slope| {
+            let part = (slope * rough(symbol)).abs();
+            // A size of nothing has no slope.
+            size += if part.is_nan() { 0.0 } else { part };
+            if let Some(number) = line.number(symbol)
+                && meanings.of(symbol) == Meaning::Computed
+            {
+                let half = number.half.to_f64().value() * self.unit_of(number.unit.as_ref());
+                reach += (slope * half).abs();
+                rounds = true;
+            }
+        });
+        if !size.is_finite() || difference.error > UNDECIDED * size {
+            return Holds::Open;
+        }
+        if rounds && is_result(line, statement) {
+            reach = reach.max(RESULT * size / 2.0);
+        }
+        let is_nothing = difference.value.abs() <= difference.error + AGREE * size;
+        let is_rounded = rounds && difference.value.abs() <= reach.min(ROUNDED * size);
+        let (is_less, is_more) = (difference.value < 0.0, difference.value > 0.0);
+        let holds = match statement.compared {
+            Compared::Equal => is_nothing,
+            Compared::Less => is_less && !is_nothing,
+            Compared::Greater => is_more && !is_nothing,
+            Compared::AtMost => is_less || is_nothing,
+            Compared::AtLeast => is_more || is_nothing,
+        };
+        match (holds, is_rounded) {
+            (true, _) => Holds::Yes,
+            (false, true) => Holds::AsFigures,
+            (false, false) => Holds::No,
+        }
+    }
+
+    /// The difference of the sides of a statement, beside what stands in it; none where it has no value.
+    pub(crate) fn difference(&self, line: &Written, statement: &Statement, meanings: &Meanings) -> Option<Difference> {
+        let value = |symbol: Symbol| self.of(line, symbol, meanings);
+        let [left, right]: [Bounded; 2] = [&statement.left, &statement.right].map(|side| evaluate(side, &value));
+        let difference = left.value - right.value;
+        difference.is_finite().then(|| Difference { value: difference, size: left.value.abs() + right.value.abs() })
+    }
+
+    fn of(&self, line: &Written, symbol: Symbol, meanings: &Meanings) -> Bounded {
+        let measured = |own: Symbol| {
+            let found = (self.value)(own).unwrap_or_else(Bounded::not_real);
+            let found = if self.turned.contains(&own) { found.neg() } else { found };
+            self.in_units(found, line.symbols.entry(own).dimension)
+        };
+        let Some(number) = line.number(symbol) else { return measured(symbol) };
+        match meanings.of(symbol) {
+            Meaning::Given { symbol, reversed } => {
+                // The number of a given is written as the sheet prints it, whatever the student counts as positive.
+                let found = (self.value)(symbol).unwrap_or_else(Bounded::not_real);
+                let found = self.in_units(found, line.symbols.entry(symbol).dimension);
+                if reversed { found.neg() } else { found }
+            }
+            Meaning::Constant | Meaning::Computed => {
+                let size = number.value.to_f64().value() * self.unit_of(number.unit.as_ref());
+                Bounded { value: size, error: size.abs() * 4.0 * f64::EPSILON }
+            }
+        }
+    }
+
+    fn unit_of(&self, unit: Option<&Unit>) -> f64 {
+        unit.map_or(1.0, |unit| unit.factor().to_f64() / coherent(unit.dimension(), self.units))
+    }
+
+    fn in_units(&self, value: Bounded, dimension: Dimension) -> Bounded {
+        match self.units {
+            UnitSystem::Si => value,
+            UnitSystem::Us => value.div(&Bounded::exactly(coherent(dimension, self.units))),
+        }
+    }
+}
+
+/// Whether a statement gives the value of one quantity.
+fn is_result(line: &Written, statement: &Statement) -> bool {
+    let is_number = |side: &Expr| side.symbols().iter().all(|symbol| line.number(*symbol).is_some());
+    let is_one = |side: &Expr| matches!(side, Expr::Symbol(symbol) if line.number(*symbol).is_none());
+    is_one(&statement.left) && is_number(&statement.right) || is_one(&statement.right) && is_number(&statement.left)
+}
+
+/// The size of the coherent unit of a dimension in SI units.
+pub(crate) fn coherent(dimension: Dimension, units: UnitSystem) -> f64 {
+    match units {
+        UnitSystem::Si => 1.0,
+        UnitSystem::Us => coherent_unit(dimension, units).factor().to_f64(),
+    }
+}
+
+/// Whether a line says the same of any values whatever: both sides are one.
+pub(crate) fn is_identity(line: &Written, meanings: &Meanings) -> bool {
+    (1..=3_u32).all(|round| {
+        let anything = |symbol: Symbol| {
+            let mixed = (u64::try_from(symbol.index()).unwrap_or(0) + 7) * 0x9E37_79B9 * u64::from(round);
+            #[allow(clippy::cast_precision_loss, reason = "below 2^20")]
+            let share = (mixed % 1_048_573) as f64 / 1_048_573.0;
+            Some(Bounded::exactly(0.25 + share))
+        };
+        let at = At { value: &anything, units: UnitSystem::Si, turned: &[] };
+        at.line(line, meanings) == Holds::Yes
+    })
+}
+
+/// The dimensions that clash in a line, in words.
+pub(crate) fn clash(line: &Written, meanings: &Meanings, symbols: &SymbolTable) -> Option<String> {
+    let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
+    line.statements().find_map(|own| {
+        let [left, right] = [&own.left, &own.right].map(|side| meanings.put_into(line, side));
+        let found = left.common_dimension(&right, symbols).err()?;
+        Some(found.sentence(symbols, &unit))
+    })
+}

@@ -1,0 +1,50 @@
+//! The work, not only the answer: whether a line that a student writes follows from the scene, from which laws or from which mistake.
+//!
+//! Nothing is authored for it. The equations of a form's scene have many solutions, one for each variant; a line follows if it holds for
+//! all of them ([`holds`](mod@holds)), whatever its form. Its laws are the fewest equations whose slopes add up to its own
+//! ([`support`](mod@support)). A line that does not follow is tried in the systems that come of usual mistakes ([`wrong`](mod@wrong)).
+//! Numbers are read as what they stand for ([`meaning`](mod@meaning)): `2.0 * 3.0` as `m_A v_A1`.
+
+mod alphabet;
+mod clash;
+mod convention;
+mod elsewhere;
+mod failing;
+mod found;
+mod ground;
+mod holding;
+mod holds;
+mod judge;
+mod meaning;
+mod message;
+mod naming;
+mod progress;
+mod report;
+mod result;
+mod sides;
+mod support;
+mod unread;
+mod verdict;
+mod way;
+mod written;
+mod wrong;
+
+pub use judge::{Judge, MOST_LINES};
+pub use report::{AnswerNeeded, JudgedLine, LawNeeded, NextStep, WorkReport};
+pub use verdict::Verdict;
+
+use momentous_grade::DecimalMark;
+use momentous_problem::Worked;
+
+/// The lines of a student's work that are judged: those that are not empty, up to [`MOST_LINES`].
+pub fn lines(work: &str) -> impl Iterator<Item = &str> {
+    work.lines().map(str::trim).filter(|line| !line.is_empty()).take(MOST_LINES)
+}
+
+/// Judges a student's work on a variant, line by line.
+#[must_use]
+pub fn judge(worked: Worked<'_>, work: &str, mark: DecimalMark) -> WorkReport {
+    let mut judge = Judge::new(worked, mark);
+    let judged = lines(work).map(|line| judge.line(line)).collect();
+    judge.report(judged)
+}

@@ -1,0 +1,45 @@
+//! The laws that only give a name to something: using them is no step of a solution.
+
+use momentous_laws::Law;
+
+/// What names a quantity, takes a vector apart or says again what the text says.
+const NAMING: [&str; 33] = [
+    "acceleration-as-rate",
+    "angle-between",
+    "boundary-of-a-condition",
+    "components",
+    "count",
+    "counted-direction",
+    "direction",
+    "displacement",
+    "end-of-the-motion",
+    "expression-asked",
+    "kinetic-energy",
+    "magnitude",
+    "mass-of-the-parts",
+    "momentum",
+    "no-impulse-no-change",
+    "place-after-a-displacement",
+    "place-as-told",
+    "potential-energy",
+    "rate-of-momentum",
+    "relative-displacement",
+    "relative-velocity",
+    "rest",
+    "same-velocity",
+    "speed",
+    "speed-ratio",
+    "start-from-rest",
+    "stated-relation",
+    "times-add-up",
+    "together-before",
+    "total-mass",
+    "turned-axes",
+    "velocity-as-told",
+    "weight",
+];
+
+/// Whether a law only names something.
+pub(crate) fn is_naming(law: &Law) -> bool {
+    NAMING.contains(&law.id)
+}

@@ -1,0 +1,175 @@
+//! What a student's lines have established, what is missing, and the next step.
+
+use std::collections::BTreeSet;
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Because;
+use momentous_problem::PartKind;
+use momentous_quantity::round_to_figures;
+use momentous_solve::Statement;
+
+use super::holding::written_answers;
+use super::judge::Judge;
+use super::report::{AnswerNeeded, JudgedLine, LawNeeded, NextStep, WorkReport};
+use super::support::Slopes;
+
+/// The points for a law, and for an answer, where the problem says nothing else.
+const POINT: u32 = 1;
+
+impl Judge<'_> {
+    /// The report on the lines judged so far.
+    #[must_use]
+    pub fn report(&self, lines: Vec<JudgedLine>) -> WorkReport {
+        let established = self.established();
+        let laws: Vec<LawNeeded> = self.needed().into_iter().map(|position| self.law(position, &established)).collect();
+        let answers: Vec<AnswerNeeded> = self.answers();
+        let reached = laws.iter().filter(|own| own.established).map(|own| own.points);
+        let reached = reached.chain(answers.iter().filter(|own| own.established).map(|own| own.points)).sum();
+        let out_of = laws.iter().map(|own| own.points).chain(answers.iter().map(|own| own.points)).sum();
+        WorkReport { lines, laws, answers, points: reached, out_of }
+    }
+
+    /// The positions of the ground's equations that the answers need as steps, in the order of the solution.
+    fn needed(&self) -> Vec<usize> {
+        let leaf = self.worked.leaf();
+        let mut needed: Vec<usize> = Vec::new();
+        for place in leaf.answer_steps().iter().flat_map(|step| &step.equations) {
+            let Some(equation) = leaf.system.equations.get(*place) else { continue };
+            let Statement::Equal { left, right } = &equation.statement else { continue };
+            let residual = Expr::sum([left.clone(), -right.clone()]);
+            let same = |own: &super::ground::Stated| own.tag == equation.tag && own.residual == residual;
+            let position = self.ground.equations.iter().position(same);
+            needed.extend(position.filter(|own| !needed.contains(own) && !self.ground.equations[*own].is_naming));
+        }
+        needed
+    }
+
+    /// The positions of the ground's equations that follow from the lines, or stand in them.
+    fn established(&self) -> BTreeSet<usize> {
+        let place = self.ground.place(&self.base);
+        let mentioned: BTreeSet<Symbol> =
+            self.accepted.iter().flat_map(|own| &own.residuals).flat_map(Expr::symbols).collect();
+        if self.accepted.is_empty() {
+            return BTreeSet::new();
+        }
+        let slopes = Slopes::new(&self.ground, place, &mentioned);
+        let steps = || self.accepted.iter().filter(|own| own.shows_laws);
+        let mut established = slopes.established(place, steps().flat_map(|own| &own.residuals));
+        established.extend(steps().flat_map(|own| &own.support.laws));
+        established
+    }
+
+    fn law(&self, position: usize, established: &BTreeSet<usize>) -> LawNeeded {
+        let model = self.worked.problem.model();
+        let instance = &model.instances[self.ground.equations[position].tag];
+        let scene = &self.worked.problem.loaded().draft.scene;
+        LawNeeded {
+            law: instance.law.id,
+            name: instance.law.name,
+            stage: instance.stage.map(|stage| model.phrase(scene, stage)),
+            established: established.contains(&position),
+            points: POINT,
+        }
+    }
+
+    fn answers(&self) -> Vec<AnswerNeeded> {
+        let given: BTreeSet<Symbol> = self.accepted.iter().flat_map(|own| own.answers.iter().copied()).collect();
+        let parts = self.worked.form.parts.iter().filter(|part| !written_answers(&part.kind).is_empty());
+        parts
+            .map(|part| AnswerNeeded {
+                id: part.id.clone(),
+                established: written_answers(&part.kind).iter().all(|symbol| given.contains(symbol)),
+                points: POINT,
+            })
+            .collect()
+    }
+
+    /// The next step towards the answers; none where the lines hold all of it.
+    #[must_use]
+    pub fn next_step(&self) -> Option<NextStep> {
+        let established = self.established();
+        let missing = self.needed().into_iter().find(|position| !established.contains(position));
+        if let Some(position) = missing {
+            return Some(self.step_of_law(position));
+        }
+        let given: BTreeSet<Symbol> = self.accepted.iter().flat_map(|own| own.answers.iter().copied()).collect();
+        let wanted = self.answers_asked().into_iter().find(|symbol| !given.contains(symbol))?;
+        Some(self.step_of_answer(wanted))
+    }
+
+    fn step_of_law(&self, position: usize) -> NextStep {
+        let model = self.worked.problem.model();
+        let stated = &self.ground.equations[position];
+        let instance = &model.instances[stated.tag];
+        let scene = &self.worked.problem.loaded().draft.scene;
+        let during = instance.stage.map_or_else(String::new, |stage| format!(" for {}", model.phrase(scene, stage)));
+        let because = match &instance.because {
+            Because::Definition => String::new(),
+            reason => format!(": {reason}"),
+        };
+        let equation = self.ground.system.equations.iter().find_map(|own| match &own.statement {
+            Statement::Equal { left, right }
+                if own.tag == stated.tag && Expr::sum([left.clone(), -right.clone()]) == stated.residual =>
+            {
+                Some([left, right])
+            }
+            _ => None,
+        });
+        let text = |numbers: bool| {
+            equation.map_or_else(String::new, |[left, right]| {
+                format!("{} = {}", self.text(left, numbers), self.text(right, numbers))
+            })
+        };
+        NextStep {
+            principle: format!("Use {}{during}{because}.", instance.law.name),
+            equation: text(false),
+            numbers: text(true),
+        }
+    }
+
+    fn step_of_answer(&self, wanted: Symbol) -> NextStep {
+        let name = self.worked.problem.name_of(wanted);
+        let numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+        let number = numbers.into_iter().find(|number| number.symbol == wanted);
+        let value = number.and_then(|number| {
+            let value = round_to_figures(self.worked.answer(number).for_print(), number.figures)?;
+            Some(format!("{name} = {value} {}", self.worked.problem.unit_name(number)).trim_end().to_owned())
+        });
+        let formula = self.worked.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Formula(own) if own.symbol == wanted => self.worked.formula(own),
+            _ => None,
+        });
+        let value = value.or_else(|| Some(format!("{name} = {}", self.text(&formula?, false))));
+        NextStep {
+            principle: format!("Solve the equations for {name}."),
+            equation: String::new(),
+            numbers: value.into_iter().collect(),
+        }
+    }
+
+    /// A term as a student would type it, with the values of what is given or without.
+    fn text(&self, term: &Expr, numbers: bool) -> String {
+        let problem = self.worked.problem;
+        self.resolved(term).text_with(&|symbol| {
+            let entry = problem.model().symbols.entry(symbol);
+            let given = self.worked.variant.given(symbol).filter(|_| numbers && self.ground.told.contains(&symbol));
+            match given {
+                Some((value, unit)) if unit.is_none() => format!("({value})"),
+                Some((value, unit)) => format!("({value} {unit})"),
+                None if problem.model().literals.iter().any(|(own, _)| *own == symbol) => format!("({})", entry.name),
+                None => entry.name.clone(),
+            }
+        })
+    }
+    /// A term with each quantity that is given piece by piece as the piece that holds.
+    fn resolved(&self, term: &Expr) -> Expr {
+        let Expr::Piecewise(piecewise) = term else { return term.map_children(|part| self.resolved(part)) };
+        let place = self.ground.place(&self.base);
+        let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
+        let at = piecewise.variable.evaluate(&value);
+        let holds = |until: &Option<Expr>| until.as_ref().is_none_or(|until| at <= until.evaluate(&value));
+        let piece = piecewise.pieces.iter().find(|(until, _)| holds(until));
+        piece.map_or_else(|| term.clone(), |(_, piece)| self.resolved(piece))
+    }
+}

@@ -1,0 +1,292 @@
+//! A line taken apart: its sides, how they compare, and the words around them.
+
+/// How two sides of a line compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Compared {
+    /// `=`.
+    Equal,
+    /// `<`.
+    Less,
+    /// `<=`.
+    AtMost,
+    /// `>`.
+    Greater,
+    /// `>=`.
+    AtLeast,
+}
+
+use Compared::{AtLeast, AtMost, Equal, Greater, Less};
+
+/// Every sign that compares two sides; of those that begin alike the longest stands first.
+const SIGNS: [(&str, Compared); 20] = [
+    ("\\approx", Equal),
+    ("\\simeq", Equal),
+    ("\\leq", AtMost),
+    ("\\geq", AtLeast),
+    ("\\le", AtMost),
+    ("\\ge", AtLeast),
+    ("\\lt", Less),
+    ("\\gt", Greater),
+    ("<=", AtMost),
+    (">=", AtLeast),
+    ("~=", Equal),
+    ("==", Equal),
+    ("≤", AtMost),
+    ("≥", AtLeast),
+    ("≈", Equal),
+    ("≅", Equal),
+    ("≃", Equal),
+    ("=", Equal),
+    ("<", Less),
+    (">", Greater),
+];
+
+/// What stands between two statements of one line: the second follows from the first.
+const ARROWS: [&str; 9] = ["\\Longrightarrow", "\\Rightarrow", "\\implies", "\\to ", "=>", "⇒", "⟹", "→", ";"];
+
+/// What stands between two solutions, of which one holds.
+const ALTERNATIVES: [&str; 3] = [" or ", "\\text{ or }", "\\text{or}"];
+
+/// Words that open a line and say nothing of their own.
+const WORDS: [&str; 38] = [
+    "so",
+    "then",
+    "thus",
+    "hence",
+    "therefore",
+    "and",
+    "also",
+    "but",
+    "now",
+    "we",
+    "have",
+    "get",
+    "obtain",
+    "gives",
+    "with",
+    "where",
+    "since",
+    "because",
+    "that",
+    "is",
+    "the",
+    "it",
+    "which",
+    "means",
+    "by",
+    "from",
+    "using",
+    "no",
+    "ok",
+    "yes",
+    "finally",
+    "after",
+    "before",
+    "had",
+    "has",
+    "becomes",
+    "starts",
+    "when",
+];
+/// Words that make a line say the opposite.
+const NEGATIONS: [&str; 3] = ["not", "never", "cannot"];
+/// Verbs behind which the equation of a sentence begins.
+const VERBS: [&str; 8] = ["is", "are", "was", "had", "has", "becomes", "equals", "gives"];
+/// A sentence leads up to its equation by no more words.
+const MOST_WORDS: usize = 8;
+/// Words behind which the reason of an equation stands.
+const JOINTS: [&str; 7] = [" because ", " since ", " as the ", " from the ", " by the ", " according to ", " using "];
+/// Directions that may stand in brackets behind a value.
+const DIRECTIONS: [&str; 14] = [
+    "up",
+    "upwards",
+    "down",
+    "downwards",
+    "left",
+    "right",
+    "east",
+    "west",
+    "north",
+    "south",
+    "forwards",
+    "backwards",
+    "clockwise",
+    "outwards",
+];
+/// Spellings of a change.
+const CHANGES: [(&str, &str); 3] = [("\\Delta ", "Δ"), ("Delta ", "Δ"), ("delta ", "Δ")];
+
+/// Commands and signs of LaTeX that set a line and say nothing.
+const SETTING: [(&str, &str); 13] = [
+    ("\\begin{aligned}", ""),
+    ("\\end{aligned}", ""),
+    ("\\begin{align*}", ""),
+    ("\\end{align*}", ""),
+    ("\\begin{equation}", ""),
+    ("\\end{equation}", ""),
+    ("\\quad", " "),
+    ("\\qquad", " "),
+    ("\\[", ""),
+    ("\\]", ""),
+    ("$", ""),
+    ("&", ""),
+    ("\\\\", " "),
+];
+
+/// One statement: sides, each compared with the next one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Chain {
+    /// The sides as they are written. The first is empty where the line goes on from the one before.
+    pub(crate) sides: Vec<String>,
+    /// How each compares with the next.
+    pub(crate) signs: Vec<Compared>,
+}
+
+/// A line: statements one after another, of each of which one alternative holds.
+pub(crate) type Sides = Vec<Vec<Chain>>;
+
+/// The statements of a line, one after another.
+pub(crate) fn statements(line: &str) -> Vec<String> {
+    let line = SETTING.iter().fold(line.to_owned(), |line, (from, to)| line.replace(from, to));
+    let line = with_joined_indices(&CHANGES.iter().fold(line, |line, (from, to)| line.replace(from, to)));
+    split(&line, &ARROWS).iter().flat_map(|own| listed(own)).collect()
+}
+
+/// Takes a line apart; nothing where no sides are compared in it.
+pub(crate) fn sides(line: &str) -> Option<Sides> {
+    let statements = statements(line);
+    let sides: Sides = statements
+        .iter()
+        .map(|statement| {
+            split(statement, &ALTERNATIVES)
+                .iter()
+                .flat_map(|own| both_signs(own))
+                .filter_map(|own| chain(&own))
+                .collect()
+        })
+        .filter(|alternatives: &Vec<Chain>| !alternatives.is_empty())
+        .collect();
+    (!sides.is_empty()).then_some(sides)
+}
+
+/// `a = 1, b = 2` as two statements: commas part them where each part compares sides.
+fn listed(statement: &str) -> Vec<String> {
+    let parts: Vec<&str> = statement.split(", ").collect();
+    let compares = |part: &&str| SIGNS.iter().any(|(sign, _)| part.contains(sign));
+    let parts = if parts.iter().all(compares) { parts } else { vec![statement] };
+    parts.into_iter().map(str::to_owned).collect()
+}
+
+/// `v_A,x` and `F_T,C2` with the index behind the comma joined to the one before.
+fn with_joined_indices(line: &str) -> String {
+    let signs: Vec<char> = line.chars().collect();
+    let mut text = String::with_capacity(line.len());
+    for (at, sign) in signs.iter().enumerate() {
+        let before = at.checked_sub(1).and_then(|before| signs.get(before));
+        let is_joined = *sign == ','
+            && before.is_some_and(|before| before.is_alphabetic())
+            && signs.get(at + 1).is_some_and(|next| next.is_alphabetic());
+        text.push(if is_joined { '_' } else { *sign });
+    }
+    text
+}
+
+fn split(text: &str, marks: &[&str]) -> Vec<String> {
+    let mut parts = vec![String::new()];
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        if let Some(mark) = marks.iter().find(|mark| rest.starts_with(**mark)) {
+            parts.push(String::new());
+            rest = &rest[mark.len()..];
+            continue;
+        }
+        if let Some(last) = parts.last_mut() {
+            last.push(first);
+        }
+        rest = &rest[first.len_utf8()..];
+    }
+    parts
+}
+
+/// `v = ± x` as two statements.
+fn both_signs(text: &str) -> Vec<String> {
+    let marks = ["±", "\\pm", "+/-", "+-"];
+    match marks.iter().find(|mark| text.contains(**mark)) {
+        Some(mark) => ["+", "-"].map(|sign| text.replace(mark, sign)).to_vec(),
+        None => vec![text.to_owned()],
+    }
+}
+
+fn chain(text: &str) -> Option<Chain> {
+    let (mut sides, mut signs) = (vec![String::new()], Vec::new());
+    let mut rest = without_words(text);
+    while let Some(first) = rest.chars().next() {
+        // `\left` is no sign of comparison.
+        let sign = SIGNS.iter().find(|(sign, _)| {
+            rest.strip_prefix(sign)
+                .is_some_and(|behind| !sign.starts_with('\\') || !behind.starts_with(char::is_alphabetic))
+        });
+        if let Some((sign, compared)) = sign {
+            sides.push(String::new());
+            signs.push(*compared);
+            rest = &rest[sign.len()..];
+            continue;
+        }
+        if let Some(last) = sides.last_mut() {
+            last.push(first);
+        }
+        rest = &rest[first.len_utf8()..];
+    }
+    let sides: Vec<String> = sides.iter().map(|side| without_remark(side).to_owned()).collect();
+    (!signs.is_empty()).then_some(Chain { sides, signs })
+}
+
+/// A statement without the words before it: `momentum: `, `so `, `the mass is `. A negation stays, so that it is not read over.
+fn without_words(text: &str) -> &str {
+    let mut rest = text.trim().trim_end_matches(['.', ',']);
+    if let Some((label, behind)) = rest.split_once(':')
+        && !label.contains(|sign: char| "=<>+*/^≤≥≈".contains(sign))
+    {
+        rest = behind.trim_start();
+    }
+    if let Some((exclamation, behind)) = rest.split_once("! ")
+        && exclamation.chars().all(|sign| sign.is_ascii_alphabetic() || sign == ' ')
+    {
+        rest = behind.trim_start();
+    }
+    loop {
+        let word = rest.find([' ', ',']).map_or(rest, |end| &rest[..end]);
+        let small = word.to_lowercase();
+        let is_plain = word.len() > 1 && word.chars().all(|sign| sign.is_ascii_alphabetic());
+        let is_word = is_plain && (WORDS.contains(&small.as_str()) || rest.len() > word.len() && is_before_verb(rest));
+        if !is_word || NEGATIONS.contains(&small.as_str()) {
+            return rest;
+        }
+        rest = rest[word.len()..].trim_start_matches([' ', ',']);
+    }
+}
+
+/// Whether words of a sentence lead up to a verb before any sign or number: `the mass is m = ...`.
+fn is_before_verb(text: &str) -> bool {
+    let words =
+        text.split(' ').take_while(|word| word.len() > 1 && word.chars().all(|sign| sign.is_ascii_alphabetic()));
+    words.skip(1).take(MOST_WORDS).any(|word| VERBS.contains(&word))
+}
+
+/// A side without a remark behind it: `1.2 m/s (to the right)`, `h_0 because energy is conserved`.
+fn without_remark(side: &str) -> &str {
+    let mut side = side.trim().trim_end_matches([',', '.']).trim_end();
+    for joint in JOINTS {
+        if let Some((before, _)) = side.split_once(joint) {
+            side = before.trim_end();
+        }
+    }
+    let Some(open) = side.rfind('(').filter(|open| *open > 0 && side.ends_with(')')) else { return side };
+    let inner = &side[open + 1..side.len() - 1];
+    let is_remark =
+        inner.split([' ', '-']).all(|word| word.len() > 1 && word.chars().all(|sign| sign.is_ascii_lowercase()));
+    let words: Vec<&str> = inner.split([' ', '-']).collect();
+    let is_words = words.iter().any(|word| DIRECTIONS.contains(word))
+        || words.len() > 1 && words.iter().any(|word| word.len() > 3);
+    if is_remark && is_words { side[..open].trim_end() } else { side }
+}

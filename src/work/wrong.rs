@@ -1,0 +1,211 @@
+//! The systems that come of the usual mistakes, and which of them a line follows from.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::OnceLock;
+use std::sync::RwLock;
+
+use momentous_expr::Symbol;
+use momentous_laws::wrong::Misconception;
+use momentous_model::Mistaken;
+use momentous_problem::Worked;
+use momentous_solve::Bounded;
+use momentous_solve::Real;
+use momentous_solve::Statement;
+use momentous_solve::System;
+use momentous_solve::evaluate;
+
+use super::ground::{Ground, Place};
+use super::holds::{At, Difference, Holds};
+use super::meaning::Meanings;
+use super::way::{Values, Way};
+use super::written::Written;
+
+/// Other variants at which a mistaken line has to hold, too.
+const VARIANTS: usize = 3;
+/// In so many variants a line has to be the same multiple of a wrong equation.
+const ENOUGH: usize = 3;
+/// Multiples are the same within this share.
+const SAME: f64 = 1e-7;
+/// A line that follows from more different mistakes names none of them.
+const MOST: usize = 3;
+
+/// A system with one mistake, and the values that follow from it.
+#[derive(Debug)]
+struct WrongSystem {
+    mistaken: Mistaken,
+    /// The way to all that the answers need.
+    whole: OnceLock<Option<Arc<Way>>>,
+    /// The ways to other quantities, as far as a line has asked.
+    parts: RwLock<BTreeMap<BTreeSet<Symbol>, Option<Arc<Way>>>>,
+}
+
+/// All of them.
+#[derive(Debug)]
+pub(crate) struct WrongSystems(Vec<WrongSystem>);
+
+/// A mistake from which a line follows.
+#[derive(Clone, Debug)]
+pub(crate) struct Follows {
+    /// The mistake.
+    pub(crate) of: &'static Misconception,
+    /// The law that is got wrong, as it is used; none where the laws are right.
+    pub(crate) instance: Option<usize>,
+    /// In how many places the same is got wrong.
+    pub(crate) places: usize,
+}
+
+impl WrongSystem {
+    fn follows(&self) -> Follows {
+        let Mistaken { of, instance, places, .. } = &self.mistaken;
+        Follows { of, instance: *instance, places: *places }
+    }
+
+    fn way(&self, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Arc<Way>> {
+        let whole = self.whole.get_or_init(|| {
+            let all: Vec<Symbol> = ground.used_symbols().difference(&ground.told).copied().collect();
+            self.solved(ground, &all)
+        });
+        if let Some(whole) = whole
+            && wanted.iter().all(|symbol| whole.finds(*symbol))
+        {
+            return Some(Arc::clone(whole));
+        }
+        if let Some(known) = self.parts.read().ok().and_then(|parts| parts.get(wanted).cloned()) {
+            return known;
+        }
+        let way = self.solved(ground, &wanted.iter().copied().collect::<Vec<_>>());
+        if let Ok(mut parts) = self.parts.write() {
+            parts.insert(wanted.clone(), way.clone());
+        }
+        way
+    }
+
+    /// Whether a line is a multiple of one of the wrong equations, but for what is right: where the scene is right, right equations
+    /// vanish, so the differences of its sides are then the same multiple of those of the wrong equation in every variant.
+    fn is_in(&self, differences: &[(Place<'_>, Difference)]) -> bool {
+        self.mistaken.wrong.iter().filter_map(|place| self.mistaken.system.equations.get(*place)).any(|equation| {
+            let Statement::Equal { left, right } = &equation.statement else { return false };
+            let mut ratios: Vec<f64> = Vec::new();
+            for (place, own) in differences {
+                let value = |symbol: Symbol| place.value(symbol).unwrap_or_else(Bounded::not_real);
+                let [left, right]: [Bounded; 2] = [left, right].map(|side| evaluate(side, &value));
+                let wrong = Difference { value: left.value - right.value, size: left.value.abs() + right.value.abs() };
+                match (own.is_nothing(), wrong.is_nothing()) {
+                    (true, true) => {}
+                    (false, false) if wrong.value.is_finite() => ratios.push(own.value / wrong.value),
+                    _ => return false,
+                }
+            }
+            let Some(first) = ratios.first().copied() else { return false };
+            ratios.len() >= ENOUGH && ratios.iter().all(|ratio| (ratio - first).abs() <= SAME * first.abs())
+        })
+    }
+
+    /// A wrong value need not be a possible one: conditions do not judge it.
+    fn solved(&self, ground: &Ground, wanted: &[Symbol]) -> Option<Arc<Way>> {
+        let system = System { conditions: Vec::new(), ..self.mistaken.system.clone() };
+        Way::new(&system, &ground.told, wanted).map(Arc::new)
+    }
+}
+
+impl WrongSystems {
+    fn new(ground: &Ground, worked: Worked<'_>) -> Self {
+        let model = worked.problem.model();
+        let used = ground.used();
+        let laws = model.mistaken(&ground.system, &used, &ground.told, worked.problem.units());
+        let data = model.altered(&ground.system, &used, &ground.told, worked.problem.units());
+        let system = |mistaken| WrongSystem { mistaken, whole: OnceLock::new(), parts: RwLock::default() };
+        Self(laws.into_iter().chain(data).map(system).collect())
+    }
+
+    /// The mistakes from which a line follows that does not follow from the scene: those made in the fewest places, of laws before
+    /// those of data.
+    pub(crate) fn of(
+        ground: &Ground,
+        worked: Worked<'_>,
+        place: Place<'_>,
+        (line, meanings): (&Written, &[Meanings]),
+        at: &At<'_>,
+    ) -> Vec<Follows> {
+        let systems = ground.wrong.get(|| Self::new(ground, worked));
+        let apart = differences(ground, place, (line, meanings), at);
+        let direct = |system: &&WrongSystem| apart.iter().any(|own| system.is_in(own));
+        let found: Vec<Follows> = systems.0.iter().filter(direct).map(WrongSystem::follows).collect();
+        if !found.is_empty() {
+            return likeliest(found);
+        }
+        let wanted: BTreeSet<Symbol> = line
+            .statements()
+            .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
+            .filter(|symbol| line.number(*symbol).is_none() && !ground.told.contains(symbol))
+            .collect();
+        let mut follows: Vec<Follows> = Vec::new();
+        for system in &systems.0 {
+            let Some(way) = system.way(ground, &wanted) else { continue };
+            let holds = meanings.iter().any(|set| {
+                let here = holds(&way, place, (line, set, at));
+                let elsewhere = || {
+                    let places = ground.places().take(VARIANTS);
+                    let found: Vec<Holds> = places.map(|place| holds(&way, place, (line, set, at))).collect();
+                    found.iter().all(|own| matches!(own, Holds::Yes | Holds::Open))
+                };
+                match here {
+                    Holds::Yes if set.is_general(line) => elsewhere(),
+                    Holds::Yes | Holds::AsFigures => !set.is_general(line),
+                    Holds::Open | Holds::No => false,
+                }
+            });
+            if holds {
+                follows.push(system.follows());
+            }
+        }
+        let follows = likeliest(follows);
+        if follows.len() > MOST { Vec::new() } else { follows }
+    }
+}
+
+/// Whether a line holds at a place, with the mistake made there.
+fn holds(way: &Way, place: Place<'_>, (line, meanings, at): (&Written, &Meanings, &At<'_>)) -> Holds {
+    let solutions: Vec<Values> = way.solve(&|symbol| place.value(symbol));
+    let within = |solution: &Values| {
+        let value =
+            |symbol: Symbol| -> Option<Bounded> { solution.get(&symbol).copied().or_else(|| place.value(symbol)) };
+        At { value: &value, units: at.units, turned: at.turned }.line(line, meanings)
+    };
+    solutions.iter().map(within).min().unwrap_or(Holds::Open)
+}
+
+/// Those made in the fewest places, of laws before those of data; each once.
+fn likeliest(mut follows: Vec<Follows>) -> Vec<Follows> {
+    let rank = |own: &Follows| (own.places, own.instance.is_none());
+    follows.sort_by_key(rank);
+    let first = follows.first().map(rank);
+    let mut named = BTreeSet::new();
+    follows.retain(|own| Some(rank(own)) == first && named.insert(own.of.id));
+    follows
+}
+
+/// How far the sides of the line's statements are apart in the student's variant and in others, for each meaning of its numbers that
+/// is the same in all.
+fn differences<'g>(
+    ground: &'g Ground,
+    place: Place<'g>,
+    (line, meanings): (&Written, &[Meanings]),
+    at: &At<'_>,
+) -> Vec<Vec<(Place<'g>, Difference)>> {
+    let places: Vec<Place<'g>> = std::iter::once(place).chain(ground.places()).collect();
+    let mut found = Vec::new();
+    for set in meanings.iter().filter(|set| set.is_general(line)) {
+        for statement in line.statements() {
+            let each = places.iter().map(|place| {
+                let value = |symbol: Symbol| place.value(symbol);
+                let at = At { value: &value, units: at.units, turned: at.turned };
+                Some((*place, at.difference(line, statement, set)?))
+            });
+            found.extend(each.collect::<Option<Vec<_>>>());
+        }
+    }
+    found
+}

@@ -1,0 +1,83 @@
+//! The lines of the program's own solutions.
+
+use std::sync::Arc;
+
+use momentous::bank::Bank;
+use momentous::exercise::{Drawer, Exercise};
+use momentous::explain;
+use momentous::grade::DecimalMark;
+use momentous::problem::{compile, load};
+use momentous::work::{Judge, Verdict};
+
+/// Every form of the bank at some seeds.
+pub fn each(seeds: std::ops::RangeInclusive<u64>, visit: &mut dyn FnMut(&str, &Exercise)) {
+    for source in Bank::built_in().sources() {
+        let problem = Arc::new(compile(load(source.clone()).unwrap(), None).unwrap());
+        for form in 0..problem.forms().len() {
+            let name = problem.forms()[form].question.name.clone().unwrap_or_default();
+            let mut drawer = Drawer::new(&problem, form).unwrap();
+            for exercise in seeds.clone().filter_map(|seed| drawer.draw(seed).ok()) {
+                visit(&format!("{} {name}", problem.id()), &exercise);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_lines_of_every_solution_follow() {
+    let (mut lines, mut other_laws) = (0, 0);
+    let mut faults: Vec<String> = Vec::new();
+    each(1..=2, &mut |entry, exercise| {
+        let worked = exercise.worked();
+        let mut judge = Judge::new(worked, DecimalMark::Point);
+        for line in explain::lines(worked) {
+            let Some(right) = &line.right else { continue };
+            let has_pieces = [&line.left, right].into_iter().any(|side| side.contains(" while "));
+            if line.relation != "=" || right.starts_with("integral") || has_pieces {
+                continue;
+            }
+            let text = format!("{} = {right}", line.left);
+            let judged = judge.line(&text);
+            lines += 1;
+            if !judged.verdict.is_true() {
+                faults.push(format!("{entry} {:?} {text}: {}", judged.verdict, judged.message));
+            }
+            if let Some(law) = line.law
+                && judged.verdict == Verdict::Follows
+                && !judged.laws.contains(&law)
+            {
+                other_laws += 1;
+                eprintln!("{entry} {text}: {:?} for {law}", judged.laws);
+            }
+        }
+    });
+    assert!(faults.is_empty(), "{} of {lines}\n{}", faults.len(), faults.join("\n"));
+    assert!(lines > 2500, "{lines}");
+    assert!(other_laws == 0, "{other_laws}");
+}
+
+/// Whoever writes what the hints say comes to every answer.
+#[test]
+fn hints_lead_to_the_answers() {
+    let mut faults: Vec<String> = Vec::new();
+    each(1..=1, &mut |entry, exercise| {
+        let worked = exercise.worked();
+        let mut judge = Judge::new(worked, DecimalMark::Point);
+        let mut written: Vec<String> = Vec::new();
+        for _ in 0..40 {
+            let Some(next) = judge.next_step() else { break };
+            for line in [&next.equation, &next.numbers].into_iter().filter(|line| !line.is_empty()) {
+                let judged = judge.line(line);
+                written.push(format!("{line}: {:?} {}", judged.verdict, judged.message));
+            }
+        }
+        let report = judge.report(Vec::new());
+        let misses =
+            report.laws.iter().any(|own| !own.established) || report.answers.iter().any(|own| !own.established);
+        if misses {
+            faults
+                .push(format!("{entry}\n  {}", written.iter().rev().take(8).cloned().collect::<Vec<_>>().join("\n  ")));
+        }
+    });
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
