@@ -68,6 +68,7 @@ pub use issue::{Issued, Remark};
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
+pub use momentous_work::Letter;
 pub use roster::Student;
 pub use sheet_numbers::SheetNumbers;
 pub use sheet_seed::SheetSeed;
@@ -76,6 +77,7 @@ pub use student_sheet::{Field, FieldKind, StudentSheet};
 pub use submission::{Column, Key, Place, Submission, excerpt};
 pub use table::{Line, Lines, Row, Rows, Table, defused};
 pub use together::{MOST_ATTEMPTS, Standing, Together};
+pub use work::WORK;
 
 /// Options with more bytes than this are numbered on a sheet.
 const LONG_OPTION: usize = 30;

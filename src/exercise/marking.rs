@@ -19,6 +19,7 @@ use super::marker::widen;
 use super::names::Names;
 use super::roots::{joined, several, shared_out};
 use super::rules::Rules;
+use super::work;
 
 /// In which position a student is at each part.
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +98,8 @@ impl Marker {
         };
         let mut report = grade::grade_read(expected, readings, rubric, &mut widen);
         let is_part = |id: &str| worked.form.parts.iter().any(|part| part.id == id);
-        let not_asked = answers.iter().filter(|(id, _)| !is_part(id));
+        let work = work::work_among(worked, answers);
+        let not_asked = answers.iter().filter(|(id, text)| !is_part(id) && Some(*text) != work);
         report.not_asked = not_asked.map(|(id, _)| (*id).to_owned()).collect();
         if !report.is_right() {
             marking.follow_through(&mut report);
@@ -108,6 +110,9 @@ impl Marker {
             report.parts = joined(report.parts, &marking.parts, worked);
             report.out_of = worked.form.parts.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
             report.recount();
+        }
+        if let Some(work) = work {
+            work::credit(&mut report, worked, work, *mark);
         }
         report
     }

@@ -6,18 +6,29 @@ use momentous_grade::DecimalMark;
 use momentous_grade::Points;
 use momentous_grade::Report;
 use momentous_grade::Sitting;
+use momentous_problem::Worked;
 use momentous_quantity::Rational;
 use momentous_work::Judge;
+use momentous_work::Letter;
 use momentous_work::NextStep;
 use momentous_work::WorkReport;
 
 use super::Exercise;
+
+/// The name under which work stands among answers.
+pub const WORK: &str = "work";
 
 impl Exercise {
     /// Judges the lines of a student's work.
     #[must_use]
     pub fn judge_work(&self, work: &str, decimal: DecimalMark) -> WorkReport {
         momentous_work::judge(self.worked(), work, decimal)
+    }
+
+    /// The letters that the lines of a student's work may hold.
+    #[must_use]
+    pub fn letters_for_work(&self) -> Vec<Letter> {
+        momentous_work::letters(self.worked())
     }
 
     /// The next step behind a student's lines; none where they hold all that the answers need.
@@ -30,8 +41,7 @@ impl Exercise {
         judge.next_step()
     }
 
-    /// Marks answers and the work that led to them: a part whose answer is missing or wrong gets the share of its points that the
-    /// method is worth.
+    /// Marks answers and the work that led to them, which is also judged line by line.
     #[must_use]
     pub fn mark_with_work(
         &self,
@@ -40,24 +50,32 @@ impl Exercise {
         decimal: DecimalMark,
         sitting: Sitting,
     ) -> (Report, WorkReport) {
-        let mut report = self.mark(answers, decimal, sitting);
-        let judged = self.judge_work(work, decimal);
-        let share = if judged.out_of == 0 {
-            Rational::ZERO
-        } else {
-            Rational::from(judged.points) / Rational::from(judged.out_of)
-        };
-        for part in &mut report.parts {
-            let method = Points(Rational::from(part.out_of) * &share);
-            if method > part.points {
-                part.message = format!("{} {method} of {} points for the work.", part.message, part.out_of)
-                    .trim()
-                    .to_owned()
-                    .into();
-                part.points = method;
-            }
-        }
-        report.recount();
-        (report, judged)
+        let mut answers = answers.clone();
+        answers.insert(WORK.to_owned(), work.to_owned());
+        (self.mark(&answers, decimal, sitting), self.judge_work(work, decimal))
     }
+}
+
+/// The work among answers: what stands under its name, where no part is called so.
+pub(super) fn work_among<'a>(worked: Worked<'_>, answers: &[(&str, &'a str)]) -> Option<&'a str> {
+    let is_part = worked.form.parts.iter().any(|part| part.id == WORK);
+    answers.iter().find(|(id, _)| *id == WORK && !is_part).map(|(_, work)| *work)
+}
+
+/// Gives each part whose answer is missing or wrong the share of its points that the method in the work is worth.
+pub(super) fn credit(report: &mut Report, worked: Worked<'_>, work: &str, decimal: DecimalMark) {
+    let judged = momentous_work::judge(worked, work, decimal);
+    if judged.points == 0 || report.is_right() {
+        return;
+    }
+    let share = Rational::from(judged.points) / Rational::from(judged.out_of);
+    for part in &mut report.parts {
+        let method = Points(Rational::from(part.out_of) * &share);
+        if method > part.points {
+            let said = format!("{} {method} of {} points for the work.", part.message, part.out_of);
+            part.message = said.trim().to_owned().into();
+            part.points = method;
+        }
+    }
+    report.recount();
 }

@@ -38,7 +38,8 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "simulator.js",
     "stage.js",
     "told.js",
-    "watch.js"
+    "watch.js",
+    "work.js"
 ];
 
 /// The style of documents, on which that of the pages builds.

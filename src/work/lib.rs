@@ -15,6 +15,7 @@ mod ground;
 mod holding;
 mod holds;
 mod judge;
+mod letters;
 mod meaning;
 mod message;
 mod naming;
@@ -30,6 +31,7 @@ mod written;
 mod wrong;
 
 pub use judge::{Judge, MOST_LINES};
+pub use letters::{Letter, letters};
 pub use report::{AnswerNeeded, JudgedLine, LawNeeded, NextStep, WorkReport};
 pub use verdict::Verdict;
 

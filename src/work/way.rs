@@ -21,6 +21,7 @@ pub(crate) struct Way {
     inputs: Vec<Symbol>,
     program: Program,
     finds: BTreeSet<Symbol>,
+    equations: BTreeSet<usize>,
 }
 
 impl Way {
@@ -28,6 +29,7 @@ impl Way {
     pub(crate) fn new(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Option<Self> {
         let plan = plan(system, known, wanted).ok()?;
         let finds = plan.steps.iter().flat_map(|step| step.unknowns.iter().copied()).collect();
+        let equations = plan.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
         let mentioned = plan.steps.iter().flat_map(|step| &step.equations).filter_map(|own| system.equations.get(*own));
         let mentioned: BTreeSet<Symbol> = mentioned.flat_map(momentous_solve::Equation::symbols).collect();
         let judged = system.conditions.iter().flat_map(|own| [own.left.symbols(), own.right.symbols()]).flatten();
@@ -35,12 +37,17 @@ impl Way {
         let inputs: Vec<Symbol> = known.intersection(&mentioned).copied().collect();
         let audit = Audit { answer_steps: plan.steps.len(), plan, checks: Vec::new() };
         let program = Program::compile(system, &audit, &inputs, wanted, Verify::Redundant).ok()?;
-        Some(Self { inputs, program, finds })
+        Some(Self { inputs, program, finds, equations })
     }
 
     /// Whether it finds a quantity.
     pub(crate) fn finds(&self, symbol: Symbol) -> bool {
         self.finds.contains(&symbol)
+    }
+
+    /// Whether it uses some of these equations of its system.
+    pub(crate) fn uses(&self, equations: &BTreeSet<usize>) -> bool {
+        !self.equations.is_disjoint(equations)
     }
 
     /// The values of what it finds, in each solution.

@@ -130,17 +130,27 @@ impl WrongSystems {
         at: &At<'_>,
     ) -> Vec<Follows> {
         let systems = ground.wrong.get(|| Self::new(ground, worked));
-        let apart = differences(ground, place, (line, meanings), at);
-        let direct = |system: &&WrongSystem| apart.iter().any(|own| system.is_in(own));
-        let found: Vec<Follows> = systems.0.iter().filter(direct).map(WrongSystem::follows).collect();
-        if !found.is_empty() {
-            return likeliest(found);
-        }
         let wanted: BTreeSet<Symbol> = line
             .statements()
             .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
             .filter(|symbol| line.number(*symbol).is_none() && !ground.told.contains(symbol))
             .collect();
+        let apart = differences(ground, place, (line, meanings), at);
+        let direct: Vec<&WrongSystem> =
+            systems.0.iter().filter(|system| apart.iter().any(|own| system.is_in(own))).collect();
+        // Better those from which it follows without the law that they replace.
+        let fails = |system: &WrongSystem, way: &Way| {
+            way.uses(&system.mistaken.wrong)
+                && meanings.iter().all(|set| holds(way, place, (line, set, at)) == Holds::No)
+        };
+        let stands = |system: &&&WrongSystem| !system.way(ground, &wanted).is_some_and(|way| fails(system, &way));
+        let standing: Vec<Follows> = direct.iter().filter(stands).map(|system| system.follows()).collect();
+        if !standing.is_empty() {
+            return likeliest(standing);
+        }
+        if !direct.is_empty() {
+            return likeliest(direct.into_iter().map(WrongSystem::follows).collect());
+        }
         let mut follows: Vec<Follows> = Vec::new();
         for system in &systems.0 {
             let Some(way) = system.way(ground, &wanted) else { continue };

@@ -94,3 +94,29 @@ test("hostile answers are shown as they were typed", async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("lines of work are judged while they are typed", async () => {
+  const { page, complaints, close } = await site.open();
+  await page.goto(site.url + SHEET);
+  await page.getByText("Show your work").click();
+  await page.getByLabel("Your work").fill("m_A v_A1 + m_B v_B1 = m_A v_A2 + m_B v_B2\nm_A v_A1 = v_A2");
+  await page.locator('[data-lines][data-state="judged"]').waitFor();
+  const verdicts = await page.locator("[data-lines] li").evaluateAll((lines) => lines.map((line) => line.dataset.verdict));
+  assert.deepEqual(verdicts, ["follows", "dimensions"]);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("lines of work are judged and led on without JavaScript", async () => {
+  const { page, complaints, close } = await site.open({ javaScriptEnabled: false });
+  await page.goto(site.url + SHEET);
+  await page.getByText("Show your work").click();
+  await page.getByLabel("Your work").fill("m_A v_A1 + m_B v_B1 = m_A v_A2 + m_B v_B2");
+  await page.getByRole("button", { name: "What comes next?" }).click();
+  assert.equal(await page.locator('[data-lines] li[data-verdict="follows"]').count(), 1);
+  assert.match((await page.locator(".next").textContent()) ?? "", /law of restitution/);
+  await page.getByRole("button", { name: "Say it more plainly" }).click();
+  assert.match((await page.locator(".next").textContent()) ?? "", /v_B2 - v_A2 = e/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -81,6 +81,6 @@ fn altered_laws_are_named() {
     let count = |outcome| counts.get(&outcome).copied().unwrap_or(0);
     let judged = count(Outcome::Named) + count(Outcome::AmongMany) + count(Outcome::Missed);
     assert!(judged > 4000, "{counts:?}");
-    assert!(count(Outcome::Named) * 100 >= judged * 89, "{counts:?}\n{}", missed.join("\n"));
-    assert!(missed.len() * 100 <= judged, "{counts:?}\n{}", missed.join("\n"));
+    assert!(count(Outcome::Named) * 100 >= judged * 97, "{counts:?}\n{}", missed.join("\n"));
+    assert!(missed.len() * 100 <= judged * 2, "{counts:?}\n{}", missed.join("\n"));
 }

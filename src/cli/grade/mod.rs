@@ -43,6 +43,7 @@ use sink::MarksFormat;
 const HELP: &str = "\
 Examples:
   momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=-0.4 m/s\" --answer \"v_B2=3.1 m/s\"
+  momentous grade --problem impact/two-carts --seed 7 --work lines.txt --hints 1
   momentous grade --problem impact/two-carts --seed 7 --decimal comma --answer \"v_A2=-0,4 m/s\" --format json
   momentous grade submissions.csv -o marks.csv
   momentous grade submissions.csv --sheets seeds.csv --secret secret.txt -o marks.csv
@@ -57,6 +58,8 @@ A table of submissions has the columns `problem` and `seed`, and may have `stude
 
   student,problem,seed,form,attempt,v_A2,v_B2,T_lost
   s17,impact/two-carts,7,forward,1,-0.4 m/s,3.1 m/s,7.65 J
+
+A column `work` holds the lines of a student's work, one below the other: they give points for the method where an answer is missing or wrong.
 
 The same keys may be used in JSON Lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a folder of YAML files, one per submission.
 

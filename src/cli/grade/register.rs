@@ -16,6 +16,7 @@ use crate::exercise::Standing;
 use crate::exercise::Submission;
 use crate::exercise::Together;
 use crate::exercise::VariantRef;
+use crate::exercise::WORK;
 use crate::exercise::excerpt;
 use crate::grade::PartReport;
 use crate::grade::Seen;
@@ -288,7 +289,9 @@ impl Met {
     fn asks(&self, submission: &Submission, question: Question) -> Result<(), String> {
         let marker = self.markers.get(question.form).ok_or("the problem has no such form")?;
         let mut answered: Vec<usize> = Vec::new();
-        for (name, _) in submission.answers() {
+        // The work is no answer, unless a part is called so.
+        let names = submission.answers().map(|(name, _)| name);
+        for name in names.filter(|name| *name != WORK || marker.part(WORK).is_some()) {
             let id = self.problem.id();
             let part = marker.part(name).ok_or_else(|| {
                 format!("`{}` has an answer, but {id} does not ask for it in this form", excerpt(name))

@@ -15,6 +15,7 @@ mod simulate;
 mod simulators;
 mod solve;
 mod variant;
+mod work;
 
 use std::sync::Arc;
 
@@ -42,6 +43,7 @@ pub use simulators::{
 };
 pub use solve::{SolveRequest, SolveResponse, SolvedPart};
 pub use variant::VariantRequest;
+pub use work::{WorkRequest, WorkResponse};
 
 /// Where an engine finds problems by their identities.
 pub trait Problems {
@@ -74,7 +76,7 @@ pub struct Engine<'a> {
 type Call = fn(&Engine<'_>, &[u8]) -> Result<String, Refused>;
 
 /// Every call by its name, as it stands in addresses.
-const CALLS: [(&str, Call); 9] = [
+const CALLS: [(&str, Call); 10] = [
     ("collision", |engine, request| json(request, |request| engine.collision(request))),
     ("givens", |engine, request| json(request, |request| engine.givens(request))),
     ("hint", |engine, request| json(request, |request| engine.hint(request))),
@@ -84,6 +86,7 @@ const CALLS: [(&str, Call); 9] = [
     ("sheet", |engine, request| json(request, |request| engine.sheet(request))),
     ("simulate", |engine, request| json(request, |request| engine.simulate(request))),
     ("solve", |engine, request| json(request, |request| engine.solve(request))),
+    ("work", |engine, request| json(request, |request| engine.work(request))),
 ];
 
 impl Engine<'_> {

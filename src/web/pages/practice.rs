@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use momentous_exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse, within};
+use momentous_exercise::Letter;
+use momentous_exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse, WorkResponse, within};
 use momentous_grade::Sitting;
 use momentous_render::Fragment;
 
@@ -33,6 +34,14 @@ struct PracticePage {
     /// Whether a further hint can be asked for.
     more_further: bool,
     decimal: String,
+    /// The lines of work that were typed.
+    work: String,
+    /// What is found of them; nothing before there are some, or a hint is asked for.
+    judged: Option<WorkResponse>,
+    /// The letters that they may hold.
+    letters: Vec<Letter>,
+    /// How plain a hint for the next step was asked for.
+    next: usize,
     /// Whether the problem is solved with numbers of the reader's own.
     own_numbers: bool,
 }
@@ -52,6 +61,10 @@ pub(crate) fn practice(view: &View<'_>, problem: String, fields: &Parameters) ->
     let sitting = Sitting { hints: further, closed: false };
     let is_answered = !answers.is_empty();
     let report = is_answered.then(|| MarkResponse::of(&exercise, &answers, fields.decimal(), sitting));
+    let work = fields.text("work").to_owned();
+    let next = fields.count("next")?.saturating_add(usize::from(asks("next")));
+    let is_judged = next > 0 || !work.trim().is_empty();
+    let judged = is_judged.then(|| WorkResponse::of(&exercise, &work, fields.decimal(), next));
     let page = PracticePage {
         title: sheet.title.clone(),
         place: Place::of(&exercise, &variant)?,
@@ -63,6 +76,10 @@ pub(crate) fn practice(view: &View<'_>, problem: String, fields: &Parameters) ->
         hints,
         further,
         decimal: fields.text("decimal").to_owned(),
+        work,
+        letters: exercise.letters_for_work(),
+        judged,
+        next,
         own_numbers: view.engine().problems.own_numbers(exercise.problem()).is_ok(),
     };
     view.page("practice", &page)

@@ -65,7 +65,7 @@ const TABLES: [&str; 6] = [
 ];
 
 /// Requests: an address, and behind the end of the line a body.
-const ROUTES: [&str; 14] = [
+const ROUTES: [&str; 15] = [
     "/?search=spring&level=core",
     "/practice/impact/two-carts?form=forward&seed=7",
     "/practice/impact/two-carts?set.m_A=3+kg&set.e=0.5",
@@ -77,6 +77,7 @@ const ROUTES: [&str; 14] = [
     "/simulators/restitution?h=4&e=1&n=3&v_t=20",
     "/static/0/site.css",
     "/api/mark\n{\"problem\":\"impact/two-carts\",\"seed\":7,\"answers\":{\"v_A2\":\"1 m/s\"}}",
+    "/api/work\n{\"problem\":\"impact/two-carts\",\"seed\":7,\"work\":\"m_A v_A1 = 6 kg m/s\",\"next\":1}",
     "/api/read\n{\"problem\":\"impact/two-carts\",\"set\":{\"e\":\"0.5\"},\"part\":\"v_A2\",\"text\":\"-0.4 m/s\"}",
     "/api/simulate\n{\"problem\":\"bouncing/rubber-ball\",\"form\":\"heights\",\"together\":true}",
     "/api/collision\n{\"values\":{\"m_A\":3,\"e\":0.7},\"method\":\"moreau-jean\",\"step\":0.05}",

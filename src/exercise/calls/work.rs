@@ -1,0 +1,67 @@
+//! The lines of a student's work, judged.
+
+use serde::Deserialize;
+use serde::Serialize;
+
+use momentous_grade::DecimalMark;
+use momentous_work::WorkReport;
+
+use super::super::Exercise;
+use super::Engine;
+use super::refused::Refused;
+use super::variant::VariantRequest;
+
+/// The strongest hint for the next step: the equation with numbers.
+const STRONGEST: usize = 3;
+
+/// Asks what each line of a student's work is worth.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct WorkRequest {
+    /// The variant.
+    #[serde(flatten)]
+    pub variant: VariantRequest,
+    /// The lines.
+    pub work: String,
+    /// What stands between whole and decimal digits.
+    #[serde(default)]
+    pub decimal: DecimalMark,
+    /// How plain a hint for the next step is asked for: 0 for none, up to 3.
+    #[serde(default)]
+    pub next: usize,
+}
+
+/// The lines, judged.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct WorkResponse {
+    /// What is found of each line, and what is established.
+    #[serde(flatten)]
+    pub report: WorkReport,
+    /// The next step, as plain as it was asked for.
+    pub next: Option<String>,
+    /// Whether it can be asked for more plainly.
+    pub more_next: bool,
+}
+
+impl Engine<'_> {
+    /// Judges the lines of a student's work on a variant.
+    ///
+    /// # Errors
+    /// As for a sheet.
+    pub fn work(&self, request: &WorkRequest) -> Result<WorkResponse, Refused> {
+        let WorkRequest { variant, work, decimal, next } = request;
+        Ok(WorkResponse::of(&self.draw(variant)?, work, *decimal, *next))
+    }
+}
+
+impl WorkResponse {
+    /// The lines of work on a variant that was drawn, judged.
+    #[must_use]
+    pub fn of(exercise: &Exercise, work: &str, decimal: DecimalMark, next: usize) -> Self {
+        let step = exercise.next_step(work, decimal);
+        Self {
+            report: exercise.judge_work(work, decimal),
+            more_next: step.is_some() && next < STRONGEST,
+            next: step.filter(|_| next > 0).map(|step| step.strength(next)),
+        }
+    }
+}
