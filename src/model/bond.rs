@@ -185,17 +185,12 @@ impl Bond<'_> {
                     | Stage::Taut(_)
             ),
             Kind::OnArm if matches!(stage, Stage::Rotate(_) | Stage::Strike(_)) => !acts_on_all,
-            Kind::OnArm => is_sudden(stage),
+            Kind::OnArm => !stage.takes_time(),
             Kind::Coupled => !acts_on_all,
             Kind::OnString => matches!(stage, Stage::Push(_)) && !acts_on_all,
             // A spring is not impulsive: it gives nothing in a sudden stage.
-            Kind::Sprung => !matches!(stage, Stage::Spring(_)) && !is_sudden(stage),
+            Kind::Sprung => !matches!(stage, Stage::Spring(_)) && stage.takes_time(),
             Kind::AtAnAngle => !matches!(stage, Stage::Swing(_)),
         }
     }
-}
-
-/// Whether a stage is so short that ordinary forces give nothing in it.
-fn is_sudden(stage: &Stage) -> bool {
-    !stage.takes_time() || matches!(stage, Stage::Taut(_))
 }

@@ -58,6 +58,8 @@ pub struct Builder<'s> {
     pub(super) scene: &'s Scene,
     /// The instant at which the stage begins that is being written.
     pub(super) begins: usize,
+    /// Bodies that a stage leaves unheld, each with the stage.
+    pub(super) unheld: Vec<(usize, String)>,
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<(Axis, Senses)>,
     pub(super) symbols: SymbolTable,
@@ -123,6 +125,7 @@ impl<'s> Builder<'s> {
         Self {
             scene,
             begins: 1,
+            unheld: Vec::new(),
             timeline: Timeline::new(scene),
             axes: scene.axes.rectangular(),
             symbols: SymbolTable::default(),
@@ -334,6 +337,7 @@ impl<'s> Builder<'s> {
 
     /// A velocity component at an instant; under the instant since which the body has it.
     pub(super) fn velocity(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
+        self.has_not_fallen(body, instant);
         let since = self.timeline.naming_instant(body, instant);
         let name = Name::of(QuantityKind::Velocity, body).at(since).along(self.letter(axis));
         self.velocity_named(name, body, since).into()

@@ -15,6 +15,7 @@ use super::stage::Description;
 impl Builder<'_> {
     /// A component of the place of a body at an instant, under the name of the instant since which it is there.
     pub(super) fn place(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
+        self.has_not_fallen(body, instant);
         let (body, instant) = self.place_since(body, instant);
         let (owner, when) = (self.called(&body), self.when(instant));
         let name = Name::of(QuantityKind::Position, &body).at(instant).along(self.letter(axis));

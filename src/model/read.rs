@@ -1,5 +1,7 @@
 //! Reading an author's terms against the names of the scene.
 
+use std::collections::BTreeSet;
+
 use momentous_expr::Expr;
 use momentous_expr::Names;
 use momentous_expr::Symbol;
@@ -253,10 +255,21 @@ impl Builder<'_> {
     /// What a name lacks that several quantities here have in common: the stage, or the component.
     fn not_alone(&self, name: &str) -> Option<String> {
         let own = Name::parse(name)?;
+        if own.instant.is_some() && own.stage.is_some() {
+            let bare = Name { stage: None, ..own };
+            let is_known = self.symbols.find(&self.canonical(&bare).to_string()).is_some();
+            return is_known.then(|| format!("its instant says when it is so: write `{bare}`"));
+        }
         let in_stages = self.symbols.iter().map(|(symbol, _)| self.name(symbol)).filter(|other| {
             other.stage.is_some() && own.stage.is_none() && Name { stage: None, ..(*other).clone() } == own
         });
-        let in_stages: Vec<String> = in_stages.map(ToString::to_string).collect();
+        let mut in_stages: Vec<String> = in_stages.map(ToString::to_string).collect();
+        if own.kind == QuantityKind::Impulse && own.stage.is_none() {
+            let stages: BTreeSet<usize> =
+                self.impulses.iter().filter(|impulse| impulse.on == own.subject).map(|impulse| impulse.stage).collect();
+            let labels = stages.into_iter().filter_map(|stage| self.stage_label(stage));
+            in_stages = labels.map(|label| format!("{name}[{label}]")).collect();
+        }
         if in_stages.len() > 1 {
             return Some(of_several_stages(in_stages));
         }

@@ -19,8 +19,8 @@ pub enum Reason {
     #[error("{0} would lie ahead of {1}, and could not run into it")]
     LiesAhead(String, String),
     /// Weight would draw a body down that nothing is said to hold.
-    #[error("{0} moves up or down, and weight would change its velocity meanwhile")]
-    Unsupported(String),
+    #[error("{0} moves up or down, and weight would change its velocity during {1}, which does not name it")]
+    Unsupported(String, String),
     /// Two bodies would not press the spring between them.
     #[error("{0} would not catch up with {1}, and the spring would not be compressed")]
     NotCompressed(String, String),
@@ -285,6 +285,7 @@ impl Reason {
                 | Self::WeightNotNegligible(..)
                 | Self::TakesTime(_)
                 | Self::EndsEarly(_)
+                | Self::Unsupported(..)
         )
     }
 
@@ -300,6 +301,18 @@ impl Reason {
                 | Self::SwingsBack(_)
                 | Self::AlreadySwingsBack(_)
         )
+    }
+
+    /// What else an author may write for what happens then, where the scene has words for it.
+    #[must_use]
+    pub fn way_out(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::Unsupported(..) => "name it in that stage, too (`bodies`), or ask for nothing of it afterwards",
+            Self::StringStretches(..) => {
+                "let both move on together: one body with the mass of both, or a `tow` with the forces on each"
+            }
+            _ => return None,
+        })
     }
 
     /// What a check says where the condition holds; none where that is not worth a word.

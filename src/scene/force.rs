@@ -30,7 +30,7 @@ impl Force {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FrictionEntry {
-    /// The coefficients of friction.
+    /// The coefficients of friction: `{ kinetic: mu_k }`, with `static` beside it for a body that may be at rest first.
     pub friction: Friction,
 }
 

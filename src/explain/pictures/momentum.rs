@@ -6,6 +6,7 @@ use momentous_expr::Math;
 use momentous_figure::BodyMomentum;
 use momentous_figure::Drawing;
 use momentous_figure::MomentumDiagram;
+use momentous_model::Agent;
 use momentous_model::ForceKind;
 use momentous_model::Impulse;
 use momentous_model::QuantityKind;
@@ -136,7 +137,12 @@ fn balance(quantities: &Quantities<'_>, arrows: Arrows, stage: usize, row: &Plan
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());
-            forces.map(|force| quantities.impulse_of_force(force)).collect()
+            // What a guide gives is no force by its size, but an impulse all the same.
+            let guides = impulses_on(quantities, stage, body).filter(|impulse| impulse.by == Agent::Guide);
+            forces
+                .map(|force| quantities.impulse_of_force(force))
+                .chain(guides.map(|impulse| quantities.impulse(impulse)))
+                .collect()
         }
         Arrows::Weight => vec![quantities.impulse_of_weight(body, stage)],
         Arrows::Resultant => vec![resultant()],

@@ -149,6 +149,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
     let impulses: Vec<&Impulse> = all().filter(|impulse| impulse.impulsive || !short).collect();
     let also = if short && all().any(|impulse| !impulse.impulsive) { "; weight acts as well" } else { "" };
     let first = impulses.first()?;
+    let alone = impulses.iter().all(|impulse| impulse.on == first.on);
     let name = |body: &str| scene.called(body);
     let body = name(&first.on);
     let is = if scene.members(&first.on).len() > 1 { "are" } else { "is" };
@@ -161,7 +162,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         return Some(during(supported(scene, body, on)));
     }
     Some(match (stage, &impulses[..]) {
-        (Stage::Impact(_) | Stage::Separate(_), [_, _, ..]) => {
+        (Stage::Impact(_) | Stage::Separate(_), [_, _, ..]) if !alone => {
             let inner = impulses.iter().filter(|impulse| matches!(impulse.by, Agent::Body(_)));
             let bodies = inner.map(|impulse| name(&impulse.on)).collect::<Vec<_>>();
             let equal = if bodies.len() == 2 {
@@ -196,9 +197,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         ) => {
             return None;
         }
-        (Stage::Impact(_) | Stage::Blow(_), _) => {
-            format!("During {phrase} the only impulsive force on {body} is that of {}{also}.", first.called)
-        }
+        (Stage::Impact(_) | Stage::Blow(_), _) => format!("During {phrase} {}{also}.", impulsive(&impulses, &body)),
         (Stage::Push(_) | Stage::Slide(_), _) => during(pushing(model, scene, index, stage, [&body, is])),
         (Stage::Fall(_), _) => during(format!("{body} {is} acted on by weight alone")),
         (Stage::Spring(_), [one, other]) => during(format!(
@@ -280,6 +279,8 @@ fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is]
     if let (Stage::Push(push), true) = (stage, called.is_empty()) {
         called = together(scene, push);
     }
+    let guides = model.impulses.iter().filter(|impulse| impulse.stage == index && impulse.by == Agent::Guide);
+    called.extend(guides.map(|impulse| impulse.called.clone()));
     format!("{body} {is} acted on by {}", list(&called))
 }
 
@@ -318,6 +319,13 @@ fn together(scene: &Scene, push: &Push) -> Vec<String> {
         called.extend(push.resistance.is_some().then(|| "the resistance".to_owned()));
     }
     called
+}
+
+/// The impulsive forces on one body.
+fn impulsive(impulses: &[&Impulse], body: &str) -> String {
+    let called: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
+    let [force, is] = if called.len() > 1 { ["forces", "are those"] } else { ["force", "is that"] };
+    format!("the only impulsive {force} on {body} {is} of {}", list(&called))
 }
 
 /// What acts on a body that strikes an arm.

@@ -26,6 +26,7 @@ use super::Agent;
 use super::Because;
 use super::Builder;
 use super::ForceKind;
+use super::Impulse;
 use super::Instant;
 use super::Name;
 use super::QuantityKind;
@@ -142,6 +143,9 @@ impl Builder<'_> {
         {
             name.component = None;
         }
+        if let (Some(Instant::Number(instant)), false) = (&name.instant, name.kind == QuantityKind::Mass) {
+            self.has_not_fallen(&name.subject.clone(), *instant);
+        }
         let kept = self.canonical(&name);
         if let Some(symbol) = self.symbols.find(&kept.to_string()) {
             return Some(symbol);
@@ -151,7 +155,7 @@ impl Builder<'_> {
     }
 
     /// The one name under which a quantity is kept.
-    fn canonical(&self, name: &Name) -> Name {
+    pub(super) fn canonical(&self, name: &Name) -> Name {
         let Some(Instant::Number(number)) = name.instant else { return name.clone() };
         // A part begins where the whole was.
         let (subject, since) = match name.kind {
@@ -209,6 +213,12 @@ impl Builder<'_> {
         let part = self.components(&weight.direction).into_iter().nth(position).filter(|part| !part.is_zero())?;
         let [start, end] = &weight.during;
         Some(part * weight.strength.clone() * (end.clone() - start.clone()))
+    }
+
+    /// The symbol of the impulse on a body during a stage.
+    fn impulse_during(&mut self, name: &Name, stage: usize) -> Symbol {
+        let of = format!("on {} during {}", self.called(&name.subject), self.stage_phrase(stage));
+        self.component(self.canonical(name), Meaning { noun: "the impulse", of })
     }
 
     /// The time from the start to an instant.
@@ -322,16 +332,33 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         .filter(|impulse| impulse.by != Agent::Guide)
         .filter_map(|impulse| Some((impulse.stage, impulse.components.get(position)?.clone())))
         .collect();
-    let stage = acting.first()?.0;
+    let Some(stage) = acting.first().map(|own| own.0) else { return impulse_by_momentum(builder, name, axis) };
     if acting.iter().any(|(own, _)| *own != stage) {
         return None;
     }
-    let of = format!("on {} during {}", builder.called(&name.subject), builder.stage_phrase(stage));
-    let meaning = Meaning { noun: "the impulse", of };
-    let symbol = builder.component(builder.canonical(name), meaning);
+    let symbol = builder.impulse_during(name, stage);
     let weight = builder.impulse_of_weight(&name.subject, stage, position);
     let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
     builder.law(&force::IMPULSE, Some(stage), Because::Definition, (symbol.into(), total));
+    Some(symbol)
+}
+
+/// The impulse of all forces of a push whose own impulses are not told for themselves, as where static friction may hold the body first.
+fn impulse_by_momentum(builder: &mut Builder<'_>, name: &Name, axis: Axis) -> Option<Symbol> {
+    let in_stage = |stage: usize| name.stage.is_none() || builder.stage_label(stage) == name.stage;
+    let untold = |own: &&Impulse| own.on == name.subject && own.components.is_empty() && in_stage(own.stage);
+    let [stage] = builder.impulses.iter().filter(untold).map(|own| own.stage).collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    if !matches!(builder.scene.stages.get(stage)?, Stage::Push(own) if own.mass_change().is_none()) {
+        return None;
+    }
+    let symbol = builder.impulse_during(name, stage);
+    let mass = builder.mass(&name.subject);
+    let [before, after] = [1, 2].map(|side| builder.velocity(&name.subject, stage + side, axis));
+    let because = format!("the impulse of all forces changes the momentum of {}", builder.called(&name.subject));
+    let sides = momentum::impulse_momentum(&mass, &before, &[symbol.into()], &after);
+    builder.law(&momentum::IMPULSE_MOMENTUM, Some(stage), because, sides);
     Some(symbol)
 }
 

@@ -78,6 +78,5 @@ impl Builder<'_> {
             );
         }
         self.weigh_contact(&contact, &[(body, body)], false);
-        self.strings_before(index);
     }
 }

@@ -45,6 +45,7 @@ impl Builder<'_> {
         let leading = self.strand(index, &stage.leading, 1, stops, &path.key("leading"));
         let pulley = stage.over.clone().unwrap_or_else(|| "the pulley".into());
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
+        self.lasting[index] = Some(duration.clone());
         let because = "the string stays taut and does not stretch";
         let is_plain = leading.strands == trailing.strands;
         let constraint = if is_plain { &kinematics::TOGETHER } else { &kinematics::STRANDS };

@@ -96,8 +96,7 @@ impl<'a> Description<'a> {
             }
             Stage::Taut(own) => Self {
                 bodies: between(own.between.each_ref().map(String::as_str)),
-                ends: Span::Sudden,
-                ..Self::lasting("jerk of the string")
+                ..Self::sudden("jerk of the string")
             },
             Stage::Connected(own) => Self {
                 bodies: vec![(&own.trailing.body, Some("trailing")), (&own.leading.body, Some("leading"))],

@@ -55,7 +55,6 @@ impl Builder<'_> {
             None => {}
         }
         self.told_loss(&contact);
-        self.strings_before(index);
         let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
         let after = |body| (body, stage.becomes.as_deref().unwrap_or(body));
         match stage.partners() {

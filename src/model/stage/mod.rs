@@ -62,14 +62,10 @@ pub(crate) use push_system::pushing;
 pub(crate) use push_system::total_impulse;
 pub(crate) use rotate::angular_impulse_by_name;
 
-use momentous_expr::Expr;
 use momentous_fault::Path;
-use momentous_scene::Axis;
 use momentous_scene::Stage;
-use momentous_solve::Relation;
 
 use super::Builder;
-use super::Reason;
 
 impl Builder<'_> {
     /// Adds the equations of every stage, in order.
@@ -109,31 +105,10 @@ impl Builder<'_> {
                 Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }
-            if matches!(stage, Stage::Push(_) | Stage::Thrust(_)) {
-                self.others_do_not_fall(index, stage);
-            }
+            self.leaves_others_unheld(index, stage);
+            self.strings_hold(index, stage);
             self.order_on_the_line(index);
             self.reasons_of_stages.push(first..self.reasons.len());
-        }
-    }
-
-    /// While a stage lasts in which weight acts, a body that it does not name keeps its velocity only where that has no part along an
-    /// upright axis: else weight would change it.
-    fn others_do_not_fall(&mut self, index: usize, stage: &Stage) {
-        let named: Vec<&str> = Description::of(self.scene, stage).bodies.iter().map(|(body, _)| *body).collect();
-        let others: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
-        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        for body in others.iter().filter(|body| !named.contains(&body.as_str())) {
-            for (position, axis) in axes.iter().enumerate() {
-                if self.downwards(position).is_none() {
-                    continue;
-                }
-                let velocity = self.velocity(body, index + 1, *axis);
-                for relation in [Relation::AtMost, Relation::AtLeast] {
-                    let reason = Reason::Unsupported(self.called(body));
-                    self.require(velocity.clone(), relation, Expr::zero(), reason);
-                }
-            }
         }
     }
 }

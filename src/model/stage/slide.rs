@@ -52,6 +52,7 @@ impl Builder<'_> {
             self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"))
         });
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
+        self.lasting[index] = Some(duration.clone());
         let height = stage.height.as_ref().map(|term| {
             let meaning = format!("the height between the two ends of {phrase}");
             self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("height"))

@@ -3,7 +3,6 @@
 use crate::Builder;
 use crate::Reason;
 use crate::frame::Frame;
-use crate::guide::dot;
 use crate::pair::Pair;
 use crate::weight_in_contact::Lasting;
 use momentous_expr::Expr;
@@ -11,7 +10,6 @@ use momentous_fault::Path;
 use momentous_laws::kinematics;
 use momentous_laws::momentum;
 use momentous_scene::Plane;
-use momentous_scene::Stage;
 use momentous_scene::stage::Taut;
 use momentous_solve::Relation;
 
@@ -55,7 +53,6 @@ impl Builder<'_> {
         }
         let reason = Reason::StaysSlack(first.clone(), second.clone());
         self.require(pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
-        self.strings_before(index);
         self.neglect("the mass of the string", "it is light");
         if stage.over.is_some() || self.scene.plane == Plane::Vertical {
             let why =
@@ -69,34 +66,6 @@ impl Builder<'_> {
                 format!("the mass and the friction of {pulley}"),
                 "it is light and smooth, so that the tension is the same on both sides",
             );
-        }
-    }
-
-    /// Strings that went taut just before, with no time in between, do not stretch: whose end this stage pulls away pulls on.
-    pub(super) fn strings_before(&mut self, index: usize) {
-        let scene = self.scene;
-        let mut taut: Vec<(usize, [&str; 2])> = Vec::new();
-        for (stage, own) in scene.stages.iter().take(index).enumerate() {
-            if let Stage::Taut(own) = own {
-                taut.push((stage, own.between.each_ref().map(String::as_str)));
-            } else {
-                taut.clear();
-            }
-        }
-        for (stage, bodies) in taut {
-            let changed = |body: &str| self.timeline.since(body, index + 2) == Some(index + 2);
-            let Some(frame) =
-                self.frames.get(stage).cloned().flatten().filter(|_| bodies.iter().any(|own| changed(own)))
-            else {
-                continue;
-            };
-            if bodies.iter().any(|body| self.timeline.since(body, index + 2).is_none()) {
-                continue;
-            }
-            let line = self.components(&frame.normal);
-            let [first, second] = bodies.map(|body| dot(&self.velocities(body, index + 2), &line));
-            let [one, other] = bodies.map(|body| self.called(body));
-            self.require(first, Relation::AtLeast, second, Reason::StringStretches(one, other));
         }
     }
 }

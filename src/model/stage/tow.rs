@@ -40,6 +40,7 @@ impl Builder<'_> {
         let joint = stage.joint();
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
+        self.lasting[index] = Some(duration.clone());
         let stops = stage.until == Some(Until::Rest);
         let front = self.member(index, &stage.front, &incline, &duration, stops, &path.key("front"));
         let rear = self.member(index, &stage.rear, &incline, &duration, stops, &path.key("rear"));

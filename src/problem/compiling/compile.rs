@@ -100,7 +100,7 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
         let help = match reason.allowed_by() {
             Some(name) => format!("give other values; if it is meant so, write `allow: [{name}]`"),
-            None => "give fewer or other values".to_owned(),
+            None => reason.way_out().unwrap_or("give fewer or other values").to_owned(),
         };
         Some(fault.help(help).at_path(path))
     };

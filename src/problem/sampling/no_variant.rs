@@ -114,6 +114,12 @@ impl NoVariant {
         if let Some(Rejection::Condition { key, .. }) = self.rejection() { *key } else { None }
     }
 
+    /// What else an author may write for what happens with these numbers, where there are words for it.
+    #[must_use]
+    pub fn way_out(&self) -> Option<&'static str> {
+        if let Some(Rejection::Condition { reason, .. }) = self.rejection() { reason.way_out() } else { None }
+    }
+
     /// The name under which an author may allow what numbers were rejected for, where there is one.
     #[must_use]
     pub fn allowed_by(&self) -> Option<&'static str> {

@@ -204,12 +204,11 @@ impl Stage {
     #[must_use]
     pub fn takes_time(&self) -> bool {
         match self {
-            Self::Impact(_) | Self::Blow(_) | Self::Strike(_) | Self::Separate(_) => false,
+            Self::Impact(_) | Self::Blow(_) | Self::Strike(_) | Self::Separate(_) | Self::Taut(_) => false,
             Self::Push(_)
             | Self::Slide(_)
             | Self::Spring(_)
             | Self::Swing(_)
-            | Self::Taut(_)
             | Self::Connected(_)
             | Self::Tow(_)
             | Self::Rotate(_)
