@@ -55,6 +55,8 @@ impl Exercise {
                     }),
                     Closed::FirstInteger { .. } | Closed::BracketedRoot { .. } => exact.unwrap_or(f64::NAN),
                 };
+                // Nobody types what is left of a zero, or takes it further.
+                let value = if worked.is_nothing(*unknown) { 0.0 } else { value };
                 let rounded = round_to_figures(value, figures).map_or(value, |rounded| rounded.to_f64());
                 values.insert(*unknown, if matches!(closed, Closed::FirstInteger { .. }) { value } else { rounded });
             }

@@ -8,6 +8,7 @@ use momentous_scene::stage::Ends;
 use momentous_scene::stage::Impact;
 use momentous_scene::stage::Partners;
 use momentous_scene::stage::Place;
+use momentous_scene::stage::Slide;
 
 use super::stage::Description;
 
@@ -34,16 +35,21 @@ enum Kind<'a> {
     Sprung,
     /// One of them hangs on its cord, or stands on its track, at an angle.
     AtAnAngle,
+    /// The first hangs from the second, or lies on its slope, above its lowest place.
+    Raised,
+    /// The first lies on the second, with friction between them; whether it slides on it.
+    LiesOn { slides: bool },
 }
 
 /// Why a stage cannot act on these bodies as it does, since an earlier one has left some of them bound.
 pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&str]) -> Option<Fault> {
     let bonds = before(scene, index);
-    let bond = bonds
-        .iter()
-        .find(|bond| bond.bodies.iter().any(|body| acted_on.contains(body)) && bond.is_broken_by(stage, acted_on))?;
+    let bond = bonds.iter().find(|bond| {
+        bond.bodies.iter().any(|body| acted_on.contains(body)) && bond.is_broken_by(scene, stage, acted_on)
+    })?;
     let noun = Description::of(scene, stage).noun;
     let names: Vec<String> = bond.bodies.iter().map(|body| scene.called(body)).collect();
+    let [first, second] = [0, 1].map(|place| names.get(place).map_or("", String::as_str));
     let together = match &names[..] {
         [one] => one.clone(),
         [one, other] => format!("{one} and {other}"),
@@ -68,7 +74,7 @@ pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&st
         ),
         Kind::Coupled => (
             format!("{together} are still joined, so the {noun} acts on both"),
-            "act on both of them, or write `separate` first".to_owned(),
+            "write a `tow` with the forces of both, or `separate` first".to_owned(),
         ),
         Kind::OnString => (
             format!("{together} are still joined by the string, so the {noun} acts on both"),
@@ -81,6 +87,15 @@ pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&st
         Kind::AtAnAngle => (
             format!("{together} is at an angle on its circle, where it does not move along the axis of the {noun}"),
             "let it swing to its lowest point first".to_owned(),
+        ),
+        Kind::Raised => (
+            format!("{first} is above its lowest place on {second}, and they act on each other in the {noun}, too"),
+            "let it come down first: the same stage with `way: down`".to_owned(),
+        ),
+        Kind::LiesOn { .. } => (
+            format!("{first} lies on {second}, and friction between them acts in the {noun}, too"),
+            "write an `interact` of both with `friction`, or one body with the mass of both that move together"
+                .to_owned(),
         ),
     };
     Some(Fault::new(Code::Value, message).help(help))
@@ -95,7 +110,10 @@ fn called_surface(scene: &Scene, surface: &str) -> String {
 fn before(scene: &Scene, index: usize) -> Vec<Bond<'_>> {
     let mut bonds: Vec<Bond<'_>> = Vec::new();
     for stage in scene.stages.iter().take(index) {
-        bonds.retain(|bond| !bond.is_released_by(stage));
+        bonds.retain(|bond| !bond.is_released_by(scene, stage));
+        for bond in &mut bonds {
+            bond.goes_through(scene, stage);
+        }
         bonds.extend(left(stage));
     }
     bonds
@@ -136,45 +154,85 @@ fn left(stage: &Stage) -> Option<Bond<'_>> {
         return Some(Bond { kind: Kind::Sprung, bodies });
     }
     if let Stage::Swing(own) = stage
-        && own.on.is_none()
         && matches!(own.places(), [_, Place::Angle(_)])
     {
-        return Some(Bond { kind: Kind::AtAnAngle, bodies: vec![&own.body] });
+        return Some(match &own.on {
+            Some(on) => Bond { kind: Kind::Raised, bodies: vec![&own.body, on] },
+            None => Bond { kind: Kind::AtAnAngle, bodies: vec![&own.body] },
+        });
+    }
+    if let Stage::Slide(Slide { body, on: Some(on), until: Some(_), .. }) = stage {
+        return Some(Bond { kind: Kind::Raised, bodies: vec![body, on] });
+    }
+    if let Stage::Walk(own) = stage {
+        return Some(Bond { kind: Kind::LiesOn { slides: false }, bodies: vec![&own.body, &own.on] });
+    }
+    if let Stage::Interact(own) = stage
+        && own.friction.is_some()
+    {
+        // One that slides a distance may have reached the end of the other.
+        let slides = own.until.is_none();
+        let stays = !slides || own.distance.is_none();
+        return stays
+            .then(|| Bond { kind: Kind::LiesOn { slides }, bodies: own.between.iter().map(String::as_str).collect() });
     }
     None
 }
 
-impl Bond<'_> {
+impl<'a> Bond<'a> {
     /// Whether a stage makes the bond anew, or undoes it.
-    fn is_released_by(&self, stage: &Stage) -> bool {
+    fn is_released_by(&self, scene: &Scene, stage: &Stage) -> bool {
         if let Stage::Separate(own) = stage {
             return self.bodies.iter().all(|body| own.into.iter().any(|part| part == body));
         }
+        let leaves = if let Stage::Flight(own) = stage {
+            own.flying().any(|body| self.bodies.contains(&body))
+        } else if let Stage::Fall(own) = stage {
+            self.bodies.contains(&own.body.as_str())
+        } else {
+            false
+        };
+        let goes_on = || {
+            let named = Description::of(scene, stage).bodies;
+            self.bodies.iter().all(|body| named.iter().any(|(own, _)| own == body))
+        };
         match self.kind {
             Kind::Stuck | Kind::OnSurface(_) | Kind::Coupled => false,
-            Kind::OnArm => {
-                if let Stage::Flight(own) = stage {
-                    own.flying().any(|body| self.bodies.contains(&body))
-                } else {
-                    false
-                }
-            }
+            Kind::OnArm => leaves,
             Kind::OnString => {
                 matches!(stage, Stage::Impact(_) | Stage::Flight(_) | Stage::Fall(_) | Stage::Slide(_) | Stage::Taut(_))
             }
             Kind::Sprung => matches!(stage, Stage::Spring(_)),
             Kind::AtAnAngle => matches!(stage, Stage::Swing(_)),
+            Kind::Raised => leaves || matches!(stage, Stage::Swing(_) | Stage::Slide(_)) && goes_on(),
+            Kind::LiesOn { .. } => leaves || matches!(stage, Stage::Interact(_) | Stage::Walk(_)) && goes_on(),
+        }
+    }
+
+    /// What becomes of the bond in a stage that neither makes nor undoes it: a body that becomes part of another is bound as that, and one
+    /// that lies on another slides on it once one of the two alone is struck.
+    fn goes_through(&mut self, scene: &'a Scene, stage: &'a Stage) {
+        let struck = Description::of(scene, stage).changed();
+        if let Kind::LiesOn { slides } = &mut self.kind
+            && !stage.takes_time()
+        {
+            *slides |= self.bodies.iter().any(|body| struck.contains(body));
+        }
+        if let Stage::Impact(Impact { becomes: Some(union), .. }) = stage {
+            let joins = |body: &&mut &str| struck.contains(*body);
+            self.bodies.iter_mut().filter(joins).for_each(|body| *body = union);
         }
     }
 
     /// Whether a stage that acts on some of the bodies has no equations for the bond.
-    fn is_broken_by(&self, stage: &Stage, acted_on: &[&str]) -> bool {
+    fn is_broken_by(&self, scene: &Scene, stage: &Stage, acted_on: &[&str]) -> bool {
         let acts_on_all = self.bodies.iter().all(|body| acted_on.contains(body));
-        if matches!(stage, Stage::Drift(_) | Stage::Separate(_)) {
+        let drifts = matches!(stage, Stage::Drift(_));
+        let lasts = stage.takes_time();
+        if matches!(stage, Stage::Separate(_)) {
             return false;
         }
         match self.kind {
-            Kind::Stuck => true,
             Kind::OnSurface(_) => matches!(
                 stage,
                 Stage::Flight(_)
@@ -185,12 +243,17 @@ impl Bond<'_> {
                     | Stage::Taut(_)
             ),
             Kind::OnArm if matches!(stage, Stage::Rotate(_) | Stage::Strike(_)) => !acts_on_all,
-            Kind::OnArm => !stage.takes_time(),
-            Kind::Coupled => !acts_on_all,
-            Kind::OnString => matches!(stage, Stage::Push(_)) && !acts_on_all,
+            Kind::OnArm => !drifts && !self.is_released_by(scene, stage),
+            Kind::Coupled if matches!(stage, Stage::Tow(_)) || !lasts => !acts_on_all,
+            Kind::Stuck | Kind::Coupled => !drifts,
+            Kind::OnString if matches!(stage, Stage::Connected(_)) => !acts_on_all,
+            Kind::OnString => lasts && !self.is_released_by(scene, stage),
             // A spring is not impulsive: it gives nothing in a sudden stage.
-            Kind::Sprung => !matches!(stage, Stage::Spring(_)) && stage.takes_time(),
+            Kind::Sprung => lasts && !matches!(stage, Stage::Spring(_)),
             Kind::AtAnAngle => !matches!(stage, Stage::Swing(_)),
+            Kind::Raised => !self.is_released_by(scene, stage),
+            // Nor is friction; and where nothing moves on the other, it gives nothing in a drift.
+            Kind::LiesOn { slides } => lasts && (slides || !drifts) && !self.is_released_by(scene, stage),
         }
     }
 }

@@ -30,12 +30,19 @@ impl Builder<'_> {
             self.faults.push(fault.help(help).at_path(path.key("on")));
             return;
         };
+        let along = self.components(&guide.along);
+        let sinks = |(position, part): (usize, &Expr)| !part.is_zero() && self.downwards(position).is_some();
+        if along.iter().enumerate().any(sinks) {
+            let fault = Fault::new(Code::Value, format!("{other} would sink along {} by its own weight", guide.by));
+            let help = "let its guide be level, such as `guide: { along: x, by: the floor }`";
+            self.faults.push(fault.help(help).at_path(path.key("on")));
+            return;
+        }
         let after = index + 2;
         self.hold(&guide, after, None);
         for own in [body, on] {
             self.starts_from_rest(index, own);
         }
-        let along = self.components(&guide.along);
         let mut end = self.carrying(&[body, on], after);
         if guide.along.turn.is_zero() {
             // A guide along an axis leaves the one component; the other is zero, and need not be carried along.
