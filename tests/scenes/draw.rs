@@ -12,13 +12,16 @@ use super::table::{Kind, Shape, Table, plain};
 pub struct Drawn {
     /// The stages, each with its keys as they are written.
     pub stages: Vec<Written>,
-    frame: Frame,
+    /// Its axes.
+    pub frame: Frame,
     /// The bodies whose masses are given.
     pub bodies: Vec<String>,
     /// What is given, in the order of the sheet.
     pub given: Vec<(String, String)>,
-    /// The guided body, if there is one.
-    guided: Option<String>,
+    /// The guided body, if there is one, and the axis of its guide.
+    pub guided: Option<(String, &'static str)>,
+    /// What is written of the body that turns about an axis, where there is one.
+    pub inertia: Option<&'static str>,
     /// What may be asked, each with its unit; the first that the scene knows is.
     pub questions: Vec<(String, String)>,
 }
@@ -34,7 +37,7 @@ pub struct Written {
 
 /// The axes of a scene.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
+pub struct Frame {
     name: &'static str,
     axes: &'static str,
     /// The components of a velocity; nothing with one axis.
@@ -178,7 +181,9 @@ pub fn draw_again(table: &Table, kind: &str, seed: u64, numbers: u64) -> Drawn {
             asked.push((name, unit));
         }
     }
-    Drawn { stages, frame, bodies, given: given.all, guided, questions: asked }
+    let guided = guided.map(|body| (body, "x"));
+    let inertia = text.contains("{R}").then_some(", inertia: I_R");
+    Drawn { stages, frame, bodies, given: given.all, guided, inertia, questions: asked }
 }
 
 /// The values of all keys, one after another.
@@ -327,11 +332,12 @@ impl Drawn {
         }
         file.push_str("  bodies:\n");
         for body in &self.bodies {
-            let guide = if self.guided.as_ref() == Some(body) { ", guide: { along: x, by: the rail }" } else { "" };
+            let rail = |(_, axis): &(String, &str)| format!(", guide: {{ along: {axis}, by: the rail }}");
+            let guide = self.guided.as_ref().filter(|(own, _)| own == body).map(rail).unwrap_or_default();
             let _ = writeln!(file, "    {body}: {{ name: body {body}{guide} }}");
         }
-        if text.contains("{R}") {
-            file.push_str("    R: { name: the rotor, inertia: I_R }\n");
+        if let Some(inertia) = self.inertia {
+            let _ = writeln!(file, "    R: {{ name: the rotor{inertia} }}");
         }
         if text.contains("wall") {
             let _ = writeln!(file, "  surfaces:\n    wall: {{ name: the wall, normal: {} }}", self.frame.normal);

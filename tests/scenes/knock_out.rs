@@ -36,9 +36,9 @@ fn equations(scene: &Drawn, question: usize) -> Option<String> {
     Some(format!("{:?} {:?} {:?} {:?}", model.system, model.choices, model.impulses, model.literals))
 }
 
-/// The scene without each of its keys, and with each in every other way of the table: the stage and the key, and the scene.
+/// The scene without each of its keys, and with each in every other way of the table: the stage or the body and the key, and the scene.
 fn changes(table: &Table, scene: &Drawn) -> Vec<(String, Drawn)> {
-    let mut changes = Vec::new();
+    let mut changes = of_bodies(scene);
     for (stage, written) in scene.stages.iter().enumerate() {
         for (place, (key, value)) in written.keys.iter().enumerate() {
             let name = format!("{}.{}", written.kind, plain(key));
@@ -51,6 +51,22 @@ fn changes(table: &Table, scene: &Drawn) -> Vec<(String, Drawn)> {
                 other.stages[stage].keys[place].1.clone_from(way);
                 changes.push((name.clone(), other));
             }
+        }
+    }
+    changes
+}
+
+/// The scene without the guide of its body or with one across it, and with no inertia or another.
+fn of_bodies(scene: &Drawn) -> Vec<(String, Drawn)> {
+    let mut changes = Vec::new();
+    if let Some((body, _)) = &scene.guided {
+        for guided in [None, Some((body.clone(), "y"))] {
+            changes.push(("body.guide".to_owned(), Drawn { guided, ..scene.clone() }));
+        }
+    }
+    if scene.inertia.is_some() {
+        for inertia in [Some(""), Some(", inertia: 2*I_R")] {
+            changes.push(("body.inertia".to_owned(), Drawn { inertia, ..scene.clone() }));
         }
     }
     changes
@@ -70,15 +86,20 @@ fn no_key_is_ignored() {
         let scene = draw(&table, kind, *seed);
         let asked = (0..scene.questions.len()).find_map(|question| Some((question, equations(&scene, question)?)));
         let Some((question, whole)) = asked else { return Vec::new() };
+        let is_known = |position: &usize| equations(&scene, *position).is_some();
+        let known: Vec<_> =
+            (0..scene.questions.len()).filter(is_known).map(|own| scene.questions[own].clone()).collect();
         let wrong = |(key, other): (String, Drawn)| {
             let changed = equations(&other, question)?;
             if changed == whole {
                 return (!is_without_effect(&key)).then(|| format!("`{key}` is ignored:\n{}", other.file(question)));
             }
-            match end(&other.file(question), &renderer) {
-                End::Fault(why) => Some(format!("`{key}`: {why}\n{}", other.file(question))),
+            // The laws have changed, and the simulation has to follow them in whatever can be asked; were it to pass a key over, they
+            // would not agree any more.
+            [other.asking(&known), other.file(question)].into_iter().find_map(|file| match end(&file, &renderer) {
+                End::Fault(why) => Some(format!("`{key}`: {why}\n{file}")),
                 End::Witnessed | End::Unwitnessed(_) | End::Refused(..) => None,
-            }
+            })
         };
         changes(&table, &scene).into_iter().filter_map(wrong).collect::<Vec<_>>()
     };
