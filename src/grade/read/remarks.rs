@@ -59,8 +59,11 @@ const BEHIND: [&str; 14] = [
     "approx.",
     "approx",
 ];
-/// Words behind an energy.
-const BEHIND_ENERGY: [&str; 4] = ["(lost)", "lost", "(dissipated)", "dissipated"];
+/// Words behind an energy whose name says that it is one of these.
+const BEHIND_ENERGY: [(&str, &[&str]); 2] = [
+    ("lost", &["(lost)", "lost", "(dissipated)", "dissipated"]),
+    ("gained", &["(gained)", "gained", "(supplied)", "supplied"]),
+];
 /// How figures and decimals are counted, in brackets behind a number of them.
 const COUNTED: [&str; 12] = [
     "s.f.",
@@ -259,7 +262,10 @@ fn behind_words(text: &str) -> Option<usize> {
 fn before_remark(text: &str, asked: Asked<'_>) -> Option<usize> {
     let bare = text.trim_end_matches(ENDS);
     let is_energy = asked.unit.dimension() == Dimension::ENERGY && asked.senses.is_none();
-    let words = BEHIND.iter().chain(BEHIND_ENERGY.iter().filter(|_| is_energy));
+    // What is lost is not gained.
+    let fits = |kind: &&str| is_energy && (asked.name.is_empty() || asked.name.contains(*kind));
+    let of_energy = BEHIND_ENERGY.iter().filter(|(kind, _)| fits(kind)).flat_map(|(_, words)| words.iter());
+    let words = BEHIND.iter().chain(of_energy);
     let cut = |word: &str| {
         let start = text.trim_end().len().checked_sub(word.len())?;
         let end = text.get(start..start + word.len())?;

@@ -147,11 +147,13 @@ pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &REVERSED, write: gain_reversed },
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
     WrongForm { of: &RATE_KEPT, write: |law| [arms(law, 2), together(law)].concat() },
+    WrongForm { of: &RADIUS_SQUARED, write: |law| arms(law, -1) },
 ];
 /// Wrong forms of conservation.
 pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
     WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
+    WrongForm { of: &RADIUS_SQUARED, write: |law| arms(law, -1) },
 ];
 /// Wrong forms of the impulse of a moment.
 pub const MOMENT_IMPULSE: &[WrongForm] = &[

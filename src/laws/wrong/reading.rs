@@ -88,6 +88,13 @@ pub const BETWEEN: Misconception = Misconception {
     ask: "Do both arrows start from the point at which the angle between them is measured?",
     hint: "Draw both arrows from one point: the angle between them is the one that they enclose there.",
 };
+/// Radians in the place of degrees.
+pub const RADIANS: Misconception = Misconception {
+    id: "radians-without-a-word",
+    does: "gives an angle in radians without saying so",
+    ask: "Is your angle in degrees, or in radians?",
+    hint: "Write the unit behind the number; where degrees are asked, convert what a calculator shows in radians.",
+};
 /// One more or less.
 pub const COUNT: Misconception = Misconception {
     id: "count-off-by-one",
@@ -159,6 +166,8 @@ pub const SLIPS: &[Slip] = &[
     Slip { of: &SUPPLEMENT, to: SlipOf::Angle, written: |value| std::f64::consts::PI - value },
     Slip { of: &OTHER_AXIS, to: SlipOf::Angle, written: |value| std::f64::consts::FRAC_PI_2 - value },
     Slip { of: &BETWEEN, to: SlipOf::Between, written: |value| std::f64::consts::PI - value },
+    Slip { of: &RADIANS, to: SlipOf::Angle, written: f64::to_radians },
+    Slip { of: &RADIANS, to: SlipOf::Between, written: f64::to_radians },
     Slip { of: &COUNT, to: SlipOf::Count, written: |value| value + 1.0 },
     Slip { of: &COUNT, to: SlipOf::Count, written: |value| value - 1.0 },
 ];
