@@ -89,6 +89,16 @@ impl<'c> Responses<'c> {
         all
     }
 
+    /// Whether a row has variants and nobody who answered them.
+    #[must_use]
+    pub fn answers_for_nobody(&self, cells: &[&str]) -> bool {
+        let nobody = cells.get(self.student).is_none_or(|cell| cell.trim().is_empty());
+        let answered = |heading: &str, cell: &str| {
+            self.code_in(cell).is_some() || self.code_in(heading).is_some() && !cell.trim().is_empty()
+        };
+        nobody && cells.iter().zip(&self.headings).any(|(cell, heading)| answered(heading, cell))
+    }
+
     /// The variant whose code stands in square brackets, and the field, where that is named behind it.
     fn code_in(&self, text: &str) -> Option<(&'c Coded, Option<String>)> {
         text.split('[').skip(1).find_map(|rest| {

@@ -183,3 +183,41 @@ fn a_table_without_codes_is_refused_with_the_way_out() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("help: let Moodle download the text of the questions"), "{said}");
 }
+
+#[test]
+fn rows_are_attempts_of_which_one_counts_and_a_row_of_nobody_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    exported(folder.path(), "moodle");
+    let [first, second] = [1, 2].map(|seed| item("impact/two-carts", seed));
+    let right = |of: &Item| format!("part 1: {}; part 2: {}; part 3: {}", number(of, 0), number(of, 1), number(of, 2));
+    let (one, other) = (&first.code, &second.code);
+    let responses = format!(
+        "Email address,Question 1,Response 1\none@x,[{one}],{}\none@x,[{other}],-\none@x,[{other}],{}\n,[{one}],-\n",
+        right(&first),
+        right(&second),
+    );
+    fs::write(folder.path().join("responses.csv"), responses).unwrap();
+    let total: u32 = first.parts.iter().map(|part| part.field.points).sum();
+    let [all, mean] = [f64::from(total), 2.0 * f64::from(total) / 3.0];
+    for (rule, points) in
+        [(None, all), (Some("best"), all), (Some("last"), all), (Some("first"), all), (Some("mean"), mean)]
+    {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_momentous"));
+        command.current_dir(folder.path()).args(["grade", "responses.csv", "--codes", "codes.jsonl"]);
+        command
+            .args(["-o", "marks.csv", "--gradebook", "grades.csv"])
+            .args(rule.map(|rule| format!("--attempts={rule}")));
+        let output = command.assert().code(2).get_output().clone();
+        let said = String::from_utf8(output.stderr).unwrap();
+        for part in [
+            "students are known by `Email address`",
+            "responses.csv:5: nothing stands under `Email address`",
+            "1 refused",
+        ] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+        let gradebook = fs::read_to_string(folder.path().join("grades.csv")).unwrap();
+        let found: f64 = gradebook.lines().nth(1).unwrap().split(',').nth(1).unwrap().parse().unwrap();
+        assert!((found - points).abs() < 1e-9, "{rule:?}: {gradebook}");
+    }
+}

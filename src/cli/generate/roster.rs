@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::cli::failure::Failure;
+use crate::cli::failure::tell;
 use crate::cli::table;
 use crate::exercise::Drawer;
 use crate::exercise::SeedSource;
@@ -33,7 +34,13 @@ pub(in crate::cli) fn students(path: &Path) -> Result<Vec<Student>, Failure> {
         let of = |fault: String| Failure::unusable(format!("{}{fault}", path.display()));
         Failure::all(faults.into_iter().map(of).collect())
     };
-    Student::all(table::whole(path)?).map_err(failed)
+    let (students, known_by) = Student::listed(table::whole(path)?).map_err(failed)?;
+    if known_by.is_name {
+        tell("note: students are known by their names; a column `id` tells two of one name apart");
+    } else if !known_by.heading.eq_ignore_ascii_case("id") {
+        tell(&format!("note: students are known by `{}`", known_by.heading));
+    }
+    Ok(students)
 }
 
 impl Roster {

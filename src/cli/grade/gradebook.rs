@@ -4,9 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::path::PathBuf;
 
+use clap::ValueEnum;
+
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::exercise::Key;
+use crate::exercise::Place;
 use crate::exercise::defused;
 use crate::grade::Report;
 use crate::quantity::Rational;
@@ -18,6 +21,36 @@ const POINTS: &str = "momentous";
 
 /// The headings of Canvas before the points. It finds students by their number; the other two only have to be there.
 const CANVAS: [&str; 3] = ["Student", "ID", "Section"];
+
+/// Which of a student's attempts at a quiz counts. Each may have other variants of its questions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Attempts {
+    /// The one with the most points
+    #[default]
+    Best,
+    /// The last
+    Last,
+    /// The first
+    First,
+    /// The mean of all
+    Mean,
+}
+
+impl Attempts {
+    /// The points that count of those of the attempts, the earliest first.
+    fn counted(self, attempts: &[Rational]) -> Rational {
+        let found = match self {
+            Self::Best => attempts.iter().max().cloned(),
+            Self::Last => attempts.last().cloned(),
+            Self::First => attempts.first().cloned(),
+            Self::Mean => {
+                let sum = attempts.iter().fold(Rational::ZERO, |sum, own| sum + own);
+                (!attempts.is_empty()).then(|| sum / Rational::from(attempts.len()))
+            }
+        };
+        found.unwrap_or(Rational::ZERO)
+    }
+}
 
 /// How students are known to who imports the points.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,18 +65,27 @@ pub(super) enum Students {
 pub(super) struct Gradebook {
     path: PathBuf,
     students: Students,
-    points: BTreeMap<String, Rational>,
+    /// Which attempt counts, where each row of the table is one; nothing where rows are problems, which are added up.
+    attempts: Option<Attempts>,
+    /// By student and attempt.
+    points: BTreeMap<String, BTreeMap<u64, Rational>>,
 }
 
 impl Gradebook {
-    pub(super) fn to(path: &Path, students: Students) -> Self {
-        Self { path: path.to_owned(), students, points: BTreeMap::new() }
+    pub(super) fn to(path: &Path, students: Students, attempts: Option<Attempts>) -> Self {
+        Self { path: path.to_owned(), students, attempts, points: BTreeMap::new() }
     }
 
     /// Adds what counts of a report.
     pub(super) fn add(&mut self, entry: &Entry, report: &Report) {
-        let points = self.points.entry(entry.submission.key(Key::Student).to_owned()).or_default();
-        for part in report.parts.iter().filter(|part| part.counts) {
+        let attempt = match (self.attempts, &entry.submission.place) {
+            (Some(_), Place::Line(line)) => *line,
+            _ => 0,
+        };
+        let student = self.points.entry(entry.submission.key(Key::Student).to_owned()).or_default();
+        let points = student.entry(attempt).or_default();
+        // Of attempts by rows each is worth what it earned.
+        for part in report.parts.iter().filter(|part| part.counts || self.attempts.is_some()) {
             *points += &entry.facts.earned(part).points.0;
         }
     }
@@ -57,7 +99,9 @@ impl Gradebook {
             Students::Canvas => CANVAS.to_vec(),
         };
         table.write_record(headings.iter().copied().chain([POINTS])).map_err(unwritten)?;
-        for (student, points) in &self.points {
+        for (student, attempts) in &self.points {
+            let attempts: Vec<Rational> = attempts.values().cloned().collect();
+            let points = self.attempts.unwrap_or_default().counted(&attempts);
             let points = points.to_f64().value().to_string();
             let who = [student.as_str(), student, ""].into_iter().take(headings.len());
             let cells = who.chain([points.as_str()]).map(|cell| defused(cell).into_owned());

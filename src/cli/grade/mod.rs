@@ -140,6 +140,9 @@ pub(super) struct Grade {
     /// Write the points of each student to this file, as the gradebooks of Moodle and Canvas import them
     #[arg(long, value_name = "FILE", requires = "submissions")]
     gradebook: Option<PathBuf>,
+    /// Which attempt counts in the gradebook, where the rows of responses are attempts
+    #[arg(long, value_enum, default_value_t, requires = "codes")]
+    attempts: gradebook::Attempts,
     /// Print every mark that differs from those in this file, which an earlier run wrote for the same submissions; exits with 0 if none does, and with 1 if one does
     #[arg(long, value_name = "OLD.csv", requires = "output")]
     changes: Option<PathBuf>,

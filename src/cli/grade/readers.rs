@@ -33,7 +33,10 @@ impl Readers {
                 .transpose()?,
             gathering: grade.summary.as_ref().map(|_| Gathering::default()),
             junit: grade.junit.as_deref().map(Junit::to).transpose()?,
-            gradebook: grade.gradebook.as_deref().map(|path| Gradebook::to(path, students)),
+            gradebook: grade.gradebook.as_deref().map(|path| {
+                let attempts = grade.codes.as_ref().map(|_| grade.attempts);
+                Gradebook::to(path, students, attempts)
+            }),
         })
     }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::json;
 
 use crate::cli::failure::Failure;
+use crate::cli::failure::tell;
 use crate::cli::table;
 use crate::exercise::Place;
 use crate::exercise::Rows;
@@ -38,6 +39,13 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
         match row {
             Ok(row) => {
                 let cells: Vec<&str> = row.cells().collect();
+                if responses.answers_for_nobody(&cells) {
+                    let message = format!(
+                        "nothing stands under `{}`, by which students are known\nhelp: fill it in, or name another column with --student",
+                        responses.student()
+                    );
+                    found.push((String::new(), "", line, Err((Place::Line(line), message))));
+                }
                 for own in responses.of_row(&cells) {
                     let (code, next) = (own.coded.code.as_str(), submission(line, &own));
                     found.push((own.student, code, line, next));
@@ -46,13 +54,14 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
             Err(message) => found.push((String::new(), "", line, Err((Place::Line(line), message)))),
         }
     }
-    if found.iter().all(|(.., next)| next.is_err()) {
+    if found.is_empty() {
         return Err(failed(
             "no code of an exported variant stands in it\n\
              help: let Moodle download the text of the questions, too; Canvas writes it into the headings"
                 .to_owned(),
         ));
     }
+    tell(&format!("note: students are known by `{}`", responses.student()));
     found.sort_by(|left, right| (&left.0, left.1).cmp(&(&right.0, right.1)));
     let students =
         if responses.is_of_canvas() { Students::Canvas } else { Students::Column(responses.student().to_owned()) };

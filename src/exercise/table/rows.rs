@@ -9,6 +9,9 @@ use super::lines::{LONGEST, Line, Lines};
 /// The lines over which one row may go: an answer that somebody typed goes over a few. Beyond them a quotation mark was left open.
 const MOST_LINES: usize = 100;
 
+/// Characters without a width, which are copied along from pages.
+const INVISIBLE: [char; 5] = ['\u{200b}', '\u{200c}', '\u{200d}', '\u{2060}', '\u{feff}'];
+
 const HELP: &str = "help: close a quoted cell with a quotation mark; inside it, double each quotation mark";
 
 /// The rows of a file.
@@ -67,7 +70,7 @@ impl Row {
         let start = self.ends.last().copied().unwrap_or(0);
         // What is meant is what is written, or less of it.
         let shorter = self.text.get(start..).and_then(|written| {
-            let meant = meant(written.trim());
+            let meant = meant(written.trim_matches(|edge: char| edge.is_whitespace() || INVISIBLE.contains(&edge)));
             (meant.len() != written.len()).then(|| meant.into_owned())
         });
         if let Some(meant) = shorter {
@@ -79,7 +82,7 @@ impl Row {
 }
 
 impl<R: BufRead> Rows<R> {
-    /// The rows of an input. Semicolons separate cells where the first line has some and no comma.
+    /// The rows of an input. Semicolons separate cells where the first line has some and no comma, and so do tabs where it has neither.
     ///
     /// # Errors
     /// What the input says.
@@ -88,8 +91,13 @@ impl<R: BufRead> Rows<R> {
         let mut first = Line::default();
         let mut delimiter = b',';
         if lines.read(&mut first).map_err(|error| error.to_string())? {
-            delimiter = delimiter_of(&first.bytes);
-            lines.give_back(std::iter::once(first));
+            match told_delimiter(&first.bytes) {
+                Some(told) => delimiter = told,
+                None => {
+                    delimiter = delimiter_of(&first.bytes);
+                    lines.give_back(std::iter::once(first));
+                }
+            }
         }
         Ok(Self { lines, delimiter, width: None, row: Row::default(), line: Line::default() })
     }
@@ -200,6 +208,15 @@ fn cells(row: &mut Row, line: &str, delimiter: u8, mut quoted: bool) -> Result<b
     }
 }
 
+/// What separates cells where the first line says it, as spreadsheets do: `sep=;`.
+fn told_delimiter(line: &[u8]) -> Option<u8> {
+    match line.trim_ascii_end().strip_prefix(b"sep=") {
+        Some([told]) => Some(*told),
+        None if line.starts_with(b"sep=\t") => Some(b'\t'),
+        Some(_) | None => None,
+    }
+}
+
 /// What separates the cells of a table whose first line this is.
 fn delimiter_of(line: &[u8]) -> u8 {
     let mut quoted = false;
@@ -209,6 +226,7 @@ fn delimiter_of(line: &[u8]) -> u8 {
             b'"' => quoted = !quoted,
             b',' if !quoted => return b',',
             b';' if !quoted => found = b';',
+            b'\t' if !quoted && found == b',' => found = b'\t',
             _ => {}
         }
     }
