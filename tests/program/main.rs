@@ -7,6 +7,7 @@ mod blocks;
 mod cli;
 mod course_repository;
 mod course_symbols;
+mod diagnosis_table;
 mod found;
 #[cfg(feature = "serve")]
 mod fuzz;
