@@ -8,6 +8,7 @@ mod exit;
 mod export;
 mod failure;
 mod format;
+mod gallery;
 mod generate;
 mod grade;
 mod init;
@@ -76,6 +77,7 @@ enum Command {
     Check(check::Check),
     Diagnose(diagnose::Diagnose),
     Export(export::Export),
+    Gallery(gallery::Gallery),
     Generate(generate::Generate),
     Init(init::Init),
     Simulate(simulate::Simulate),
@@ -127,6 +129,7 @@ impl Command {
             Self::Check(check) => check.run(),
             Self::Diagnose(diagnose) => diagnose.run(),
             Self::Export(export) => export.run(),
+            Self::Gallery(gallery) => gallery.run(),
             Self::Generate(generate) => generate.run(),
             Self::Init(init) => init.run(),
             Self::Simulate(simulate) => simulate.run(),

@@ -10,6 +10,7 @@ use crate::room::Room;
 use crate::room::lines;
 
 mod chart;
+mod gallery;
 mod json;
 mod simulate;
 mod snapshots;

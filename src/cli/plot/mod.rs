@@ -15,6 +15,6 @@ pub(super) use picture::png;
 pub(super) use table::Table;
 
 /// Text for XML.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
