@@ -1,5 +1,7 @@
 //! Angular impulse-momentum diagrams: moment of momentum before + angular impulse = moment of momentum after.
 
+use std::f64::consts::PI;
+
 use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::name_math;
@@ -27,8 +29,10 @@ use super::labels::product;
 use super::quantities::Quantities;
 use super::words::sentences;
 
-/// From the radius before to the radius after, on the drawing of a flight about a centre.
+/// From the radius before to the radius after, on the drawing of a flight about a centre, where nothing tells the true angle.
 const TURN: f64 = 0.9;
+/// With less eccentricity an orbit is a circle, on which nothing tells one place from another.
+const ROUND: f64 = 1e-6;
 
 /// A particle at a place: its distance from the centre, and its velocity along and across the radius.
 struct Place {
@@ -66,7 +70,36 @@ pub(super) fn central(quantities: &Quantities<'_>, stage: usize, central: &Centr
     let parts = [("theta", [0.0, 1.0]), ("r", [1.0, 0.0])];
     let place = |side: u8| round(quantities, &central.body, stage, side, &parts);
     let impulse = AngularImpulse { label: nothing(&central.about), value: Some(0.0) };
-    drawing(quantities, [&central.body, &central.about], stage, [place(0), place(1)], impulse)
+    let [before, after] = [place(0), place(1)];
+    let angle = turn(quantities, stage, central, [&before, &after]).unwrap_or(after.angle);
+    let after = Place { angle, ..after };
+    drawing(quantities, [&central.body, &central.about], stage, [before, after], impulse)
+}
+
+/// The angle from the first radius to the second in an orbit under gravity: between the nearest and the farthest point half a
+/// turn, elsewhere the difference of the angles from the nearest point, of which a radius alone tells the lesser one.
+fn turn(quantities: &Quantities<'_>, stage: usize, central: &Central, places: [&Place; 2]) -> Option<f64> {
+    let [radial, other] = [0, 1].map(|side| {
+        let name = quantities.since(QuantityKind::Velocity, &central.body, stage + 1 + side);
+        quantities.named(&format!("{name}.r"))
+    });
+    let [Some(first), Some(second)] = places.map(|place| place.radius.1) else { return None };
+    let apart = (first - second).abs() > ROUND * first;
+    if central.spring.is_none() && apart && radial == Some(0.0) && other == Some(0.0) {
+        return Some(PI);
+    }
+    let gravity = quantities.evaluate(&quantities.term(central.gravity.as_ref()?)?)?;
+    let moment = places[0].moment()?;
+    let cosine = |radius: f64| moment * moment / (gravity * radius) - 1.0;
+    let sine = |radial: f64| radial * moment / gravity;
+    let start = [cosine(first), sine(radial?)];
+    let eccentricity = libm::hypot(start[0], start[1]);
+    let to = match other {
+        Some(other) => libm::atan2(sine(other), cosine(second)),
+        None => libm::acos((cosine(second) / eccentricity).clamp(-1.0, 1.0)),
+    };
+    let turn = (to - libm::atan2(start[1], start[0])).rem_euclid(2.0 * PI);
+    (eccentricity > ROUND && turn.is_finite()).then_some(turn)
 }
 
 /// A particle at one end of its way round a centre, with these polar components of its velocity: the first, and others that

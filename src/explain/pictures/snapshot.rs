@@ -122,7 +122,7 @@ fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place
         radius: None,
         legs,
         body: MovingBody { name: body_math(body), form: Form::Disc, vectors },
-        circle: false,
+        path: None,
         moment: None,
     };
     let wording = Wording {

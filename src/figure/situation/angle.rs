@@ -10,6 +10,8 @@ use momentous_expr::Math;
 
 const REFERENCE: f64 = 34.0;
 const ARC_RADIUS: f64 = 22.0;
+/// Between two arcs about one point, which would read as one angle if they had one radius.
+const ARC_GAP: f64 = 7.0;
 /// Parts of a short arrow that they take at most.
 const REFERENCE_SHARE: f64 = 0.6;
 const ARC_SHARE: f64 = 0.4;
@@ -92,11 +94,21 @@ pub(super) fn draw_angle(canvas: &mut Canvas, vertices: &[Vertex], direction: Po
     if chosen > 0 {
         canvas.line(vertex.reference(direction.angle()), Role::Guide, true);
     }
-    let (centre, radius) = (vertex.at, vertex.radius());
+    let (centre, radius) = (vertex.at, free_radius(canvas, *vertex));
     let (from, to) = if turn > 0.0 { (mark.from, mark.from + turn) } else { (mark.from + turn, mark.from) };
     canvas.draw(Shape::Arc { centre, radius, from, to, arrow: false, role: Role::Guide });
     let prefer = mark.from + f64::midpoint(turn, vertex.taken.copysign(turn));
     canvas.label(&mark.label, Role::Body, Anchor::Opening { at: centre, radius, prefer });
+}
+
+/// The radius of the next arc about a vertex: outside the arcs that are there.
+fn free_radius(canvas: &Canvas, vertex: Vertex) -> f64 {
+    let radius_here = |shape: &Shape| match shape {
+        Shape::Arc { centre, radius, arrow: false, .. } if (*centre - vertex.at).length() < ARC_GAP => Some(*radius),
+        _ => None,
+    };
+    let widest = canvas.shapes().iter().filter_map(radius_here).fold(0.0, f64::max);
+    if widest > 0.0 { vertex.radius().max(widest + ARC_GAP) } else { vertex.radius() }
 }
 
 /// Marks the angle of a slope at its foot, over a level line.

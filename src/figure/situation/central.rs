@@ -16,6 +16,9 @@ const MOMENT_RADIUS: f64 = 24.0;
 const MOMENT_TURN: f64 = 1.2 * PI;
 /// How far the dashed path goes on either side of the body, in radians.
 const PATH: f64 = 0.9;
+/// The sketch of an orbit: its eccentricity, which is nobody's, and how far it goes on either side of its nearest point.
+const ECCENTRICITY: f64 = 0.45;
+const ORBIT: f64 = 1.9;
 
 /// A body about a fixed centre.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,10 +33,41 @@ pub struct Central {
     pub legs: Option<[Math; 2]>,
     /// The body with its given velocities, along x and y.
     pub body: MovingBody,
-    /// Whether the circle through the body is indicated, dashed.
-    pub circle: bool,
+    /// The path through the body, dashed.
+    pub path: Option<CentralPath>,
     /// A moment about the centre.
     pub moment: Option<Moment>,
+}
+
+/// The path of a body about a centre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CentralPath {
+    /// A circle.
+    Circle,
+    /// An orbit, of which the body is at the point nearest to the centre.
+    Nearest,
+    /// An orbit, of which the body is at the point farthest from the centre.
+    Farthest,
+}
+
+impl CentralPath {
+    /// How far it goes on either side of the body, in radians.
+    fn reach(self) -> f64 {
+        match self {
+            Self::Circle => PATH,
+            Self::Nearest | Self::Farthest => ORBIT,
+        }
+    }
+
+    /// The distance from the centre at an angle from the radius of the body.
+    fn radius(self, angle: f64) -> f64 {
+        let eccentricity = match self {
+            Self::Circle => 0.0,
+            Self::Nearest => ECCENTRICITY,
+            Self::Farthest => -ECCENTRICITY,
+        };
+        RADIUS * (1.0 + eccentricity) / (1.0 + eccentricity * libm::cos(angle))
+    }
 }
 
 /// A moment about a centre, drawn as an arc around it.
@@ -69,11 +103,11 @@ impl Central {
                 canvas.label(label, Role::Length, Anchor::Along { from, to });
             }
         }
-        if self.circle {
+        if let Some(path) = self.path {
             let hidden = 1.1 * body.support(outward.turned()) / RADIUS;
-            for (from, to) in [(angle - PATH, angle - hidden), (angle + hidden, angle + PATH)] {
+            for (from, to) in [(-path.reach(), -hidden), (hidden, path.reach())] {
                 let parts = (0..=12).map(|part| from + (to - from) * f64::from(part) / 12.0);
-                canvas.line(parts.map(|angle| Point::polar(RADIUS, angle)), Role::Path, true);
+                canvas.line(parts.map(|own| Point::polar(path.radius(own), angle + own)), Role::Path, true);
             }
         }
         for moving in &self.body.vectors {

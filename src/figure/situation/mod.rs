@@ -21,7 +21,7 @@ pub use angle::AngleMark;
 pub use bowl::{Bowl, Wall};
 pub use carried::{Carried, CarriedBy, CarriedEnd};
 pub(super) use central::draw_centre;
-pub use central::{Central, Moment};
+pub use central::{Central, CentralPath, Moment};
 pub use conical::{Across, Conical};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};

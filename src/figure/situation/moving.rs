@@ -31,6 +31,8 @@ pub struct Moving {
     pub angle: Option<AngleMark>,
     /// On which side of the body it is drawn, where the layout leaves that open.
     pub attach: Attach,
+    /// Whether it is the velocity of a stream, whose edges are drawn.
+    pub stream: bool,
 }
 
 impl MovingBody {
@@ -63,7 +65,7 @@ impl Moving {
     /// A velocity.
     #[must_use]
     pub fn velocity(vector: LabelledVector) -> Self {
-        Self { vector, role: Role::Velocity, angle: None, attach: Attach::Leaving }
+        Self { vector, role: Role::Velocity, angle: None, attach: Attach::Leaving, stream: false }
     }
 
     /// A force.
@@ -91,6 +93,13 @@ impl Moving {
         self
     }
 
+    /// The same vector in the middle of the stream whose velocity it is.
+    #[must_use]
+    pub fn in_stream(mut self) -> Self {
+        self.stream = true;
+        self
+    }
+
     /// The same vector with the angle that gives its direction.
     #[must_use]
     pub fn at_angle(mut self, from: f64, label: Math) -> Self {
@@ -98,6 +107,9 @@ impl Moving {
         self
     }
 }
+
+/// From the middle of a stream to its edges.
+const STREAM_HALF: f64 = 6.0;
 
 /// The scales of a figure, one a role.
 pub(crate) struct Scales {
@@ -151,6 +163,12 @@ pub(crate) fn draw_vector(canvas: &mut Canvas, body: &mut Body, moving: &Moving,
     }
     let (from, to) = body.attach(arrow, attach);
     canvas.arrow(from, to, moving.role);
+    if moving.stream {
+        let aside = arrow.turned() * (STREAM_HALF / arrow.length().max(1e-9));
+        for edge in [aside, -aside] {
+            canvas.line([from + edge, to + edge], Role::Path, false);
+        }
+    }
     // The angle is small and has one good place; the arrow's label finds another.
     if let Some(mark) = &moving.angle {
         draw_angle_at(canvas, body, [from, to], attach, mark);

@@ -135,7 +135,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             angle: dice.angle(),
             radius: dice.chance(70).then(|| valued(name("r"), "1.25", "m")),
             body: moving_body(dice, 2),
-            circle: dice.chance(60),
+            path: dice.chance(60).then(|| if dice.chance(50) { CentralPath::Circle } else { CentralPath::Nearest }),
             legs: dice.chance(40).then(|| [sub("r", "x"), sub("r", "y")]),
             moment: dice.chance(50).then(|| Moment { label: name("M"), value: dice.between(-1.0, 1.0) }),
         }),

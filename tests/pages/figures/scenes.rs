@@ -199,7 +199,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
         body: body("S")
             .with(velocity(sub("v", "r"), [1.65, 1.13]))
             .with(velocity(Math::Sub(Arc::new(name("v")), Arc::new(name("\u{3b8}"))), [-1.7, 2.48])),
-        circle: true,
+        path: Some(CentralPath::Circle),
         legs: None,
         moment: Some(Moment { label: name("M"), value: 3.0 }),
     };

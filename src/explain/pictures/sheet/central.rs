@@ -3,6 +3,7 @@
 use momentous_expr::Math;
 use momentous_expr::name_math;
 use momentous_figure::Central;
+use momentous_figure::CentralPath;
 use momentous_figure::Drawing;
 use momentous_figure::Form;
 use momentous_figure::LabelledVector;
@@ -38,7 +39,7 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
     let name = quantities.velocity_name(body, 1);
     let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength, rotate.during.as_ref()));
     let forces = arm::along_path(quantities, rotate, body, PLACE);
-    draw(quantities, [body, &rotate.about], radius, &name, forces, true, moment)
+    draw(quantities, [body, &rotate.about], radius, &name, forces, Some(CentralPath::Circle), moment)
 }
 
 /// A body under a central force at the first place.
@@ -46,7 +47,24 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
     let name = quantities.velocity_name(&central.body, 1);
     let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
     let radius = quantities.named(&radius).map(|_| name_math(&radius));
-    draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), Vec::new(), false, None)
+    let path = orbit(quantities, central, &name);
+    draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), Vec::new(), path, None)
+}
+
+/// The orbit, where what is printed tells that the body is at its nearest or its farthest point.
+fn orbit(quantities: &Quantities<'_>, central: &stage::Central, velocity: &str) -> Option<CentralPath> {
+    let gravity = quantities.evaluate(&quantities.term(central.gravity.as_ref()?)?)?;
+    let radius = quantities.named(&quantities.since(QuantityKind::Position, &central.body, 1).to_string())?;
+    let [along, across] = ["r", "theta"].map(|letter| quantities.named(&format!("{velocity}.{letter}")));
+    let across = across.filter(|_| along == Some(0.0))?;
+    let balance = radius * across * across / gravity;
+    Some(if central.orbit == Some(stage::Orbit::Circle) {
+        CentralPath::Circle
+    } else if balance > 1.0 {
+        CentralPath::Nearest
+    } else {
+        CentralPath::Farthest
+    })
 }
 
 fn draw(
@@ -55,7 +73,7 @@ fn draw(
     radius: Option<Math>,
     velocity: &str,
     forces: Vec<Moving>,
-    circle: bool,
+    path: Option<CentralPath>,
     moment: Option<Moment>,
 ) -> Option<Drawing> {
     let (sine, cosine) = (libm::sin(PLACE), libm::cos(PLACE));
@@ -68,6 +86,6 @@ fn draw(
     let moving = MovingBody { name: body_math(body), form: Form::Disc, vectors };
     let wording = about_wording(quantities, [body, about], radius.as_ref(), &moving, moment.as_ref());
     let centre = body_math(about);
-    let central = Central { centre, angle: PLACE, radius, legs: None, body: moving, circle, moment };
+    let central = Central { centre, angle: PLACE, radius, legs: None, body: moving, path, moment };
     Some(Situation { wording, layout: Layout::Central(central), axes: Vec::new() }.drawing())
 }

@@ -5,6 +5,7 @@ use momentous_expr::name_math;
 use momentous_figure::Attach;
 use momentous_figure::Drawing;
 use momentous_figure::Form;
+use momentous_figure::Grains;
 use momentous_figure::LabelledVector;
 use momentous_figure::Layout;
 use momentous_figure::Line;
@@ -44,7 +45,9 @@ pub(in super::super) fn drawing(
     let drawn = |vectors| MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
     let mut wording = body_wording(quantities, index, &stage.body, &drawn(own.clone()));
     let mut vectors = Vec::new();
-    for (does, vector) in [("meets", arriving.map(Moving::arriving)), ("leaves", leaving)] {
+    for (does, vector) in
+        [("meets", arriving.map(|own| own.arriving().in_stream())), ("leaves", leaving.map(Moving::in_stream))]
+    {
         let Some(vector) = vector else { continue };
         let with = list(&arrows(&drawn(vec![vector.clone()]), true));
         tell(&mut wording.description, format!("{} {does} {} with {with}", stage.by, quantities.called(&stage.body)));
@@ -64,7 +67,11 @@ pub(in super::super) fn drawing(
         let relative = format!("the velocity {speed} is relative to {}", quantities.called(&stage.body));
         tell(&mut wording.caption, relative);
     }
-    Some(lone(compass, wording, drawn(vectors)))
+    // What has no velocity along the line falls onto the body from above.
+    let falls = flowing.speed.is_zero();
+    let label = || quantities.symbol_of_known(stage.flow.as_ref()?);
+    let grains = falls.then(|| Grains { body: 0, join: true, label: label() });
+    Some(lone(compass, wording, drawn(vectors), grains))
 }
 
 fn arrow(quantities: &Quantities<'_>, compass: &Compass, speed: &Expr, direction: &Direction) -> Option<Moving> {
@@ -103,7 +110,7 @@ pub(in super::super) fn rocket(
         return None;
     }
     let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
-    Some(lone(compass, body_wording(quantities, index, &stage.body, &body), body))
+    Some(lone(compass, body_wording(quantities, index, &stage.body, &body), body, None))
 }
 
 fn body_wording(quantities: &Quantities<'_>, index: usize, name: &str, body: &MovingBody) -> Wording {
@@ -116,7 +123,7 @@ fn tell(text: &mut String, sentence: String) {
     text.push_str(&sentences([sentence]));
 }
 
-fn lone(compass: &Compass, wording: Wording, body: MovingBody) -> Drawing {
-    let line = Line { angle: compass.axis_angle(0), bodies: vec![body], ..Line::default() };
+fn lone(compass: &Compass, wording: Wording, body: MovingBody, grains: Option<Grains>) -> Drawing {
+    let line = Line { angle: compass.axis_angle(0), bodies: vec![body], grains, ..Line::default() };
     Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()
 }
