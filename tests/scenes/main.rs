@@ -97,11 +97,15 @@ fn tally(first: u64, each: u64) -> BTreeMap<String, Counts> {
     let shows = |end: &str| show.split(',').any(|name| name == end);
     let mut tally = BTreeMap::new();
     println!("{}", head());
-    for kind in table.stages.iter().filter(|kind| only(&kind.name)) {
-        let all: Vec<Ended> =
-            (first..first + each).into_par_iter().map(|seed| ended(&table, &kind.name, seed, &renderer)).collect();
+    // Scenes of all kinds side by side: a slow one keeps no core waiting.
+    let kinds: Vec<_> = table.stages.iter().filter(|kind| only(&kind.name)).collect();
+    let scenes: Vec<(usize, u64)> =
+        (0..kinds.len()).flat_map(|kind| (first..first + each).map(move |seed| (kind, seed))).collect();
+    let all: Vec<(usize, Ended)> =
+        scenes.into_par_iter().map(|(kind, seed)| (kind, ended(&table, &kinds[kind].name, seed, &renderer))).collect();
+    for (place, kind) in kinds.into_iter().enumerate() {
         let mut counts = Counts::default();
-        for ended in &all {
+        for (_, ended) in all.iter().filter(|(kind, _)| *kind == place) {
             counts.add(ended);
             if shows(ended.end.name()) {
                 println!("=== {} {}: {}\n{}", ended.end.name(), kind.name, ended.end.reason(), ended.file);
