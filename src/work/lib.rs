@@ -1,9 +1,9 @@
 //! The work, not only the answer: whether a line that a student writes follows from the scene, from which laws or from which mistake.
 //!
 //! Nothing is authored for it. The equations of a form's scene have many solutions, one for each variant; a line follows if it holds for
-//! all of them ([`holds`](mod@holds)), whatever its form. Its laws are the fewest equations whose slopes add up to its own
-//! ([`support`](mod@support)). A line that does not follow is tried in the systems that come of usual mistakes ([`wrong`](mod@wrong)).
-//! Numbers are read as what they stand for ([`meaning`](mod@meaning)): `2.0 * 3.0` as `m_A v_A1`.
+//! all of them (`holds.rs`), whatever its form. Its laws are the fewest equations whose slopes add up to its own
+//! (`support.rs`). A line that does not follow is tried in the systems that come of usual mistakes (`wrong.rs`).
+//! Numbers are read as what they stand for (`meaning.rs`): `2.0 * 3.0` as `m_A v_A1`.
 
 mod alphabet;
 mod clash;
