@@ -8,7 +8,6 @@ use momentous_grade::Report;
 use momentous_grade::Sitting;
 use momentous_problem::Worked;
 use momentous_quantity::Rational;
-use momentous_work::Judge;
 use momentous_work::Letter;
 use momentous_work::NextStep;
 use momentous_work::WorkReport;
@@ -19,9 +18,9 @@ use super::Exercise;
 pub const WORK: &str = "work";
 
 impl Exercise {
-    /// Judges the lines of a student's work.
+    /// Judges the lines of a student's work, and says what comes next; nothing where they hold all that the answers need.
     #[must_use]
-    pub fn judge_work(&self, work: &str, decimal: DecimalMark) -> WorkReport {
+    pub fn judge_work(&self, work: &str, decimal: DecimalMark) -> (WorkReport, Option<NextStep>) {
         momentous_work::judge(self.worked(), work, decimal)
     }
 
@@ -31,17 +30,7 @@ impl Exercise {
         momentous_work::letters(self.worked())
     }
 
-    /// The next step behind a student's lines; none where they hold all that the answers need.
-    #[must_use]
-    pub fn next_step(&self, work: &str, decimal: DecimalMark) -> Option<NextStep> {
-        let mut judge = Judge::new(self.worked(), decimal);
-        momentous_work::lines(work).for_each(|line| {
-            judge.line(line);
-        });
-        judge.next_step()
-    }
-
-    /// Marks answers and the work that led to them, which is also judged line by line.
+    /// Marks answers and the work that led to them.
     #[must_use]
     pub fn mark_with_work(
         &self,
@@ -49,10 +38,10 @@ impl Exercise {
         work: &str,
         decimal: DecimalMark,
         sitting: Sitting,
-    ) -> (Report, WorkReport) {
+    ) -> Report {
         let mut answers = answers.clone();
         answers.insert(WORK.to_owned(), work.to_owned());
-        (self.mark(&answers, decimal, sitting), self.judge_work(work, decimal))
+        self.mark(&answers, decimal, sitting)
     }
 }
 
@@ -64,8 +53,11 @@ pub(super) fn work_among<'a>(worked: Worked<'_>, answers: &[(&str, &'a str)]) ->
 
 /// Gives each part whose answer is missing or wrong the share of its points that the method in the work is worth.
 pub(super) fn credit(report: &mut Report, worked: Worked<'_>, work: &str, decimal: DecimalMark) {
-    let judged = momentous_work::judge(worked, work, decimal);
-    if judged.points == 0 || report.is_right() {
+    if report.is_right() {
+        return;
+    }
+    let (judged, _) = momentous_work::judge(worked, work, decimal);
+    if judged.points == 0 {
         return;
     }
     let share = Rational::from(judged.points) / Rational::from(judged.out_of);

@@ -26,11 +26,7 @@ pub(crate) fn elsewhere(
     at: &At<'_>,
 ) -> Option<(Elsewhere, Symbol)> {
     let model = worked.problem.model();
-    let mentioned: std::collections::BTreeSet<Symbol> = line
-        .statements()
-        .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
-        .filter(|symbol| line.number(*symbol).is_none())
-        .collect();
+    let mentioned = line.quantities();
     for symbol in &mentioned {
         let own = model.name(*symbol);
         for (other, _) in model.symbols.iter().filter(|(other, _)| other != symbol && !mentioned.contains(other)) {

@@ -17,10 +17,7 @@ use super::wrong::WrongSystems;
 impl Judge<'_> {
     /// What is said of a line that cannot be tried.
     pub(crate) fn open(&self, line: &Written, place: Place<'_>) -> Found {
-        let missing = line
-            .statements()
-            .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
-            .find(|symbol| line.number(*symbol).is_none() && place.value(*symbol).is_none());
+        let missing = line.quantities().into_iter().find(|symbol| place.value(*symbol).is_none());
         let detail = missing.map_or_else(
             || "its numbers are too close to tell".to_owned(),
             |symbol| format!("{} does not follow from what is given", self.worked.problem.name_of(symbol)),

@@ -15,7 +15,6 @@ use momentous_problem::Sampler;
 use momentous_problem::Worked;
 use momentous_quantity::Dimension;
 use momentous_solve::Bounded;
-use momentous_solve::Equation;
 use momentous_solve::Statement;
 use momentous_solve::System;
 
@@ -32,6 +31,8 @@ const TRIES: u64 = 60;
 /// An equation of the scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Stated {
+    /// Its position in the system.
+    pub(crate) place: usize,
     /// Left side minus right side.
     pub(crate) residual: Expr,
     /// The law, as it is used: a position in the model's instances.
@@ -108,6 +109,7 @@ impl Ground {
             let Statement::Equal { left, right } = &own.statement else { return None };
             let law = instances.get(own.tag).map(|instance: &Instance| instance.law);
             Some(Stated {
+                place,
                 residual: Expr::sum([left.clone(), -right.clone()]),
                 tag: own.tag,
                 is_used: used.contains(&place),
@@ -202,9 +204,7 @@ impl Ground {
 
     /// The positions of the used equations in the system.
     pub(crate) fn used(&self) -> BTreeSet<usize> {
-        let tags: BTreeSet<usize> = self.equations.iter().filter(|own| own.is_used).map(|own| own.tag).collect();
-        let is_used = |equation: &Equation| tags.contains(&equation.tag);
-        (0..).zip(&self.system.equations).filter(|(_, own)| is_used(own)).map(|(place, _)| place).collect()
+        self.equations.iter().filter(|own| own.is_used).map(|own| own.place).collect()
     }
 }
 

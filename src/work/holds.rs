@@ -2,7 +2,6 @@
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
-use momentous_expr::SymbolTable;
 use momentous_quantity::Dimension;
 use momentous_quantity::Unit;
 use momentous_quantity::UnitSystem;
@@ -185,15 +184,5 @@ pub(crate) fn is_identity(line: &Written, meanings: &Meanings) -> bool {
         };
         let at = At { value: &anything, units: UnitSystem::Si, turned: &[] };
         at.line(line, meanings) == Holds::Yes
-    })
-}
-
-/// The dimensions that clash in a line, in words.
-pub(crate) fn clash(line: &Written, meanings: &Meanings, symbols: &SymbolTable) -> Option<String> {
-    let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
-    line.statements().find_map(|own| {
-        let [left, right] = [&own.left, &own.right].map(|side| meanings.put_into(line, side));
-        let found = left.common_dimension(&right, symbols).err()?;
-        Some(found.sentence(symbols, &unit))
     })
 }

@@ -43,10 +43,10 @@ pub fn lines(work: &str) -> impl Iterator<Item = &str> {
     work.lines().map(str::trim).filter(|line| !line.is_empty()).take(MOST_LINES)
 }
 
-/// Judges a student's work on a variant, line by line.
+/// Judges a student's work on a variant, line by line, and says what comes next; nothing where the lines hold all that the answers need.
 #[must_use]
-pub fn judge(worked: Worked<'_>, work: &str, mark: DecimalMark) -> WorkReport {
+pub fn judge(worked: Worked<'_>, work: &str, mark: DecimalMark) -> (WorkReport, Option<NextStep>) {
     let mut judge = Judge::new(worked, mark);
     let judged = lines(work).map(|line| judge.line(line)).collect();
-    judge.report(judged)
+    judge.conclude(judged)
 }

@@ -18,29 +18,28 @@ use super::support::Slopes;
 const POINT: u32 = 1;
 
 impl Judge<'_> {
-    /// The report on the lines judged so far.
+    /// The report on the lines judged so far, and the next step towards the answers; none where the lines hold all of it.
     #[must_use]
-    pub fn report(&self, lines: Vec<JudgedLine>) -> WorkReport {
-        let established = self.established();
-        let laws: Vec<LawNeeded> = self.needed().into_iter().map(|position| self.law(position, &established)).collect();
+    pub fn conclude(&self, lines: Vec<JudgedLine>) -> (WorkReport, Option<NextStep>) {
+        let (needed, established) = (self.needed(), self.established());
+        let next = match needed.iter().find(|position| !established.contains(position)) {
+            Some(missing) => Some(self.step_of_law(*missing)),
+            None => self.missing_answer().map(|wanted| self.step_of_answer(wanted)),
+        };
+        let laws: Vec<LawNeeded> = needed.into_iter().map(|position| self.law(position, &established)).collect();
         let answers: Vec<AnswerNeeded> = self.answers();
         let reached = laws.iter().filter(|own| own.established).map(|own| own.points);
         let reached = reached.chain(answers.iter().filter(|own| own.established).map(|own| own.points)).sum();
         let out_of = laws.iter().map(|own| own.points).chain(answers.iter().map(|own| own.points)).sum();
-        WorkReport { lines, laws, answers, points: reached, out_of }
+        (WorkReport { lines, laws, answers, points: reached, out_of }, next)
     }
 
     /// The positions of the ground's equations that the answers need as steps, in the order of the solution.
     fn needed(&self) -> Vec<usize> {
-        let leaf = self.worked.leaf();
         let mut needed: Vec<usize> = Vec::new();
-        for place in leaf.answer_steps().iter().flat_map(|step| &step.equations) {
-            let Some(equation) = leaf.system.equations.get(*place) else { continue };
-            let Statement::Equal { left, right } = &equation.statement else { continue };
-            let residual = Expr::sum([left.clone(), -right.clone()]);
-            let same = |own: &super::ground::Stated| own.tag == equation.tag && own.residual == residual;
-            let position = self.ground.equations.iter().position(same);
-            needed.extend(position.filter(|own| !needed.contains(own) && !self.ground.equations[*own].is_naming));
+        for place in self.worked.leaf().answer_steps().iter().flat_map(|step| &step.equations) {
+            let position = self.ground.equations.iter().position(|own| own.place == *place && !own.is_naming);
+            needed.extend(position.filter(|own| !needed.contains(own)));
         }
         needed
     }
@@ -74,7 +73,7 @@ impl Judge<'_> {
     }
 
     fn answers(&self) -> Vec<AnswerNeeded> {
-        let given: BTreeSet<Symbol> = self.accepted.iter().flat_map(|own| own.answers.iter().copied()).collect();
+        let given = self.answers_given();
         let parts = self.worked.form.parts.iter().filter(|part| !written_answers(&part.kind).is_empty());
         parts
             .map(|part| AnswerNeeded {
@@ -85,17 +84,14 @@ impl Judge<'_> {
             .collect()
     }
 
-    /// The next step towards the answers; none where the lines hold all of it.
-    #[must_use]
-    pub fn next_step(&self) -> Option<NextStep> {
-        let established = self.established();
-        let missing = self.needed().into_iter().find(|position| !established.contains(position));
-        if let Some(position) = missing {
-            return Some(self.step_of_law(position));
-        }
-        let given: BTreeSet<Symbol> = self.accepted.iter().flat_map(|own| own.answers.iter().copied()).collect();
-        let wanted = self.answers_asked().into_iter().find(|symbol| !given.contains(symbol))?;
-        Some(self.step_of_answer(wanted))
+    /// The first quantity that is asked and that no line gives.
+    fn missing_answer(&self) -> Option<Symbol> {
+        let given = self.answers_given();
+        self.answers_asked().into_iter().find(|symbol| !given.contains(symbol))
+    }
+
+    fn answers_given(&self) -> BTreeSet<Symbol> {
+        self.accepted.iter().flat_map(|own| own.answers.iter().copied()).collect()
     }
 
     fn step_of_law(&self, position: usize) -> NextStep {
@@ -108,14 +104,10 @@ impl Judge<'_> {
             Because::Definition => String::new(),
             reason => format!(": {reason}"),
         };
-        let equation = self.ground.system.equations.iter().find_map(|own| match &own.statement {
-            Statement::Equal { left, right }
-                if own.tag == stated.tag && Expr::sum([left.clone(), -right.clone()]) == stated.residual =>
-            {
-                Some([left, right])
-            }
+        let equation = match self.ground.system.equations.get(stated.place).map(|own| &own.statement) {
+            Some(Statement::Equal { left, right }) => Some([left, right]),
             _ => None,
-        });
+        };
         let text = |numbers: bool| {
             equation.map_or_else(String::new, |[left, right]| {
                 format!("{} = {}", self.text(left, numbers), self.text(right, numbers))
@@ -162,6 +154,7 @@ impl Judge<'_> {
             }
         })
     }
+
     /// A term with each quantity that is given piece by piece as the piece that holds.
     fn resolved(&self, term: &Expr) -> Expr {
         let Expr::Piecewise(piecewise) = term else { return term.map_children(|part| self.resolved(part)) };

@@ -179,6 +179,12 @@ impl Written {
         self.numbers.iter().all(is_plain) && self.statements().all(|own| side(&own.left) && side(&own.right))
     }
 
+    /// The quantities in it, without its numbers.
+    pub(crate) fn quantities(&self) -> BTreeSet<Symbol> {
+        let symbols = self.statements().flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()));
+        symbols.filter(|symbol| self.number(*symbol).is_none()).collect()
+    }
+
     /// All statements.
     pub(crate) fn statements(&self) -> impl Iterator<Item = &Statement> {
         self.stated.iter().flatten().flatten()

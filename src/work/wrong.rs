@@ -130,11 +130,7 @@ impl WrongSystems {
         at: &At<'_>,
     ) -> Vec<Follows> {
         let systems = ground.wrong.get(|| Self::new(ground, worked));
-        let wanted: BTreeSet<Symbol> = line
-            .statements()
-            .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
-            .filter(|symbol| line.number(*symbol).is_none() && !ground.told.contains(symbol))
-            .collect();
+        let wanted: BTreeSet<Symbol> = line.quantities().difference(&ground.told).copied().collect();
         let apart = differences(ground, place, (line, meanings), at);
         let direct: Vec<&WrongSystem> =
             systems.0.iter().filter(|system| apart.iter().any(|own| system.is_in(own))).collect();

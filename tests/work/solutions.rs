@@ -65,13 +65,13 @@ fn hints_lead_to_the_answers() {
         let mut judge = Judge::new(worked, DecimalMark::Point);
         let mut written: Vec<String> = Vec::new();
         for _ in 0..40 {
-            let Some(next) = judge.next_step() else { break };
+            let (_, Some(next)) = judge.conclude(Vec::new()) else { break };
             for line in [&next.equation, &next.numbers].into_iter().filter(|line| !line.is_empty()) {
                 let judged = judge.line(line);
                 written.push(format!("{line}: {:?} {}", judged.verdict, judged.message));
             }
         }
-        let report = judge.report(Vec::new());
+        let (report, _) = judge.conclude(Vec::new());
         let misses =
             report.laws.iter().any(|own| !own.established) || report.answers.iter().any(|own| !own.established);
         if misses {

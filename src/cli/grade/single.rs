@@ -11,7 +11,6 @@ use crate::exercise::Drawer;
 use crate::exercise::Exercise;
 use crate::exercise::SheetSeed;
 use crate::grade::Report;
-use crate::work::WorkReport;
 
 use super::Grade;
 
@@ -30,8 +29,8 @@ impl Grade {
         let Some(work) = self.work.as_ref().map(|path| read(path)).transpose()? else {
             return self.answers(&exercise, &exercise.mark(&answers, self.decimal.into(), self.sitting()));
         };
-        let (report, judged) = exercise.mark_with_work(&answers, &work, self.decimal.into(), self.sitting());
-        self.worked(&exercise, &work, &report, &judged)
+        let report = exercise.mark_with_work(&answers, &work, self.decimal.into(), self.sitting());
+        self.worked(&exercise, &work, &report)
     }
 
     /// The answers alone.
@@ -51,16 +50,17 @@ impl Grade {
     }
 
     /// The work, and then the answers where there are some.
-    fn worked(&self, exercise: &Exercise, work: &str, report: &Report, judged: &WorkReport) -> Result<Exit, Failure> {
+    fn worked(&self, exercise: &Exercise, work: &str, report: &Report) -> Result<Exit, Failure> {
+        let (judged, next) = exercise.judge_work(work, self.decimal.into());
         if self.format == Listing::Json {
             let mut record = exercise.mark_record(report)?;
             if let Some(object) = record.as_object_mut() {
-                object.insert("work".to_owned(), serde_json::to_value(judged)?);
+                object.insert("work".to_owned(), serde_json::to_value(&judged)?);
             }
             Output::whole(None, &format!("{record}\n"))?;
         } else {
             let mut text = judged.to_string();
-            if let Some(next) = exercise.next_step(work, self.decimal.into()).filter(|_| self.hints > 0) {
+            if let Some(next) = next.filter(|_| self.hints > 0) {
                 text = format!("{text}Next: {}\n", next.strength(self.hints));
             }
             if !self.answer.is_empty() {

@@ -57,9 +57,9 @@ impl WorkResponse {
     /// The lines of work on a variant that was drawn, judged.
     #[must_use]
     pub fn of(exercise: &Exercise, work: &str, decimal: DecimalMark, next: usize) -> Self {
-        let step = exercise.next_step(work, decimal);
+        let (report, step) = exercise.judge_work(work, decimal);
         Self {
-            report: exercise.judge_work(work, decimal),
+            report,
             more_next: step.is_some() && next < STRONGEST,
             next: step.filter(|_| next > 0).map(|step| step.strength(next)),
         }
