@@ -44,7 +44,7 @@ pub use newton::direct_impact;
 pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
 pub use record::{Moment, Pivot, Record, Recorded, RecordedImpact, RecordedWall};
 pub use refusal::Refusal;
-pub use shown::Shown;
+pub use shown::{End, Shown};
 pub use state::{State, Vector};
 #[cfg(feature = "clock")]
 pub use sweep::{JITTERED_SCENES, Point, sweep};

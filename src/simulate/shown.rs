@@ -4,6 +4,7 @@ use super::budget::{Budget, Keep};
 use super::method::Method;
 use super::methods::EventDriven;
 use super::refusal::Refusal;
+use super::trajectory::{Ending, Trajectory};
 use super::world::World;
 
 /// How far bodies are apart, in m, at the start of what is watched of an impact.
@@ -13,6 +14,20 @@ const APART: f64 = 2.0;
 const MOST_IMPACTS: usize = 100_000;
 const MOST_STEPS: usize = 1_000_000;
 
+/// How many times as long as the exact run another method may take to the impact that ends it.
+const LONGER: f64 = 2.0;
+
+/// What ends a scene that is watched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// A time.
+    Time,
+    /// The impact of this number, counted from 1, which is still seen.
+    Impact(usize),
+    /// Rest, after more impacts than anybody counts.
+    Rest,
+}
+
 /// A scene with the time in which it is watched.
 #[derive(Clone, Debug)]
 pub struct Shown<const D: usize> {
@@ -20,6 +35,10 @@ pub struct Shown<const D: usize> {
     pub world: World<D>,
     /// How long it runs; it has an end, which methods with steps need.
     pub budget: Budget,
+    /// What ends it, as it is asked for.
+    pub end: End,
+    /// How long it takes by exact motion, in s: a step is a part of that.
+    pub length: f64,
     /// The time of the run that is called 0, in s.
     pub origin: f64,
 }
@@ -31,21 +50,49 @@ impl<const D: usize> Shown<D> {
     /// # Errors
     /// The scene has no end that could be found.
     pub fn of(world: &World<D>, budget: &Budget, until_impact: bool) -> Result<Self, Refusal> {
+        let asked = budget.impacts;
         let budget = budget.keep(Keep::Everything).steps(budget.steps.min(MOST_STEPS));
-        let budget = budget.at_most(budget.impacts.min(MOST_IMPACTS));
         if let Some(lead) = lead(world) {
-            let budget = Budget::until(2.0 * lead).steps(budget.steps);
-            return Ok(Self { world: before(world, lead), budget, origin: lead });
+            let budget = Budget::until(2.0 * lead).steps(budget.steps).at_most(MOST_IMPACTS);
+            return Ok(Self { world: before(world, lead), budget, end: End::Time, length: 2.0 * lead, origin: lead });
         }
-        let mut shown = Self { world: world.clone(), budget, origin: 0.0 };
-        if budget.until.is_infinite() {
-            shown.budget.until = EventDriven.run(world, &budget.keep(Keep::Count))?.last.time;
-            shown.budget.impacts = MOST_IMPACTS;
-            if until_impact {
-                shown.world.walls.clear();
-            }
+        let budget = budget.at_most(asked.min(MOST_IMPACTS));
+        let mut shown = Self { world: world.clone(), budget, end: End::Time, length: budget.until, origin: 0.0 };
+        if budget.until.is_finite() {
+            return Ok(shown);
+        }
+        let exact = EventDriven.run(world, &budget.keep(Keep::Count))?;
+        // A run that ends where it starts has no length of its own.
+        shown.length = if exact.last.time > 0.0 { exact.last.time } else { 1.0 };
+        if until_impact {
+            shown.world.walls.clear();
+            shown.budget = shown.budget.at_most(MOST_IMPACTS);
+            shown.budget.until = shown.length;
+            return Ok(shown);
+        }
+        // An impact that is asked for is part of the run: no time is compared with its own, which rounding moves.
+        shown.budget.until = LONGER * shown.length;
+        match exact.ending {
+            Ending::Rest { .. } => (shown.end, shown.budget.until) = (End::Rest, shown.length),
+            Ending::Impacts if asked == usize::MAX => shown.end = End::Rest,
+            Ending::Impacts | Ending::Exhausted => shown.end = End::Impact(asked),
+            Ending::NoMoreImpacts | Ending::Time => {}
         }
         Ok(shown)
+    }
+
+    /// Why a run is not the whole of what is asked for; none where it is.
+    #[must_use]
+    pub fn cut_off(&self, run: &Trajectory<D>) -> Option<String> {
+        let impacts = run.impact_count;
+        match (run.ending, self.end) {
+            (Ending::Exhausted, _) => Some("before its time: too many steps".to_owned()),
+            (_, End::Impact(count)) if impacts < count => {
+                Some(format!("before its time: after {impacts} of {count} impacts"))
+            }
+            (Ending::Impacts, End::Time | End::Rest) => Some(format!("before its time: after {impacts} impacts")),
+            _ => None,
+        }
     }
 }
 
@@ -76,6 +123,7 @@ fn before<const D: usize>(world: &World<D>, time: f64) -> World<D> {
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
+    use crate::methods::{ClosedForm, RungeKutta};
     use crate::state::Vector;
     use crate::world::{Body, Wall};
 
@@ -101,6 +149,36 @@ mod tests {
         let fall = Shown::of(&world, &Budget::impacts(1), true).unwrap();
         assert!(fall.world.walls.is_empty() && (fall.budget.until - 1.0).abs() < 1e-15);
         let bounces = Shown::of(&world, &Budget::impacts(usize::MAX), false).unwrap();
-        assert!((bounces.budget.until - 3.0).abs() < 1e-12, "{}", bounces.budget.until);
+        assert!((bounces.length - 3.0).abs() < 1e-12 && bounces.end == End::Rest, "{bounces:?}");
+    }
+
+    /// Rounding may put the last impact before or after the time at which another method has it: it is seen all the same.
+    #[test]
+    fn the_impact_that_is_asked_for_is_seen() {
+        for (height, restitution, count) in [(1.45, 0.61, 5), (1.0, 0.95, 100), (1.0, 0.9, 20), (0.3, 0.77, 7)] {
+            let mut world = World::<1>::new(restitution);
+            world.gravity = Vector::from([-9.81]);
+            world.bodies.push(Body::particle("ball", 1.0, [height], [0.0]));
+            world.walls.push(Wall::new("floor", [1.0], 0.0));
+            let shown = Shown::of(&world, &Budget::impacts(count), false).unwrap();
+            let exact = EventDriven.run(&shown.world, &shown.budget).unwrap();
+            let formula = ClosedForm.run(&shown.world, &shown.budget).unwrap();
+            let steps = RungeKutta { tolerance: 1e-10 }.run(&shown.world, &shown.budget).unwrap();
+            for run in [exact, formula, steps] {
+                assert_eq!((run.impacts.len(), shown.cut_off(&run)), (count, None));
+                assert!(run.last.velocities[0].x > 0.0, "it has left the floor: {:?}", run.last);
+            }
+        }
+    }
+
+    #[test]
+    fn a_run_that_nobody_watches_to_its_end_says_so() {
+        let mut world = World::<1>::new(1.0);
+        world.gravity = Vector::from([-10.0]);
+        world.bodies.push(Body::particle("ball", 1.0, [5.0], [0.0]));
+        world.walls.push(Wall::new("floor", [1.0], 0.0));
+        let shown = Shown::of(&world, &Budget::impacts(1_000_000), false).unwrap();
+        let run = ClosedForm.run(&shown.world, &shown.budget.keep(Keep::Count)).unwrap();
+        assert_eq!(shown.cut_off(&run).unwrap(), "before its time: after 100000 of 1000000 impacts");
     }
 }

@@ -50,7 +50,7 @@ pub struct Film {
     /// Which method ran it, and why.
     pub choice: Choice,
     /// How it ended, in words.
-    pub ending: &'static str,
+    pub ending: String,
     /// What was found.
     pub record: Record,
     /// What a reader must know of the motion.
@@ -153,7 +153,7 @@ fn integrated(
     };
     let film = |RecordedMotion { components, record, notes }| {
         let choice = choice.clone();
-        Film { stage, axes: components, choice, ending: AT_ITS_TIME, record, notes, unweighed: Vec::new() }
+        Film { stage, axes: components, choice, ending: AT_ITS_TIME.to_owned(), record, notes, unweighed: Vec::new() }
     };
     Ok(Ok(motions.into_iter().map(film).collect()))
 }
@@ -193,15 +193,14 @@ fn filmed<const D: usize>(
     let shown = experiment.shown().map_err(found)?;
     let classified = classify(&shown.world, &shown.budget).map_err(found)?;
     let choice = choose(&classified, request).map_err(|error| out_of_reach(stage, &error))?;
-    let method: Box<dyn Method<D>> = choice.method.at(choice.setting, shown.budget.until);
+    let method: Box<dyn Method<D>> = choice.method.at(choice.setting, shown.length);
     let run = method.run(&shown.world, &shown.budget);
     let run = run
         .map_err(|refusal| refused(stage, &format!("{} is not applicable: {refusal}", choice.method.name()), other))?;
-    let ending = match run.ending {
-        Ending::Time | Ending::Impacts | Ending::NoMoreImpacts => AT_ITS_TIME,
-        Ending::Rest { .. } => "at rest",
-        Ending::Exhausted => "before its time: too many steps",
-    };
+    let ending = shown.cut_off(&run).unwrap_or_else(|| match run.ending {
+        Ending::Time | Ending::Impacts | Ending::NoMoreImpacts | Ending::Exhausted => AT_ITS_TIME.to_owned(),
+        Ending::Rest { .. } => "at rest".to_owned(),
+    });
     let record = Record::of(&shown.world, &run, shown.origin);
     let axes = components(&experiment, scene);
     Ok(Film { stage, axes, choice, ending, record, notes: Vec::new(), unweighed: Vec::new() })

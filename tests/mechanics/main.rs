@@ -19,5 +19,6 @@ mod stability;
 mod textbook;
 #[path = "../support/variants.rs"]
 mod variants;
+mod watched;
 mod witness;
 mod wording;

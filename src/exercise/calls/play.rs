@@ -43,7 +43,7 @@ pub struct FilmResponse {
     /// What a reader must know.
     pub cautions: Vec<String>,
     /// How it ended, where that is not at its time.
-    pub ending: Option<&'static str>,
+    pub ending: Option<String>,
     /// The headings of the table of impacts.
     pub headings: [&'static str; 5],
     /// The table of impacts.
@@ -67,7 +67,7 @@ impl PlayResponse {
                 kind: film.kind(scene),
                 why: film.choice.to_string(),
                 cautions: film.cautions(),
-                ending: Some(film.ending).filter(|ending| *ending != AT_ITS_TIME),
+                ending: Some(film.ending.clone()).filter(|ending| ending != AT_ITS_TIME),
                 headings: IMPACTS,
                 impacts: film.impacts(),
                 plots: film.axes.iter().enumerate().map(|(place, axis)| plot(film, &bodies, place, axis)).collect(),
