@@ -19,10 +19,20 @@ pub enum Keep {
     /// Every segment and every impact.
     #[default]
     Everything,
+    /// The same, and the state at the end of each step of a method that has steps.
+    Steps,
     /// The impacts, and the last state.
     Impacts,
     /// The number of impacts, and the last state.
     Count,
+}
+
+impl Keep {
+    /// Whether segments are kept.
+    #[must_use]
+    pub(super) fn has_paths(self) -> bool {
+        matches!(self, Self::Everything | Self::Steps)
+    }
 }
 
 impl Budget {

@@ -8,6 +8,7 @@ mod budget;
 mod contact;
 mod exact;
 mod force;
+mod frame;
 mod gap;
 mod geometry;
 pub mod least;

@@ -133,13 +133,15 @@ impl Record {
         Self::at(world, run, origin, instants(world, run))
     }
 
-    /// The record of a run that kept everything, at the ends of its steps alone: between them a path is drawn, not computed.
+    /// The record of a run that kept its steps, at their ends alone, just after them: between them a path is drawn, not computed.
     #[must_use]
     pub fn of_steps<const D: usize>(world: &World<D>, run: &Trajectory<D>) -> Self {
         let ends: Vec<f64> = run.paths.first().into_iter().flatten().map(|segment| segment.end).collect();
         let every = ends.len().div_ceil(INSTANTS).max(1);
-        let kept = [0.0].into_iter().chain(ends.into_iter().step_by(every));
-        Self::at(world, run, 0.0, kept.flat_map(|time| [(time, false), (time, true)]).collect())
+        // The last of them is where the run ends.
+        let kept = ends.iter().rev().step_by(every).copied().collect::<Vec<f64>>();
+        let all = kept.into_iter().chain([0.0]).map(|time| (time, time > 0.0));
+        Self::at(world, run, 0.0, all.rev().collect())
     }
 
     fn at<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64, instants: Vec<Instant>) -> Self {
@@ -187,6 +189,11 @@ fn state_at<const D: usize>(world: &World<D>, run: &Trajectory<D>, (time, after)
     state.time = time;
     if after && time >= run.last.time {
         return run.last.clone();
+    }
+    // A path between the ends of steps is a chord; the method itself has the velocity at an end.
+    let end = run.states.partition_point(|state| state.time < time);
+    if let Some(state) = run.states.get(end).filter(|state| after && state.time <= time) {
+        return state.clone();
     }
     for body in 0..world.bodies.len() {
         let found = if after { run.just_after(body, time) } else { run.at(body, time) };

@@ -1,9 +1,12 @@
 //! A scene as it is watched: from before its impact to after it, and with an end.
 
 use super::budget::{Budget, Keep};
+use super::contact::Contact;
 use super::method::Method;
 use super::methods::EventDriven;
+use super::record::Record;
 use super::refusal::Refusal;
+use super::state::Vector;
 use super::trajectory::{Ending, Trajectory};
 use super::world::World;
 
@@ -16,6 +19,9 @@ const MOST_STEPS: usize = 1_000_000;
 
 /// How many times as long as the exact run another method may take to the impact that ends it.
 const LONGER: f64 = 2.0;
+
+/// Bodies that are so many times as fast as they approach are run in a frame that moves along.
+const MUCH_FASTER: f64 = 8.0;
 
 /// What ends a scene that is watched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +47,8 @@ pub struct Shown<const D: usize> {
     pub length: f64,
     /// The time of the run that is called 0, in s.
     pub origin: f64,
+    /// The velocity with which whoever runs the scene moves along, in m/s.
+    pub frame: Vector<D>,
 }
 
 impl<const D: usize> Shown<D> {
@@ -52,12 +60,14 @@ impl<const D: usize> Shown<D> {
     pub fn of(world: &World<D>, budget: &Budget, until_impact: bool) -> Result<Self, Refusal> {
         let asked = budget.impacts;
         let budget = budget.keep(Keep::Everything).steps(budget.steps.min(MOST_STEPS));
-        if let Some(lead) = lead(world) {
-            let budget = Budget::until(2.0 * lead).steps(budget.steps).at_most(MOST_IMPACTS);
-            return Ok(Self { world: before(world, lead), budget, end: End::Time, length: 2.0 * lead, origin: lead });
+        if let Some(Meeting { lead, frame }) = meeting(world) {
+            let (origin, length, end) = (lead, 2.0 * lead, End::Time);
+            let budget = Budget::until(length).steps(budget.steps).at_most(MOST_IMPACTS);
+            return Ok(Self { world: before(&world.seen_from(frame, 0.0), lead), budget, end, length, origin, frame });
         }
         let budget = budget.at_most(asked.min(MOST_IMPACTS));
-        let mut shown = Self { world: world.clone(), budget, end: End::Time, length: budget.until, origin: 0.0 };
+        let (length, frame) = (budget.until, Vector::zeros());
+        let mut shown = Self { world: world.clone(), budget, end: End::Time, length, origin: 0.0, frame };
         if budget.until.is_finite() {
             return Ok(shown);
         }
@@ -81,6 +91,16 @@ impl<const D: usize> Shown<D> {
         Ok(shown)
     }
 
+    /// The record of a run, as the scene is told.
+    #[must_use]
+    pub fn record(&self, run: &Trajectory<D>) -> Record {
+        let back = -self.frame;
+        match run.seen_from(&self.world, back, self.origin) {
+            Some(told) if back.amax() > 0.0 => Record::of(&self.world.seen_from(back, self.origin), &told, self.origin),
+            _ => Record::of(&self.world, run, self.origin),
+        }
+    }
+
     /// Why a run is not the whole of what is asked for; none where it is.
     #[must_use]
     pub fn cut_off(&self, run: &Trajectory<D>) -> Option<String> {
@@ -96,15 +116,32 @@ impl<const D: usize> Shown<D> {
     }
 }
 
-/// For how long bodies that touch and approach, and on which nothing acts, have moved towards each other.
-fn lead<const D: usize>(world: &World<D>) -> Option<f64> {
+/// Bodies that touch and approach, and on which nothing acts.
+struct Meeting<const D: usize> {
+    /// For how long they are watched before, in s.
+    lead: f64,
+    /// The velocity of the frame in which they are run.
+    frame: Vector<D>,
+}
+
+fn meeting<const D: usize>(world: &World<D>) -> Option<Meeting<D>> {
     if !world.forces.is_empty() || world.gravity.amax() > 0.0 || !world.cords.is_empty() {
         return None;
     }
     let state = world.start();
     let touching = world.touching(&world.contacts(), &state);
-    let approach = touching.iter().map(|struck| -struck.rate).fold(0.0, f64::max);
-    (approach > 0.0).then(|| APART / approach).filter(|lead| lead.is_finite())
+    let struck = touching.iter().min_by(|one, other| one.rate.total_cmp(&other.rate))?;
+    let lead = Some(APART / -struck.rate).filter(|lead| struck.rate < 0.0 && lead.is_finite())?;
+    let fastest = world.bodies.iter().map(|body| body.velocity.norm()).fold(0.0, f64::max);
+    // The difference of two nearly equal speeds is exact, so that one of the two bodies is at rest in the frame.
+    let frame = if fastest < MUCH_FASTER * -struck.rate {
+        Vector::zeros()
+    } else if let Contact::Wall { wall, .. } = struck.contact {
+        struck.normal * world.walls[wall].velocity
+    } else {
+        world.bodies[world.parties(struck.contact).1].velocity
+    };
+    Some(Meeting { lead, frame })
 }
 
 /// The scene some time before, of bodies on which nothing acts.
@@ -124,7 +161,6 @@ fn before<const D: usize>(world: &World<D>, time: f64) -> World<D> {
 mod tests {
     use super::*;
     use crate::methods::{ClosedForm, RungeKutta};
-    use crate::state::Vector;
     use crate::world::{Body, Wall};
 
     #[test]
@@ -137,6 +173,40 @@ mod tests {
         assert_eq!(run.impacts.len(), 1);
         assert!((run.impacts[0].time - shown.origin).abs() < 1e-15);
         assert!((run.last.velocities[0].x - -0.4).abs() < 1e-15 && (run.last.time - 2.0 * shown.origin).abs() < 1e-15);
+    }
+
+    /// 1 + 1e-9 m/s behind 1 m/s meets it after two thousand million seconds, in which both go as many metres.
+    #[test]
+    fn bodies_of_nearly_equal_speed_meet_when_they_touch() {
+        for (fast, slow) in [(1.000_000_001, 1.0), (1000.0001, 1000.0), (-7.0, -7.000_000_1)] {
+            let mut world = World::<1>::new(0.7);
+            world.bodies.push(Body::sphere("A", 3.0, 0.5, [-0.5], [fast]));
+            world.bodies.push(Body::sphere("B", 2.0, 0.5, [0.5], [slow]));
+            let shown = Shown::of(&world, &Budget::impacts(1), false).unwrap();
+            let record = shown.record(&EventDriven.run(&shown.world, &shown.budget).unwrap());
+            let (impact, approach) = (&record.impacts[0], fast - slow);
+            assert!(impact.time.abs() < 1e-15 * shown.length, "{impact:?}");
+            assert!((impact.impulse[0] / (1.2 * 1.7 * approach) - 1.0).abs() < 1e-15, "{impact:?}");
+            assert!((impact.energy_before / (1.5 * fast * fast + slow * slow) - 1.0).abs() < 1e-15, "{impact:?}");
+            let [first, last] = [record.moments.first().unwrap(), record.moments.last().unwrap()];
+            assert!((last.velocities[1][0] - (slow + 1.7 * 0.6 * approach)).abs() < 1e-12 * slow.abs());
+            assert!((first.balance() - last.balance()).abs() < 1e-12 * first.balance());
+            assert!((first.momentum[0] - last.momentum[0]).abs() < 1e-12 * first.momentum[0].abs());
+        }
+    }
+
+    /// A plate that flies nearly as fast as the ball that strikes it gives and takes the work of its impulse.
+    #[test]
+    fn a_wall_that_moves_along_keeps_the_balance() {
+        let mut world = World::<1>::new(0.5);
+        world.bodies.push(Body::particle("ball", 2.0, [0.0], [-30.0]));
+        world.walls.push(Wall::new("plate", [1.0], 0.0).moving(-29.0));
+        let shown = Shown::of(&world, &Budget::impacts(1), false).unwrap();
+        let record = shown.record(&EventDriven.run(&shown.world, &shown.budget).unwrap());
+        let (impact, last) = (&record.impacts[0], record.moments.last().unwrap());
+        assert!((last.velocities[0][0] + 28.5).abs() < 1e-13 && (impact.energy_before - 900.0).abs() < 1e-10);
+        assert!((impact.energy_after - 28.5 * 28.5).abs() < 1e-10 && (last.balance() - 900.0).abs() < 1e-10);
+        assert!((record.walls[0].offset, record.walls[0].velocity) == (0.0, -29.0));
     }
 
     /// From 5 m at g = 10 m/s² the floor comes after 1 s; all bounces at e = 1/2 end after 3 s.

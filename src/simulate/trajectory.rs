@@ -10,6 +10,8 @@ use super::state::{State, Vector};
 pub struct Trajectory<const D: usize> {
     /// The pieces of each body's path, in order of time; empty where the budget did not ask for them.
     pub paths: Vec<Vec<Segment<D>>>,
+    /// The states at the ends of the steps of a method that has steps; empty where the budget did not ask for them.
+    pub states: Vec<State<D>>,
     /// The impacts in order of time; empty where the budget did not ask for them.
     pub impacts: Vec<Impact<D>>,
     /// How many impacts there were.
@@ -121,6 +123,7 @@ impl<const D: usize> Trajectory<D> {
     pub(super) fn begin(start: State<D>) -> Self {
         Self {
             paths: vec![Vec::new(); start.positions.len()],
+            states: Vec::new(),
             impacts: Vec::new(),
             impact_count: 0,
             steps: 0,
@@ -139,7 +142,7 @@ impl<const D: usize> Trajectory<D> {
 
     /// Notes how a body moved.
     pub(super) fn extend(&mut self, body: usize, segment: Segment<D>, budget: &Budget) {
-        if budget.keep == Keep::Everything && segment.end > segment.start {
+        if budget.keep.has_paths() && segment.end > segment.start {
             self.paths[body].push(segment);
         }
     }

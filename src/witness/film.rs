@@ -201,7 +201,7 @@ fn filmed<const D: usize>(
         Ending::Time | Ending::Impacts | Ending::NoMoreImpacts | Ending::Exhausted => AT_ITS_TIME.to_owned(),
         Ending::Rest { .. } => "at rest".to_owned(),
     });
-    let record = Record::of(&shown.world, &run, shown.origin);
+    let record = shown.record(&run);
     let axes = components(&experiment, scene);
     Ok(Film { stage, axes, choice, ending, record, notes: Vec::new(), unweighed: Vec::new() })
 }

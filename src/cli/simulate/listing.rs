@@ -32,6 +32,9 @@ pub(super) fn text(title: &str, shot: &Shot) -> String {
             let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
             let _ = writeln!(out, "  {}", cells.join("  ").trim_end());
         }
+        if let Some(more) = film.weak_impacts() {
+            let _ = writeln!(out, "  {more}");
+        }
     }
     for (stage, reason) in &shot.nothing {
         let _ = writeln!(out, "\nstage {stage}: {reason}");

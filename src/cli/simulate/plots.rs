@@ -136,5 +136,6 @@ fn impacts(film: &Film, named: &dyn Fn(&str) -> String) -> Table {
     if more > 0 {
         notes.push(format!("{more} more follow."));
     }
+    notes.extend(film.weak_impacts());
     Table { title: named("impacts"), headings: IMPACTS.to_vec(), rows, notes }
 }

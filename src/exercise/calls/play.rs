@@ -48,6 +48,8 @@ pub struct FilmResponse {
     pub headings: [&'static str; 5],
     /// The table of impacts.
     pub impacts: Vec<Vec<String>>,
+    /// How it goes on after the rows of the table; nothing where the table has all.
+    pub weak_impacts: Option<String>,
     /// Plots of the positions against time, one for each axis.
     pub plots: Vec<FigureResponse>,
 }
@@ -70,6 +72,7 @@ impl PlayResponse {
                 ending: Some(film.ending.clone()).filter(|ending| ending != AT_ITS_TIME),
                 headings: IMPACTS,
                 impacts: film.impacts(),
+                weak_impacts: film.weak_impacts(),
                 plots: film.axes.iter().enumerate().map(|(place, axis)| plot(film, &bodies, place, axis)).collect(),
             }
         });

@@ -1,6 +1,6 @@
 //! What all methods of fixed step share: the loop over steps, and impulses at contacts that are found closed.
 
-use crate::budget::Budget;
+use crate::budget::{Budget, Keep};
 use crate::contact::Contact;
 use crate::refusal::Refusal;
 use crate::simultaneous::Struck;
@@ -12,6 +12,9 @@ use crate::world::World;
 pub(super) trait Step<const D: usize> {
     fn advance(&mut self, world: &World<D>, state: &mut State<D>, step: f64) -> Result<Vec<Impact<D>>, Refusal>;
 }
+
+/// The part of a step that is none of its own: what is left of the time is taken along by the last step.
+const SLIVER: f64 = 1e-9;
 
 /// Steps from time 0 until the budget ends; the last step is shortened to end on time.
 pub(super) fn march<const D: usize>(
@@ -39,7 +42,8 @@ pub(super) fn march<const D: usize>(
         }
         let before = state.clone();
         count += 1.0;
-        let end = (count * step).min(budget.until);
+        let end = count * step;
+        let end = if budget.until - end <= SLIVER * step { budget.until } else { end };
         let length = end - before.time;
         let impacts = scheme.advance(world, &mut state, length)?;
         state.time = end;
@@ -58,6 +62,9 @@ pub(super) fn march<const D: usize>(
             run.note(impact, budget);
         }
         run.steps += 1;
+        if budget.keep == Keep::Steps {
+            run.states.push(state.clone());
+        }
     };
     run.last = state;
     Ok(run)

@@ -91,7 +91,7 @@ impl Compared {
             rows: Vec::new(),
         };
         let method = kind.with::<1>(step.or(kind.usual_setting()).unwrap_or(0.0));
-        match method.run(world, &budget.keep(Keep::Everything)) {
+        match method.run(world, &budget.keep(Keep::Steps)) {
             Err(reason) => compared.refused = Some(reason.to_string()),
             Ok(run) => {
                 if run.ending == Ending::Exhausted {
@@ -121,8 +121,7 @@ impl Compared {
         }
     }
 
-    /// What of the balances is not level at the ends of steps. The velocity there is between that of the step before and that of
-    /// the step after, and so is its energy.
+    /// What of the balances is not level at the ends of steps.
     fn balance(&mut self, own: &Record, exact: &Record) {
         let Some(first) = own.moments.first() else { return };
         let momentum = |moment: &Moment| one(&moment.momentum) - one(&moment.outside);
@@ -149,10 +148,7 @@ impl Compared {
             let share = if scale > 0.0 { 100.0 * (value - start) / scale } else { 0.0 };
             if share.abs() < ROUNDING { 0.0 } else { share }
         };
-        let points = own.moments.chunks_exact(2).filter_map(|pair| match pair {
-            [before, after] => Some([before.time, percent(f64::midpoint(of(before), of(after)))]),
-            _ => None,
-        });
+        let points = own.moments.iter().map(|moment| [moment.time, percent(of(moment))]);
         let curve = Curve::new(name, role, points);
         let last = curve.points.last().map_or(0.0, |[_, drift]| *drift);
         self.rows.push(Row { what: format!("Drift of {name} at the end"), amount: Amount::new(last, 100.0, "%") });

@@ -1,6 +1,6 @@
 //! The loop: take the next event, strike, predict again for what was struck.
 
-use crate::budget::{Budget, Keep};
+use crate::budget::Budget;
 use crate::contact::Contact;
 use crate::exact::Clock;
 use crate::refusal::Refusal;
@@ -258,7 +258,7 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     fn close_segment(&mut self, body: usize) {
-        if self.budget.keep != Keep::Everything {
+        if !self.budget.keep.has_paths() {
             return;
         }
         let moving = &self.moving[body];
