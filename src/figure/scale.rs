@@ -8,6 +8,8 @@ const NOTHING: f64 = 1e-9;
 /// scale.
 const SKETCHED: f64 = 11.0;
 const SHORTEST: f64 = 7.0;
+/// The length of an arrow whose size is asked for, as a part of the longest.
+const ASKED: f64 = 0.7;
 
 /// From a quantity's unit to drawing units.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +37,12 @@ impl Scale {
         let largest = sizes.iter().copied().fold(0.0, f64::max);
         let is_short = |size: &f64| *size > NOTHING * largest && size * longest < shortest * largest;
         Self { largest, longest, shortest, lengthens: sizes.iter().any(is_short) }
+    }
+
+    /// An arrow in the direction of `vector`, with a length that says nothing.
+    pub(super) fn sketch(self, vector: Point) -> Option<Point> {
+        let size = vector.length();
+        (size > 0.0 && size.is_finite()).then(|| vector * (ASKED * self.longest / size))
     }
 
     /// The arrow for `vector`; `None` for one that is zero.

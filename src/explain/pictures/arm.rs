@@ -85,6 +85,9 @@ pub(super) fn strike_sheet(quantities: &Quantities<'_>, stage: &Strike) -> Drawi
 /// The angular velocity at an instant, where it may be shown.
 pub(super) fn turning(quantities: &Quantities<'_>, instant: usize) -> Option<(Moment, Role)> {
     let name = format!("omega_{instant}");
+    if let Some(label) = quantities.asked_name(&name) {
+        return Some((Moment { label, value: 1.0 }, Role::Velocity));
+    }
     let value = quantities.named(&name).filter(|value| *value != 0.0)?;
     Some((Moment { label: name_math(&name), value }, Role::Velocity))
 }
@@ -163,7 +166,7 @@ fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: 
     OnArm {
         body: MovingBody { name: body_math(own.body), form: Form::Disc, vectors },
         distance: value.unwrap_or(1.0),
-        label: distance.filter(|_| value.is_some()).map(|distance| quantities.symbolic(&distance)),
+        label: quantities.label_of(own.distances[side]),
         angle: own.angle,
         beside: if own.strikes { if comes < 0.0 { 1.0 } else { -1.0 } } else { 0.0 },
     }

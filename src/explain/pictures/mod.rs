@@ -2,6 +2,7 @@
 
 mod angular;
 mod arm;
+mod asked;
 mod balance;
 mod besides;
 mod cache;

@@ -80,6 +80,9 @@ fn moments(quantities: &Quantities<'_>, components: &Components) -> Vec<Moving> 
     let clock = quantities.model().symbols.find("t");
     let component = |(position, axis): (usize, &momentous_scene::Axis)| {
         let term = quantities.term(components.get(*axis)?)?;
+        if let Some(label) = quantities.asked(&term) {
+            return Some(Moving::force(LabelledVector::known(label, quantities.along(position, 1.0))).asked());
+        }
         let changes = clock.is_some_and(|clock| term.contains(clock));
         let at = |time: f64| {
             let own = |symbol| if Some(symbol) == clock { Some(time) } else { quantities.value(symbol) };

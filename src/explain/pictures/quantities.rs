@@ -152,19 +152,12 @@ impl<'a> Quantities<'a> {
         Some((if slope.rises { angle } else { -angle }, label))
     }
 
-    /// An angle with its label, or the angle of a sketch without one.
+    /// An angle with its label, or the angle of a sketch without one, or with a question mark.
     pub(super) fn angle_or_sketch(&self, angle: &Expr) -> (f64, Option<Math>) {
         match self.evaluate(angle) {
             Some(value) => (value, Some(self.symbolic(angle))),
-            None => (SKETCHED, None),
+            None => (SKETCHED, self.asked(angle)),
         }
-    }
-
-    /// How a term is written, where its value may be shown.
-    pub(super) fn symbol_of_known(&self, term: &Term) -> Option<Math> {
-        let term = self.term(term)?;
-        self.evaluate(&term)?;
-        Some(self.symbolic(&term))
     }
 
     /// Whether words point against the only axis.

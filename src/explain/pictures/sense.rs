@@ -50,7 +50,8 @@ impl Quantities<'_> {
     }
 }
 
-/// The moment on an arm, where all of it is given; one that changes is shown where it turns one way all the time.
+/// The moment on an arm, where all of it is given; one that changes is shown where it turns one way all the time, one that is
+/// asked for in the sense in which it counts.
 pub(super) fn given_moment(
     quantities: &Quantities<'_>,
     strength: &Strength,
@@ -58,6 +59,9 @@ pub(super) fn given_moment(
 ) -> Option<Moment> {
     let Strength::Term(term) = strength else { return None };
     let term = quantities.term(term)?;
+    if let Some(label) = quantities.asked(&term) {
+        return Some(Moment { label, value: 1.0 });
+    }
     let value = quantities.sense(&term, quantities.ends(during)?)?;
     let changes = quantities.model().symbols.find("t").is_some_and(|clock| term.contains(clock));
     let label = if changes { Math::Identifier("M".to_owned()) } else { quantities.unsigned(&term) };

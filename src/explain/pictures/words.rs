@@ -185,6 +185,8 @@ pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
         let label = moving.vector.label.plain();
         let direction = match moving.vector.value {
             Some([0.0, 0.0]) => ", which is zero".to_owned(),
+            // The label ends with its question mark.
+            _ if moving.asked => String::new(),
             Some(value) if flat => format!(" {}", on_paper(value)),
             _ => String::new(),
         };

@@ -33,6 +33,8 @@ pub struct Moving {
     pub attach: Attach,
     /// Whether it is the velocity of a stream, whose edges are drawn.
     pub stream: bool,
+    /// Whether its size is asked for: only its direction is drawn, if that is known, and it has no part in the scale.
+    pub asked: bool,
 }
 
 impl MovingBody {
@@ -56,6 +58,12 @@ impl MovingBody {
         self
     }
 
+    /// Whether a vector of it is given.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        self.vectors.iter().any(|moving| !moving.asked)
+    }
+
     pub(crate) fn outline(&self) -> Body {
         Body::new(&self.name, self.form, Point::ORIGIN)
     }
@@ -65,7 +73,7 @@ impl Moving {
     /// A velocity.
     #[must_use]
     pub fn velocity(vector: LabelledVector) -> Self {
-        Self { vector, role: Role::Velocity, angle: None, attach: Attach::Leaving, stream: false }
+        Self { vector, role: Role::Velocity, angle: None, attach: Attach::Leaving, stream: false, asked: false }
     }
 
     /// A force.
@@ -90,6 +98,13 @@ impl Moving {
     #[must_use]
     pub fn arriving(mut self) -> Self {
         self.attach = Attach::Arriving;
+        self
+    }
+
+    /// The same vector, of which the size is asked for.
+    #[must_use]
+    pub fn asked(mut self) -> Self {
+        self.asked = true;
         self
     }
 
@@ -122,7 +137,7 @@ impl Scales {
     pub(crate) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
         let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
         let of = |is_own: &dyn Fn(Role) -> bool| -> Vec<Point> {
-            let own = vectors.iter().filter(|moving| is_own(moving.role));
+            let own = vectors.iter().filter(|moving| is_own(moving.role) && !moving.asked);
             own.filter_map(|moving| moving.vector.vector()).collect()
         };
         Self {
@@ -141,7 +156,8 @@ impl Scales {
     }
 
     pub(crate) fn arrow(&self, moving: &Moving) -> Option<Point> {
-        self.of_role(moving.role).arrow(moving.vector.vector()?)
+        let (scale, vector) = (self.of_role(moving.role), moving.vector.vector()?);
+        if moving.asked { scale.sketch(vector) } else { scale.arrow(vector) }
     }
 }
 
@@ -150,10 +166,12 @@ fn claims_scale(role: Role) -> bool {
     !matches!(role, Role::Velocity | Role::Force)
 }
 
-/// Draws a vector at the body; a zero vector is noted as such, an unknown one left out.
+/// Draws a vector at the body; a zero vector is noted as such, one that is asked for as that, an unknown one left out.
 pub(crate) fn draw_vector(canvas: &mut Canvas, body: &mut Body, moving: &Moving, scales: &Scales, attach: Attach) {
     let Some(arrow) = scales.arrow(moving) else {
-        if moving.vector.vector().is_some() {
+        if moving.asked {
+            body.draw_note(canvas, &moving.vector.label, moving.role);
+        } else if moving.vector.vector().is_some() {
             body.draw_note(canvas, &moving.vector.equals(Math::Number("0".to_owned())), moving.role);
         }
         return;

@@ -1,5 +1,6 @@
 //! One variant of one form: the numbers of a seed, and everything that follows from them.
 
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 use momentous_expr::Symbol;
@@ -65,6 +66,19 @@ impl Variant {
     #[must_use]
     pub fn value(&self, symbol: Symbol) -> Option<Bounded> {
         self.values.get(symbol.index()).copied().flatten()
+    }
+
+    /// The same numbers with another value of each quantity that was solved and is not among those: what depends on them alone is the
+    /// same for both.
+    #[must_use]
+    pub fn with_others_than(&self, told: &BTreeSet<Symbol>, change: impl Fn(f64) -> f64) -> Self {
+        let mut own = self.clone();
+        for values in [&mut own.values, &mut own.forward, &mut own.weighed] {
+            let solved =
+                values.iter_mut().enumerate().filter(|(index, _)| told.iter().all(|own| own.index() != *index));
+            solved.filter_map(|(_, value)| value.as_mut()).for_each(|own| own.value = change(own.value));
+        }
+        own
     }
 
     /// What is given of a quantity, exactly as it is printed: value and unit.

@@ -40,7 +40,7 @@ pub(in super::super) fn on_face(
     let carried = Carried {
         ends: [0, 1].map(|side| end(quantities, compass, bodies, index + 1 + side, (angle(side), None))).to_vec(),
         by: CarriedBy::Face { rightwards: rightwards == rises, brow, step: false },
-        height: stage.height.as_ref().and_then(|height| quantities.symbol_of_known(height)),
+        height: stage.height.as_ref().and_then(|height| quantities.label_of(height)),
     };
     let [name, other] = bodies.map(|body| quantities.called(body));
     let place = format!("{name} on {other}");
@@ -61,7 +61,7 @@ pub(in super::super) fn on_circle(
         let angle = swing::angle(quantities, compass, index, stage, side);
         end(quantities, compass, bodies, index + 1 + side, angle)
     });
-    let told = stage.arm().and_then(|term| quantities.symbol_of_known(term));
+    let told = stage.arm().and_then(|term| quantities.label_of(term));
     let long = |what: &str| told.as_ref().map_or_else(String::new, |told| format!(" of {what} {}", told.plain()));
     let [name, other] = bodies.map(|body| quantities.called(body));
     let rightwards = ends.iter().any(|end| end.angle > 0.0);

@@ -34,8 +34,7 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
         return Some(arm::sheet(quantities, rotate));
     }
     let (Arm::Constant(arm) | Arm::Changing([arm, _])) = arm;
-    let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
-    let radius = arm.map(|arm| quantities.symbolic(&arm));
+    let radius = quantities.label_of(arm);
     let name = quantities.velocity_name(body, 1);
     let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength, rotate.during.as_ref()));
     let forces = arm::along_path(quantities, rotate, body, PLACE);
@@ -46,7 +45,7 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
 pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage::Central) -> Option<Drawing> {
     let name = quantities.velocity_name(&central.body, 1);
     let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
-    let radius = quantities.named(&radius).map(|_| name_math(&radius));
+    let radius = quantities.named(&radius).map(|_| name_math(&radius)).or_else(|| quantities.asked_name(&radius));
     let path = orbit(quantities, central, &name);
     draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), Vec::new(), path, None)
 }
@@ -77,8 +76,9 @@ fn draw(
     moment: Option<Moment>,
 ) -> Option<Drawing> {
     let (sine, cosine) = (libm::sin(PLACE), libm::cos(PLACE));
-    let velocity = quantities.named(velocity).map(|value| (name_math(velocity), [-value * sine, value * cosine]));
-    let velocity = velocity.map(|(label, value)| Moving::velocity(LabelledVector::known(label, value)));
+    let across = |label, value: f64| Moving::velocity(LabelledVector::known(label, [-value * sine, value * cosine]));
+    let told = quantities.named(velocity).map(|value| across(name_math(velocity), value));
+    let velocity = told.or_else(|| Some(across(quantities.asked_name(velocity)?, 1.0).asked()));
     let vectors: Vec<Moving> = velocity.into_iter().chain(forces).collect();
     if radius.is_none() && vectors.is_empty() {
         return None;

@@ -31,7 +31,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         Partners::Bodies(first, second) if quantities.axes.len() == 2 => vec![body(first), body(second)],
         Partners::Bodies(..) => return None,
     };
-    if bodies.iter().all(|(_, body)| body.vectors.is_empty()) {
+    if !bodies.iter().any(|(_, body)| body.is_told()) {
         return None;
     }
     let wording = situation_wording(quantities, &bodies, &quantities.when(1));
@@ -65,8 +65,13 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
 fn plate(quantities: &Quantities<'_>, compass: &Compass, impact: &Impact, normal: [f64; 2]) -> Option<MovingBody> {
     let Partners::Surface(_, surface) = impact.partners()? else { return None };
     let moves = quantities.term(quantities.scene().surfaces.get(surface)?.velocity.as_ref()?)?;
-    let value = quantities.evaluate(&moves).map(|value| compass.place(normal.map(|part| part * value)));
-    let velocity = value.map(|value| Moving::velocity(LabelledVector::known(quantities.unsigned(&moves), value)));
+    let along = |label, value: f64| {
+        Moving::velocity(LabelledVector::known(label, compass.place(normal.map(|part| part * value))))
+    };
+    let velocity = match quantities.evaluate(&moves) {
+        Some(value) => Some(along(quantities.unsigned(&moves), value)),
+        None => quantities.asked(&moves).map(|label| along(label, 1.0).asked()),
+    };
     Some(MovingBody { vectors: velocity.into_iter().collect(), ..MovingBody::new(body_math(surface)) })
 }
 

@@ -47,7 +47,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         None if next.is_none() => Ground::Level,
         None => Ground::Air,
     };
-    let label = quantities.symbol_of_known(&fall.height);
+    let label = quantities.label_of(&fall.height);
     let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
     let wording = fall_wording(quantities, &fall.body, label.as_ref(), 0);
     let fall = Fall { body, heights: vec![Height { label, value: 1.0 }], ground };
@@ -88,8 +88,8 @@ pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces)
     let mut falls = stages.filter_map(|stage| if let Stage::Fall(fall) = stage { Some(fall) } else { None });
     let drop = falls.find(|fall| fall.body == bounces.body).map(|fall| &fall.height);
     let label = match drop {
-        Some(term) => quantities.symbol_of_known(term),
-        None => quantities.named("h_0").map(|_| name_math("h_0")),
+        Some(term) => quantities.label_of(term),
+        None => quantities.named("h_0").map(|_| name_math("h_0")).or_else(|| quantities.asked_name("h_0")),
     };
     let restitution = quantities.term(&bounces.restitution).and_then(|e| quantities.evaluate(&e));
     let ratio = if solved { restitution.map(|e| e * e)? } else { SKETCHED };

@@ -51,7 +51,8 @@ impl Quantities<'_> {
             Some(Moving::velocity(LabelledVector::known(name_math(&component), compass.place(along))))
         };
         let letters = self.axes.iter().map(|axis| axis.letter()).enumerate();
-        letters.filter_map(|(position, letter)| component(position, letter)).collect()
+        let told = letters.filter_map(|(position, letter)| component(position, letter));
+        told.chain(self.asked_motion(compass, body, instant)).collect()
     }
 
     /// The angle that gives the direction of a velocity, where it is given so.
@@ -121,7 +122,9 @@ impl Quantities<'_> {
     fn force(&self, compass: &Compass, force: &ActingForce) -> Option<Moving> {
         let clock = self.model().symbols.find("t").filter(|clock| force.strength.contains(*clock));
         let told = force.strength.all_symbols(&|symbol| Some(symbol) == clock || self.value(symbol).is_some());
-        let [x, y] = self.direction(&force.direction).filter(|_| told)?;
+        let asked = self.asked(&force.strength);
+        let is_asked = asked.is_some();
+        let [x, y] = self.direction(&force.direction).filter(|_| told || is_asked)?;
         // A force that changes has no one length; its arrow shows where it points.
         let (label, size) = match clock {
             Some(_) => {
@@ -130,10 +133,14 @@ impl Quantities<'_> {
                 let during = if let Some(start) = start { (start, end) } else { (0.0, end) };
                 (Math::Identifier("F".to_owned()), self.sense(&force.strength, during)?.signum())
             }
-            None => (self.unsigned(&force.strength), self.evaluate(&force.strength)?),
+            None => match asked {
+                Some(label) => (label, 1.0),
+                None => (self.unsigned(&force.strength), self.evaluate(&force.strength)?),
+            },
         };
         let vector = Labelled { label, value: Some([size * x, size * y]) };
         let moving = Moving::force(vector.placed(compass));
+        let moving = if is_asked { moving.asked() } else { moving };
         Some(match self.angle_mark(compass, &force.direction) {
             Some(mark) => moving.at_angle(mark.from, mark.label),
             None => moving,

@@ -33,7 +33,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         None => compass.clone(),
     };
     let before = bodies(quantities, compass, stage);
-    let is_telling = |bodies: &[(String, MovingBody)]| bodies.iter().any(|(_, body)| !body.vectors.is_empty());
+    let is_telling = |bodies: &[(String, MovingBody)]| bodies.iter().any(|(_, body)| body.is_told());
     let rebounds = |body: &str| !departure(quantities, compass, body, stage).is_empty();
     let after = || {
         let alive = quantities.timeline.alive(last);
@@ -171,7 +171,7 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
             }
         }
     };
-    Some((place, quantities.symbol_of_known(&spring.stiffness)))
+    Some((place, quantities.label_of(&spring.stiffness)))
 }
 
 /// What connects the bodies that move in a stage.
@@ -184,7 +184,7 @@ fn tied(quantities: &Quantities<'_>, stage: usize) -> Option<Tie> {
 fn grains(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(Grains, String)> {
     let Stage::Push(push) = quantities.scene().stages.get(stage)? else { return None };
     let (change, body) = (push.mass_change()?, push.pushed().next()?);
-    let label = change.flow.and_then(|flow| quantities.symbol_of_known(flow));
+    let label = change.flow.and_then(|flow| quantities.label_of(flow));
     let falls = if change.gains { "falls onto" } else { "falls out of" };
     let told = sentences([format!("{} {falls} {}", change.name, quantities.called(body))]);
     Some((Grains { body: names.iter().position(|name| *name == body)?, join: change.gains, label }, told))

@@ -74,10 +74,10 @@ pub(in super::super) fn taut(quantities: &Quantities<'_>, index: usize, stage: &
 fn situation(quantities: &Quantities<'_>, index: usize, sides: [Side<'_>; 2]) -> Drawing {
     let sides = sides.map(|side| {
         let name = quantities.velocity_name(side.body, index + 1);
-        let velocity = quantities.named(&name).map(|speed| {
-            let value = side.forwards.map(|part| part * speed);
-            Moving::velocity(LabelledVector::known(name_math(&name), value))
-        });
+        let along =
+            |label, speed: f64| Moving::velocity(LabelledVector::known(label, side.forwards.map(|part| part * speed)));
+        let told = quantities.named(&name).map(|speed| along(name_math(&name), speed));
+        let velocity = told.or_else(|| Some(along(quantities.asked_name(&name)?, 1.0).asked()));
         (
             side.body.to_owned(),
             PulleySide {

@@ -36,7 +36,7 @@ pub(in super::super) fn drawing(
     let [start, end] = [index + 1, index + 2].map(vectors);
     let end = (quantities.scope() == Scope::Solved || !end.is_empty()).then_some(end);
     let (top, foot) = if falls { (Some(start), end) } else { (end, Some(start)) };
-    let height = stage.height.as_ref().and_then(|height| quantities.symbol_of_known(height));
+    let height = stage.height.as_ref().and_then(|height| quantities.label_of(height));
     let name = quantities.called(&stage.body);
     let told =
         height.as_ref().map_or_else(String::new, |height| format!("the height of the ramp is {}", height.plain()));

@@ -28,7 +28,7 @@ pub(in super::super) fn conical(quantities: &Quantities<'_>, stage: &stage::Coni
     let angle = quantities.model().symbol_of(&format!("angle_{body}1"));
     let angle = angle.map_or((SKETCHED, None), |angle| quantities.angle_or_sketch(&angle.into()));
     let (name, centre) = (quantities.called(body), quantities.point(&stage.about));
-    let length = quantities.symbol_of_known(stage.length.ends()[0]);
+    let length = quantities.label_of(stage.length.ends()[0]);
     let velocity = across(quantities, &quantities.velocity_name(body, 1));
     let said = [
         length.as_ref().map(|length| format!("the cord is {} long", length.plain())),
@@ -55,7 +55,7 @@ pub(in super::super) fn bowl(quantities: &Quantities<'_>, stage: &stage::Bowl) -
             let angle = quantities.term(term).map_or((SKETCHED, None), |angle| quantities.angle_or_sketch(&angle));
             Wall::Cone(angle.0, angle.1)
         }
-        (None, Some(term)) => Wall::Sphere(quantities.symbol_of_known(term)),
+        (None, Some(term)) => Wall::Sphere(quantities.label_of(term)),
         (None, None) => Wall::Sphere(None),
     };
     let share = match (distance, size) {
@@ -65,7 +65,7 @@ pub(in super::super) fn bowl(quantities: &Quantities<'_>, stage: &stage::Bowl) -
     };
     // At the rim the radius says it all.
     let label = label.filter(|_| share < 1.0 - 1e-9 || size.is_none());
-    let height = stage.height.as_ref().and_then(|term| Some((number(term)?, quantities.symbol_of_known(term)?)));
+    let height = stage.height.as_ref().and_then(|term| Some((number(term)?, quantities.label_of(term)?)));
     let rise = height.map(|(height, label)| {
         let level = match &wall {
             Wall::Sphere(_) => size,

@@ -45,7 +45,7 @@ pub(in super::super) fn walk(
     if quantities.scope() == Scope::Solved && rider.vectors.is_empty() && carrier.vectors.is_empty() {
         return None;
     }
-    let way = quantities.symbol_of_known(&stage.distance);
+    let way = quantities.label_of(&stage.distance);
     let told = way.as_ref().map(|way| format!("the distance along it is {}", way.plain()));
     let moved =
         (quantities.scope() == Scope::Solved).then(|| "the arrows are the displacements relative to the ground".into());
@@ -75,7 +75,7 @@ pub(in super::super) fn rub(quantities: &Quantities<'_>, compass: &Compass, stag
 /// Before a slide.
 pub(in super::super) fn slide(quantities: &Quantities<'_>, compass: &Compass, stage: &SlideOff) -> Drawing {
     let (angle, label, rightwards) = face(quantities, compass, stage);
-    let height = quantities.symbol_of_known(&stage.height);
+    let height = quantities.label_of(&stage.height);
     let told = |what: &str, label: &Option<Math>| label.as_ref().map(|label| format!("{what} {}", label.plain()));
     let said = [told("the angle of its face is", &label), told("the height is", &height)];
     let [rider, carrier] = [&stage.body, &stage.on].map(|body| quantities.body(body, Vec::new()));

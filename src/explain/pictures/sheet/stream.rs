@@ -51,7 +51,7 @@ pub(in super::super) fn drawing(
         let Some(vector) = vector else { continue };
         let with = list(&arrows(&drawn(vec![vector.clone()]), true));
         tell(&mut wording.description, format!("{} {does} {} with {with}", stage.by, quantities.called(&stage.body)));
-        if vector.attach == Attach::Arriving {
+        if vector.attach == Attach::Arriving && !vector.asked {
             let speed = vector.vector.label.plain();
             tell(&mut wording.caption, format!("the velocity of {} is {speed}", stage.by));
         }
@@ -69,14 +69,17 @@ pub(in super::super) fn drawing(
     }
     // What has no velocity along the line falls onto the body from above.
     let falls = flowing.speed.is_zero();
-    let label = || quantities.symbol_of_known(stage.flow.as_ref()?);
+    let label = || quantities.label_of(stage.flow.as_ref()?);
     let grains = falls.then(|| Grains { body: 0, join: true, label: label() });
     Some(lone(compass, wording, drawn(vectors), grains))
 }
 
 fn arrow(quantities: &Quantities<'_>, compass: &Compass, speed: &Expr, direction: &Direction) -> Option<Moving> {
     let [x, y] = quantities.direction(direction)?;
-    let size = quantities.evaluate(speed)?;
+    let Some(size) = quantities.evaluate(speed) else {
+        let vector = Labelled { label: quantities.asked(speed)?, value: Some([x, y]) };
+        return Some(Moving::velocity(vector.placed(compass)).asked());
+    };
     let vector = Labelled { label: quantities.unsigned(speed), value: Some([size * x, size * y]) };
     Some(Moving::velocity(vector.placed(compass)))
 }

@@ -29,7 +29,7 @@ pub(in super::super) fn drawing(
     index: usize,
     stage: &Swing,
 ) -> Drawing {
-    let length = stage.arm().and_then(|term| quantities.symbol_of_known(term));
+    let length = stage.arm().and_then(|term| quantities.label_of(term));
     let height = height(quantities, index, stage);
     let ends = [0, 1].map(|side| end(quantities, compass, index, stage, side));
     let telling = |end: &SwingEnd| end.label.is_some() || !end.vectors.is_empty();
@@ -81,8 +81,8 @@ fn track(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> SwingBy {
 pub(super) fn height(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> Option<Math> {
     let named = quantities.staged(&format!("h_{}", stage.body), index);
     match &stage.height {
-        Some(term) => quantities.symbol_of_known(term),
-        None => quantities.named(&named).map(|_| name_math(&named)),
+        Some(term) => quantities.label_of(term),
+        None => quantities.named(&named).map(|_| name_math(&named)).or_else(|| quantities.asked_name(&named)),
     }
 }
 
