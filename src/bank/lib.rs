@@ -7,6 +7,7 @@ mod collection;
 mod course;
 mod diagnosis;
 mod each;
+mod easier;
 mod entry;
 mod expected;
 #[cfg(feature = "files")]

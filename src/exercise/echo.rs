@@ -1,6 +1,8 @@
 //! What is understood of an answer, in words, before anybody judges it.
 
+use momentous_expr::{Leaf, LeafKind, Math};
 use momentous_grade as grade;
+use momentous_grade::Answer;
 use momentous_grade::DecimalMark;
 use momentous_grade::Reading;
 use momentous_problem::Part;
@@ -38,5 +40,18 @@ impl Exercise {
     #[must_use]
     pub fn echo(&self, part: &Part, text: &str, mark: DecimalMark) -> Option<Result<String, String>> {
         echo(self.worked(), part, text, mark)
+    }
+
+    /// An answer that is a formula, as mathematics in the letters of the sheet; nothing where the part asks for something else, or the
+    /// answer cannot be read. The right answer is not looked at.
+    #[must_use]
+    pub fn typeset(&self, part: &Part, text: &str, mark: DecimalMark) -> Option<Math> {
+        if !matches!(part.kind, PartKind::Formula(_)) {
+            return None;
+        }
+        let worked = self.worked();
+        let asked = Blank::new(Rules { problem: worked.problem, form: worked.form }, part).expected(worked);
+        let Ok(Answer::Formula(read)) = Reading::of(text, &asked.kind, mark)?.answer else { return None };
+        Some(read.formula.layout(&|letter| Leaf { math: worked.problem.math_of(letter), kind: LeafKind::Name }))
     }
 }

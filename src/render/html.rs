@@ -120,3 +120,29 @@ pub(super) fn escape(text: &str) -> String {
     }
     out
 }
+
+/// A message for a page: what stands between backticks, such as something that was typed, is set as code.
+pub(super) fn said(text: &str) -> String {
+    let pieces: Vec<&str> = text.split('`').collect();
+    if pieces.len().is_multiple_of(2) {
+        // One of them is no quotation mark.
+        return escape(text);
+    }
+    let set = |(place, piece): (usize, &&str)| match place % 2 {
+        0 => escape(piece),
+        _ => format!("<code>{}</code>", escape(piece)),
+    };
+    pieces.iter().enumerate().map(set).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::said;
+
+    #[test]
+    fn what_stands_between_backticks_is_set_as_code() {
+        assert_eq!(said("the unit `m/<s>` is known"), "the unit <code>m/&lt;s&gt;</code> is known");
+        assert_eq!(said("a ` alone stays, <b>"), "a ` alone stays, &lt;b&gt;");
+        assert_eq!(said(""), "");
+    }
+}

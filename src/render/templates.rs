@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use tera::{Delimiters, Error, ErrorKind, Tera};
+use tera::{Delimiters, Error, ErrorKind, Kwargs, State, Tera, Value};
 
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -72,7 +72,10 @@ fn engine(format: Format) -> Tera {
     let mut tera = Tera::new();
     tera.autoescape_on([".tera"]);
     match format {
-        Format::Html => tera.set_escape_fn(|text, out| out.write_all(html::escape(text).as_bytes())),
+        Format::Html => {
+            tera.set_escape_fn(|text, out| out.write_all(html::escape(text).as_bytes()));
+            tera.register_filter("said", |text: &str, _: Kwargs, _: &State<'_>| Value::safe_string(&html::said(text)));
+        }
         Format::Markdown => tera.set_escape_fn(|text, out| out.write_all(markdown::escape(text).as_bytes())),
         Format::Latex => tera.set_escape_fn(|text, out| out.write_all(latex_text::escape(text).as_bytes())),
         Format::Typst => tera.set_escape_fn(|text, out| out.write_all(typst_text::escape(text).as_bytes())),

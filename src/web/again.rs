@@ -5,8 +5,10 @@ use serde::Serialize;
 use super::parameters::Parameters;
 
 /// Fields that pages fill in, and nobody types.
-const OF_PAGES: [&str; 13] =
-    ["request", "shown", "revision", "do", "to", "member", "person", "remove", "add", "part", "seed", "form", "key"];
+const OF_PAGES: [&str; 17] = [
+    "request", "shown", "revision", "do", "to", "member", "person", "remove", "add", "part", "seed", "form", "key",
+    "hints", "further", "next", "failures",
+];
 /// Fields whose value is shown nowhere.
 const PASSWORDS: [&str; 4] = ["password", "old", "new", "again"];
 /// What is before the name of a part, in the names of fields.

@@ -24,6 +24,11 @@ impl<'a> View<'a> {
         Engine { problems: &self.problems, ..self.app.engine() }
     }
 
+    /// Whether a problem is not withheld from that reader.
+    pub(super) fn is_open(&self, problem: &str) -> bool {
+        self.problems.withheld.check(problem).is_ok()
+    }
+
     /// A page through the template of that name.
     pub(super) fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
         self.app.page(name, page)

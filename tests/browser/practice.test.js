@@ -69,6 +69,67 @@ for (const javaScriptEnabled of [true, false]) {
   });
 }
 
+test("a formula is set as mathematics while it is typed", async () => {
+  const { page, complaints, close } = await site.open();
+  await page.goto(`${site.url}/practice/concepts/coupling-in-symbols?seed=1`);
+  const field = page.locator('[data-kind="formula"]').first();
+  const said = page.locator(`[data-reading="${await field.getAttribute("data-part")}"]`);
+  await field.fill("m_A v_A1/(m_A + m_B)");
+  await said.locator("math mfrac").waitFor();
+  await page.getByRole("button", { name: "Check" }).click();
+  assert.equal(await said.locator("math mfrac").count(), 1, "as it was read it stays");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a verdict belongs to its field, and the page says what to look at", async () => {
+  const { page, close } = await site.open();
+  const right = key("impact/two-carts", "forward", 7);
+  await page.goto(site.url + SHEET);
+  await page.locator('[name="answer.v_A2"]').fill("900 m/s");
+  await page.locator('[name="answer.v_B2"]').fill(right.v_B2 ?? "");
+  await page.getByRole("button", { name: "Check" }).click();
+  const wrong = page.locator('[name="answer.v_A2"]');
+  assert.equal(await wrong.getAttribute("aria-invalid"), "true");
+  const told = (await wrong.getAttribute("aria-describedby"))?.split(" ")[0];
+  assert.equal(await page.locator(`#${told}`).getAttribute("data-verdict"), "wrong");
+  assert.equal(await page.locator('[name="answer.v_B2"]').getAttribute("aria-invalid"), null);
+  assert.match(await page.title(), /^2 of 5 points · Two carts/);
+  await page.locator(".look-again").getByRole("link", { name: "(a)" }).click();
+  await page.waitForURL(/#answer-a$/);
+  await close();
+});
+
+test("the address holds the numbers, and a check of nothing says so", async () => {
+  const { page, close } = await site.open();
+  await page.goto(`${site.url}/practice/impact/two-carts`);
+  await page.waitForURL(/[?&]seed=1$/);
+  await page.getByRole("button", { name: "Check" }).click();
+  assert.match((await page.locator(".outcome").textContent()) ?? "", /Nothing to check yet/);
+  assert.match(page.url(), /form=forward&seed=1#marks$/);
+  await close();
+});
+
+test("what comes next depends on how it went", async () => {
+  const { page, close } = await site.open();
+  await page.goto(`${site.url}/practice/impact/hockey-pucks?seed=1`);
+  const easier = page.getByText("an easier one on the same law");
+  for (let failures = 0; failures < 3; failures += 1) {
+    assert.equal(await easier.count(), 0);
+    await page.locator("[data-kind]").first().fill("900 m/s");
+    await page.getByRole("button", { name: "Check" }).click();
+  }
+  assert.equal(await easier.count(), 1);
+  await page.goto(site.url + SHEET);
+  for (const [part, text] of Object.entries(key("impact/two-carts", "forward", 7))) {
+    await page.locator(`[name="answer.${part}"]`).fill(text);
+  }
+  await page.getByRole("button", { name: "Check" }).click();
+  await page.getByRole("link", { name: "Another like this" }).click();
+  await page.waitForURL(/form=forward&seed=8$/);
+  await close();
+});
+
 test("a sheet is answered by keyboard alone", async () => {
   const { page, close } = await site.open();
   const right = key("impact/two-carts", "forward", 7);

@@ -4,6 +4,7 @@ use serde::Deserialize;
 use serde::Serialize;
 
 use momentous_grade::DecimalMark;
+use momentous_render::Fragment;
 
 use super::super::Exercise;
 use super::Engine;
@@ -32,6 +33,9 @@ pub struct ReadResponse {
     pub understood: Option<String>,
     /// Why nothing was.
     pub unreadable: Option<String>,
+    /// A formula that was understood, as mathematics.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub math: Option<Fragment>,
 }
 
 impl Engine<'_> {
@@ -55,8 +59,12 @@ impl ReadResponse {
             .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{part}` is not asked for here")))?;
         Ok(match exercise.echo(part, text, decimal) {
             None => Self::default(),
-            Some(Ok(understood)) => Self { understood: Some(understood), unreadable: None },
-            Some(Err(why)) => Self { understood: None, unreadable: Some(why) },
+            Some(Ok(understood)) => Self {
+                understood: Some(understood),
+                unreadable: None,
+                math: exercise.typeset(part, text, decimal).as_ref().map(Fragment::math),
+            },
+            Some(Err(why)) => Self { understood: None, unreadable: Some(why), math: None },
         })
     }
 }

@@ -9,6 +9,9 @@ import { read_live } from "./reading.js";
  */
 function live(form) {
   const variant = JSON.parse(form.dataset.variant ?? "{}");
+  // Whoever keeps the address keeps the numbers.
+  const address = form.dataset.address;
+  if (address && !location.search) history.replaceState(history.state, "", address + location.hash);
   read_live(form, async (part, text, signal) => {
     const decimal = /** @type {HTMLSelectElement} */ (form.elements.namedItem("decimal")).value || "either";
     try {
