@@ -32,6 +32,8 @@ pub(super) struct Body {
     is_deck: bool,
     /// In which directions arrows lie already, seen from the centre.
     taken: Vec<Point>,
+    /// What it consists of, where it is several bodies in one.
+    parts: Vec<Body>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +64,24 @@ impl Body {
                 (height + 2.0 * PADDING).max(BLOCK_HEIGHT),
             ))
         };
-        Self { name: name.clone(), outline, centre, angle: 0.0, is_deck: false, taken: Vec::new() }
+        Self { name: name.clone(), outline, centre, angle: 0.0, is_deck: false, taken: Vec::new(), parts: Vec::new() }
+    }
+
+    /// Several bodies in one, each touching the next, with one floor under them.
+    pub(super) fn joined(name: &Math, parts: &[(Math, Form)]) -> Self {
+        let mut parts: Vec<Self> = parts.iter().map(|(name, form)| Self::new(name, *form, Point::ORIGIN)).collect();
+        let half = |part: &Self| Point::new(part.support(Point::new(1.0, 0.0)), part.support(Point::new(0.0, 1.0)));
+        let halves: Vec<Point> = parts.iter().map(half).collect();
+        let width: f64 = halves.iter().map(|half| half.x).sum();
+        let height = halves.iter().map(|half| half.y).fold(0.0, f64::max);
+        let mut back = -width;
+        for (part, half) in parts.iter_mut().zip(&halves) {
+            part.centre = Point::new(back + half.x, half.y - height);
+            back += 2.0 * half.x;
+        }
+        let outline = Outline::Block(Point::new(2.0 * width, 2.0 * height));
+        let (name, centre) = (name.clone(), Point::ORIGIN);
+        Self { name, outline, centre, angle: 0.0, is_deck: false, taken: Vec::new(), parts }
     }
 
     /// A block of that size at least.
@@ -81,6 +100,10 @@ impl Body {
 
     /// The same body, turned about its centre; its name stays level, so a block grows to hold it.
     pub(super) fn turned(mut self, angle: f64) -> Self {
+        if !self.parts.is_empty() {
+            self.angle = angle;
+            return self;
+        }
         if let Outline::Block(size) = self.outline {
             let name = Measure::of(&self.name);
             let (sine, cosine) = (libm::sin(angle).abs(), libm::cos(angle).abs());
@@ -127,6 +150,18 @@ impl Body {
 
     pub(super) fn draw(&self, canvas: &mut Canvas) {
         let (centre, role) = (self.centre, Role::Body);
+        if !self.parts.is_empty() {
+            for part in &self.parts {
+                let place = centre + part.centre.rotated(self.angle);
+                Self { centre: place, angle: self.angle, ..part.clone() }.draw(canvas);
+            }
+            if self.name == Math::Row(Vec::new()) {
+                return;
+            }
+            let up = Point::new(0.0, 1.0);
+            let above = Anchor::Around { at: centre, radius: self.support(up), prefer: up.angle() };
+            return canvas.label(&self.name, role, above);
+        }
         canvas.draw(match self.outline {
             Outline::Disc(radius) => Shape::Circle { centre, radius, role },
             Outline::Block(size) => Shape::Rectangle { centre, size, angle: self.angle, role },

@@ -265,6 +265,22 @@ fn the_sheet_shows_what_is_asked_of_its_instant() {
     }
 }
 
+/// Bodies that come apart are one body before, and each of them is seen in it.
+#[test]
+fn what_parts_is_drawn_together_before() {
+    let is_parting =
+        |problem: &&Problem| matches!(problem.loaded().draft.scene.stages.first(), Some(Stage::Separate(_)));
+    assert!(bank().iter().filter(is_parting).count() > 5);
+    each_variant(1, |at, worked| {
+        let Some(Stage::Separate(own)) = worked.problem.loaded().draft.scene.stages.first() else { return };
+        let Some(drawing) = explain::situation(worked) else { return };
+        let labels: Vec<String> = labels(&drawing).into_iter().map(Math::plain).collect();
+        for body in own.into.iter().chain(&own.from) {
+            assert!(labels.contains(body), "{at}: {body} is not among {labels:?}");
+        }
+    });
+}
+
 /// A moment acts for a time that the solution names after its stage; the diagram has that name.
 #[test]
 fn a_diagram_names_a_duration_as_the_solution_does() {

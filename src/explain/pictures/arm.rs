@@ -10,7 +10,6 @@ use momentous_figure::AngularImpulse;
 use momentous_figure::Arm;
 use momentous_figure::ArmDiagram;
 use momentous_figure::Drawing;
-use momentous_figure::Form;
 use momentous_figure::LabelledVector;
 use momentous_figure::Layout;
 use momentous_figure::Moment;
@@ -164,7 +163,7 @@ fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: 
     let arm = named("omega_1".to_owned()) * value.unwrap_or(0.0);
     let comes = named(quantities.velocity_name(own.body, 1)) - arm;
     OnArm {
-        body: MovingBody { name: body_math(own.body), form: Form::Disc, vectors },
+        body: MovingBody { vectors, ..MovingBody::new(body_math(own.body)) },
         distance: value.unwrap_or(1.0),
         label: quantities.label_of(own.distances[side]),
         angle: own.angle,

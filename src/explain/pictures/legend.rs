@@ -7,6 +7,7 @@ use momentous_figure::Drawing;
 use momentous_figure::Role;
 use momentous_figure::Shape;
 
+use super::super::wording::list;
 use super::labels::ORIGIN;
 use super::labels::body_math;
 use super::quantities::Quantities;
@@ -18,7 +19,15 @@ pub(super) fn tell(quantities: &Quantities<'_>, drawings: &mut [Drawing]) {
     for drawing in drawings {
         let shown = names.iter().filter(|(letter, _)| is_named(drawing, &body_math(letter)));
         let new: Vec<&(String, String)> = shown.filter(|(letter, _)| told.insert(letter)).collect();
-        let words: Vec<String> = new.iter().map(|(letter, name)| format!("{letter}: {name}")).collect();
+        let words: Vec<String> = new
+            .iter()
+            .map(|(letter, name)| {
+                let parts = quantities.scene().division_of(letter);
+                let shown = !parts.is_empty() && parts.iter().all(|part| is_named(drawing, &body_math(part)));
+                let parts = || list(&parts.iter().map(|part| (*part).to_owned()).collect::<Vec<_>>());
+                if shown { format!("{letter}: {} together", parts()) } else { format!("{letter}: {name}") }
+            })
+            .collect();
         if !words.is_empty() {
             drawing.caption = format!("{}. {}.", drawing.caption.trim_end_matches('.'), words.join(", "));
         }

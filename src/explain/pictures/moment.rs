@@ -63,7 +63,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Mome
         .into_iter()
         .collect();
     vectors.extend(moments(quantities, components));
-    let body = MovingBody { name: body, form: Form::Block, vectors };
+    let body = MovingBody { vectors, ..MovingBody::new(body).shaped(Form::Block) };
     let centre = quantities.centre(&stage.about);
     let seen = format!("{names} with the angular momentum and the moment about {centre}");
     let wording = Wording {

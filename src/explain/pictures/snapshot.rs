@@ -5,7 +5,6 @@ use momentous_expr::Operator;
 use momentous_expr::name_math;
 use momentous_figure::Central;
 use momentous_figure::Drawing;
-use momentous_figure::Form;
 use momentous_figure::LabelledVector;
 use momentous_figure::Layout;
 use momentous_figure::MassCentre;
@@ -63,7 +62,7 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
     let what = if quantities.scope() == Scope::Given { "velocity" } else { "momentum" };
     let shown = if vectors.is_empty() { name.clone() } else { format!("the {what} of {name}") };
     let seen = format!("{shown}, relative to {centre}");
-    let body = MovingBody { name: body_math(body), form: Form::Disc, vectors };
+    let body = MovingBody { vectors, ..MovingBody::new(body_math(body)) };
     let wording = Wording {
         title: capitalised(&format!("{name} and {centre}")),
         description: sentences([seen.clone(), list(&arrows(&body, false))]),
@@ -121,7 +120,7 @@ fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place
         angle: compass.angle(place),
         radius: None,
         legs,
-        body: MovingBody { name: body_math(body), form: Form::Disc, vectors },
+        body: MovingBody { vectors, ..MovingBody::new(body_math(body)) },
         path: None,
         moment: None,
     };

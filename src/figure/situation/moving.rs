@@ -18,6 +18,8 @@ pub struct MovingBody {
     pub form: Form,
     /// Its given velocities and forces.
     pub vectors: Vec<Moving>,
+    /// Of what it consists until it comes apart, from back to front; empty for one body.
+    pub parts: Vec<(Math, Form)>,
 }
 
 /// A given vector of a body.
@@ -41,7 +43,7 @@ impl MovingBody {
     /// A disc of that name, at rest as far as the figure tells.
     #[must_use]
     pub fn new(name: Math) -> Self {
-        Self { name, form: Form::Disc, vectors: Vec::new() }
+        Self { name, form: Form::Disc, vectors: Vec::new(), parts: Vec::new() }
     }
 
     /// The same body with one more vector.
@@ -58,6 +60,13 @@ impl MovingBody {
         self
     }
 
+    /// The same body as what these are together, one ahead of the other.
+    #[must_use]
+    pub fn joined(mut self, parts: Vec<(Math, Form)>) -> Self {
+        self.parts = parts;
+        self
+    }
+
     /// Whether a vector of it is given.
     #[must_use]
     pub fn is_told(&self) -> bool {
@@ -65,7 +74,10 @@ impl MovingBody {
     }
 
     pub(crate) fn outline(&self) -> Body {
-        Body::new(&self.name, self.form, Point::ORIGIN)
+        match &self.parts[..] {
+            [] => Body::new(&self.name, self.form, Point::ORIGIN),
+            parts => Body::joined(&self.name, parts),
+        }
     }
 }
 

@@ -5,7 +5,6 @@ use momentous_expr::name_math;
 use momentous_figure::Central;
 use momentous_figure::CentralPath;
 use momentous_figure::Drawing;
-use momentous_figure::Form;
 use momentous_figure::LabelledVector;
 use momentous_figure::Layout;
 use momentous_figure::Moment;
@@ -83,7 +82,7 @@ fn draw(
     if radius.is_none() && vectors.is_empty() {
         return None;
     }
-    let moving = MovingBody { name: body_math(body), form: Form::Disc, vectors };
+    let moving = MovingBody { vectors, ..MovingBody::new(body_math(body)) };
     let wording = about_wording(quantities, [body, about], radius.as_ref(), &moving, moment.as_ref());
     let centre = body_math(about);
     let central = Central { centre, angle: PLACE, radius, legs: None, body: moving, path, moment };

@@ -30,7 +30,7 @@ use super::super::vectors::Labelled;
 impl Quantities<'_> {
     /// A body with these vectors.
     pub(in super::super) fn body(&self, body: &str, vectors: Vec<Moving>) -> MovingBody {
-        MovingBody { name: body_math(body), form: self.form(body), vectors }
+        MovingBody { vectors, ..MovingBody::new(body_math(body)).shaped(self.form(body)) }
     }
 
     /// The velocity of a body at an instant: as one arrow, or as the components that are given.

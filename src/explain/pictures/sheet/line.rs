@@ -19,6 +19,7 @@ use momentous_scene::stage::Ends;
 use momentous_scene::stage::Partners;
 
 use super::super::compass::Compass;
+use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
 use super::super::words::sentences;
@@ -68,7 +69,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         tied: tied(quantities, stage),
         wall: has_wall(quantities, stage),
         grains: grains.map(|(grains, _)| grains),
-        bodies: bodies.into_iter().map(|(_, body)| body).collect(),
+        bodies: if shows_before { until_they_part(quantities, stage, bodies) } else { alone(bodies) },
     };
     Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
 }
@@ -92,6 +93,27 @@ fn bodies(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Vec<(
     };
     let order = order(quantities, stage);
     order.into_iter().map(|body| (body.clone(), quantities.body(&body, vectors(&body)))).collect()
+}
+
+/// Bodies that come apart in a stage are drawn as one before it, with the first velocity that is told of one of them.
+fn until_they_part(quantities: &Quantities<'_>, stage: usize, bodies: Vec<(String, MovingBody)>) -> Vec<MovingBody> {
+    let Some(Stage::Separate(own)) = quantities.scene().stages.get(stage) else { return alone(bodies) };
+    let parts = own.into.iter().map(|part| (body_math(part), quantities.form(part))).collect();
+    let (mut whole, rest): (Vec<_>, Vec<_>) = match &own.from {
+        Some(whole) => bodies.into_iter().partition(|(body, _)| body == whole),
+        None => bodies.into_iter().partition(|(body, _)| own.into.contains(body)),
+    };
+    let Some(first) = whole.iter().position(|(_, body)| body.is_told()).or((!whole.is_empty()).then_some(0)) else {
+        return alone(rest);
+    };
+    let (_, body) = whole.swap_remove(first);
+    let name = if own.from.is_some() { body.name.clone() } else { Math::Row(Vec::new()) };
+    let joined = MovingBody { name, ..body }.joined(parts);
+    [joined].into_iter().chain(alone(rest)).collect()
+}
+
+fn alone(bodies: Vec<(String, MovingBody)>) -> Vec<MovingBody> {
+    bodies.into_iter().map(|(_, body)| body).collect()
 }
 
 /// A struck body comes and goes: the velocity with which it goes belongs to the picture, where it is given.

@@ -42,7 +42,7 @@ pub(in super::super) fn drawing(
     let moves = moves.and_then(|moves| arrow(quantities, compass, &moves, &flowing.direction));
     let own: Vec<Moving> =
         moves.into_iter().chain(force(quantities, compass, &stage.body).map(Moving::force)).collect();
-    let drawn = |vectors| MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
+    let drawn = |vectors| MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(Form::Block) };
     let mut wording = body_wording(quantities, index, &stage.body, &drawn(own.clone()));
     let mut vectors = Vec::new();
     for (does, vector) in
@@ -112,7 +112,7 @@ pub(in super::super) fn rocket(
     if vectors.is_empty() {
         return None;
     }
-    let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
+    let body = MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(Form::Block) };
     Some(lone(compass, body_wording(quantities, index, &stage.body, &body), body, None))
 }
 
