@@ -4,6 +4,7 @@
 //! by name. No method returns a number that it does not stand behind, and none loops for ever.
 
 mod acceleration;
+mod apart;
 mod budget;
 mod contact;
 mod exact;

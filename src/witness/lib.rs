@@ -11,10 +11,12 @@ mod exchanged;
 mod film;
 mod graphs;
 mod impacts;
+mod integrated;
 mod magnitude;
 mod parts;
 mod pictures;
 mod record;
+mod shoot;
 mod simulation;
 mod staging;
 mod together;
@@ -22,8 +24,9 @@ mod trial;
 mod turning;
 mod worlds;
 
-pub use film::{AT_ITS_TIME, Film, NotShown, Shot, shoot};
+pub use film::{AT_ITS_TIME, Film, NotShown};
 pub use impacts::IMPACTS;
+pub use shoot::{Shot, shoot};
 pub use staging::{followed, staged};
 pub use trial::{Portion, Simulated};
 

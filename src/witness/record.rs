@@ -9,7 +9,8 @@ use momentous_scene::Scene;
 use momentous_simulate::Moment;
 use momentous_simulate::RecordedImpact;
 
-use super::film::{Film, Shot};
+use super::film::Film;
+use super::shoot::Shot;
 
 impl Shot {
     /// Everything as one JSON object, in SI units: the keys of `momentous simulate --format json`.
@@ -56,7 +57,9 @@ fn film(film: &Film, scene: &Scene) -> Value {
         "class": film.choice.class.name(),
         "method": film.choice.method.name(),
         "setting": film.choice.setting,
-        "why": film.choice.to_string(),
+        "why": film.why(),
+        "error": film.error,
+        "trusted_digits": film.trusted_digits(),
         "ends": film.ending,
         "bodies": bodies,
         "walls": walls.collect::<Vec<_>>(),

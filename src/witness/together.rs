@@ -5,7 +5,8 @@ use momentous_simulate::Record;
 use momentous_simulate::RecordedImpact;
 use momentous_simulate::RecordedWall;
 
-use super::film::{Film, Shot};
+use super::film::Film;
+use super::shoot::Shot;
 
 /// An instant, and whether it is looked at just after what happens then.
 type Instant = (f64, bool);

@@ -106,7 +106,6 @@ const DEFAULTS: &[(&str, &str)] = &[
     ("src/render/press.rs", "fonts that are inside, as a test says"),
     ("src/render/templates.rs", "a format without a style; a template without a name"),
     ("src/render/typst.rs", "a link or a code that was opened"),
-    ("src/simulate/least/choice.rs", "nothing is cheaper"),
     ("src/simulate/scene/mod.rs", "a run that moves nothing"),
     ("src/simulate/scene/stage/by_hand.rs", "a test of what moves nothing"),
     ("src/store/", "a hint on the whole sheet; an address without a question mark"),

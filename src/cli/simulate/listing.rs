@@ -13,7 +13,7 @@ pub(super) fn text(title: &str, shot: &Shot) -> String {
         let axes: Vec<&str> = film.axes.iter().map(|axis| axis.letter).collect();
         let bodies: Vec<&str> = film.record.bodies.iter().map(|body| body.name.as_str()).collect();
         let _ = writeln!(out, "\nstage {}: {} along {}", film.stage, bodies.join(", "), axes.join(", "));
-        let _ = writeln!(out, "  {}", film.choice);
+        let _ = writeln!(out, "  {}", film.why());
         for caution in film.cautions() {
             let _ = writeln!(out, "  {caution}");
         }

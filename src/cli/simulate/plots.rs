@@ -128,7 +128,7 @@ fn impacts(film: &Film, named: &dyn Fn(&str) -> String) -> Table {
     let mut rows = film.impacts();
     let more = rows.len().saturating_sub(MOST_ROWS);
     rows.truncate(MOST_ROWS);
-    let mut notes = vec![film.choice.to_string()];
+    let mut notes = vec![film.why()];
     notes.extend(film.cautions());
     if rows.is_empty() {
         notes.push("There is no impact.".to_owned());

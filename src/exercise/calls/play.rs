@@ -67,7 +67,7 @@ impl PlayResponse {
             FilmResponse {
                 stage: film.stage,
                 kind: film.kind(scene),
-                why: film.choice.to_string(),
+                why: film.why(),
                 cautions: film.cautions(),
                 ending: Some(film.ending.clone()).filter(|ending| ending != AT_ITS_TIME),
                 headings: IMPACTS,

@@ -10,6 +10,9 @@ use super::costs::{Cost, costs};
 /// The accuracy where none is asked for and time does not matter.
 pub const DEFAULT_ACCURACY: f64 = 1e-9;
 
+/// What is off by more is another motion.
+const AT_ALL: f64 = 0.5;
+
 /// What is asked of a method.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Request {
@@ -50,8 +53,10 @@ pub enum NoChoice {
     #[error("{0}: choose a law for it")]
     LawRequired(String),
     /// The table has nothing so accurate, or nothing so cheap.
-    #[error("no method of the table meets this for a scene of the class `{class}`: {nearest}")]
+    #[error("no {which} of the table meets this for a scene of the class `{class}`: {nearest}")]
     OutOfReach {
+        /// What was in question: `method`, or `setting of penalty`.
+        which: String,
         /// The class.
         class: &'static str,
         /// What comes nearest.
@@ -59,28 +64,55 @@ pub enum NoChoice {
     },
 }
 
-/// The cheapest row of the table that meets the request for a scene of this class; where only a budget of time is given, the most
-/// accurate one within it. Where there is a closed form, it is taken.
+impl NoChoice {
+    pub(super) fn out_of_reach(scene: &Classified, request: &Request, nearest: String) -> Self {
+        let which =
+            request.method.map_or_else(|| "method".to_owned(), |method| format!("setting of {}", method.name()));
+        Self::OutOfReach { which, class: scene.class.name(), nearest }
+    }
+}
+
+impl Choice {
+    /// The method with its setting.
+    #[must_use]
+    pub fn named(&self) -> String {
+        with_setting(self.method, self.setting)
+    }
+}
+
+impl Request {
+    /// The error up to which a run is as accurate as is asked. A method that is asked for by name, or for its time alone, is shown at
+    /// its best as long as that is the scene at all.
+    #[must_use]
+    pub fn bound(&self) -> f64 {
+        let usual = if self.method.is_some() || self.budget.is_some() { AT_ALL } else { DEFAULT_ACCURACY };
+        self.accuracy.unwrap_or(usual)
+    }
+}
+
+/// The rows of the table in question for a scene of this class, in the order in which they are to be tried: those that promise the
+/// accuracy from the cheapest on; all of a method that is asked for by name; where only a time is given, from the most accurate
+/// on. Where there is a closed form, it is the only one.
 ///
 /// ```
-/// use momentous_simulate::least::{Classified, Request, choose};
+/// use momentous_simulate::least::{Classified, Request, options};
 /// let swing = Classified::integrated("swing");
-/// let choice = choose(&swing, &Request { accuracy: Some(1e-6), ..Request::default() }).unwrap();
-/// assert!(choice.cost.as_ref().unwrap().error <= 1e-6);
-/// assert!(choice.to_string().contains("because no formula here gives the motion of the stage `swing`"));
+/// let all = options(&swing, &Request { accuracy: Some(1e-6), ..Request::default() }).unwrap();
+/// assert!(all[0].cost.as_ref().unwrap().error <= 1e-6);
+/// assert!(all[0].to_string().contains("because no formula here gives the motion of the stage `swing`"));
 /// ```
 ///
 /// # Errors
-/// Nothing in the table meets it, or a law must be chosen first.
-pub fn choose(scene: &Classified, request: &Request) -> Result<Choice, NoChoice> {
+/// Nothing in the table promises it, or a law must be chosen first.
+pub fn options(scene: &Classified, request: &Request) -> Result<Vec<Choice>, NoChoice> {
     if scene.class == Class::LawRequired {
         return Err(NoChoice::LawRequired(scene.to_string()));
     }
+    let out_of_reach = |nearest: String| NoChoice::out_of_reach(scene, request, nearest);
     if let (Some(only), Some(asked)) = (scene.only, request.method)
         && only != asked
     {
-        let nearest = format!("only {} follows such a motion", only.name());
-        return Err(NoChoice::OutOfReach { class: scene.class.name(), nearest });
+        return Err(out_of_reach(format!("only {} follows such a motion", only.name())));
     }
     let formula = (scene.class == Class::ClosedForm).then_some(MethodKind::ClosedForm);
     let wanted = request.method.or(scene.only).or(formula);
@@ -89,51 +121,62 @@ pub fn choose(scene: &Classified, request: &Request) -> Result<Choice, NoChoice>
         .filter(|cost| cost.class == scene.class && wanted.is_none_or(|method| method == cost.method))
         .collect();
     rows.sort_by(|one, other| one.seconds.total_cmp(&other.seconds));
-    let chosen = |cost: &Cost| Choice {
+    let Some(most_accurate) = rows.iter().min_by(|one, other| one.error.total_cmp(&other.error)).copied() else {
+        return untabled(scene, request).map(|choice| vec![choice]);
+    };
+    let cheapest = rows.first().copied();
+    match (request.accuracy, request.budget) {
+        (None, Some(_)) => rows.sort_by(|one, other| one.error.total_cmp(&other.error)),
+        // A method that was asked for by name, without more, is shown at its best.
+        (None, None) if request.method.is_some() => rows = vec![most_accurate],
+        // What the table says of its own tasks may be better here.
+        (Some(_), _) if request.method.is_some() => {}
+        (_, _) => rows.retain(|cost| cost.error <= request.bound()),
+    }
+    if rows.is_empty() {
+        let both = [Some(most_accurate), cheapest].into_iter().flatten();
+        let tried: Vec<Tried> =
+            both.map(|cost| (chosen(scene, request, cost), Some(cost.error), Some(cost.seconds))).collect();
+        return Err(out_of_reach(nearest(&tried)));
+    }
+    Ok(rows.into_iter().map(|cost| chosen(scene, request, cost)).collect())
+}
+
+fn chosen(scene: &Classified, request: &Request, cost: &Cost) -> Choice {
+    Choice {
         class: scene.class,
         method: cost.method,
         setting: cost.setting,
         cost: Some(cost.clone()),
         why: sentence(scene, request, cost),
-    };
-    let Some(most_accurate) = rows.iter().min_by(|one, other| one.error.total_cmp(&other.error)) else {
-        return untabled(scene, request);
-    };
-    let within = |cost: &&&Cost| request.budget.is_none_or(|budget| cost.seconds <= budget);
-    let found = match (request.accuracy, request.budget) {
-        (None, Some(_)) => rows.iter().filter(within).min_by(|one, other| one.error.total_cmp(&other.error)),
-        (accuracy, _) => {
-            let accuracy = accuracy.unwrap_or(DEFAULT_ACCURACY);
-            rows.iter().filter(within).find(|cost| cost.error <= accuracy)
-        }
-    };
-    match found {
-        Some(cost) => Ok(chosen(cost)),
-        // A method that was asked for by name, without more, is shown at its best.
-        None if request.method.is_some() && request.accuracy.is_none() && request.budget.is_none() => {
-            Ok(chosen(most_accurate))
-        }
-        None => Err(NoChoice::OutOfReach { class: scene.class.name(), nearest: nearest(&rows, most_accurate) }),
     }
 }
 
-fn nearest(rows: &[&Cost], most_accurate: &Cost) -> String {
-    let cheapest =
-        rows.first().map(|cost| format!("; the cheapest, {}, takes {}", cost.method.name(), time(cost.seconds)));
-    format!(
-        "the most accurate, {}, has an error of up to {:.0e} in {}{}",
-        most_accurate.method.name(),
-        most_accurate.error,
-        time(most_accurate.seconds),
-        cheapest.unwrap_or_default()
-    )
+/// A choice with its error and its time in s, as far as they are known.
+pub(super) type Tried = (Choice, Option<f64>, Option<f64>);
+
+/// What comes nearest to a request: the most accurate of what was tried, and the cheapest.
+pub(super) fn nearest(tried: &[Tried]) -> String {
+    let known = |value: Option<f64>| value.unwrap_or(f64::INFINITY);
+    let least =
+        |of: fn(&Tried) -> Option<f64>| tried.iter().min_by(|one, other| known(of(one)).total_cmp(&known(of(other))));
+    let accurate = least(|own| own.1).map(|(choice, error, seconds)| match error.filter(|error| error.is_finite()) {
+        Some(error) => {
+            let seconds = seconds.map_or_else(String::new, |seconds| format!(" in {}", time(seconds)));
+            format!("the most accurate, {}, has an error of up to {error:.0e}{seconds}", choice.named())
+        }
+        None => format!("what is asked for does not happen with {}", choice.named()),
+    });
+    let cheap = least(|own| own.2).and_then(|(choice, _, seconds)| {
+        seconds.map(|seconds| format!("the cheapest, {}, takes {}", choice.named(), time(seconds)))
+    });
+    accurate.into_iter().chain(cheap).collect::<Vec<_>>().join("; ")
 }
 
 /// A method that the table does not have for the class, and that was asked for by name: the run will tell what comes of it.
 fn untabled(scene: &Classified, request: &Request) -> Result<Choice, NoChoice> {
     let Some(method) = request.method else {
-        let nearest = "the table has no row for it".to_owned();
-        return Err(NoChoice::OutOfReach { class: scene.class.name(), nearest });
+        return Err(NoChoice::out_of_reach(scene, request, "the table has no row for it".to_owned()));
     };
     let why = format!(
         "{}, as asked for; the reference tasks of the class `{}` are beyond it",
@@ -143,10 +186,14 @@ fn untabled(scene: &Classified, request: &Request) -> Result<Choice, NoChoice> {
     Ok(Choice { class: scene.class, method, setting: method.usual_setting(), cost: None, why })
 }
 
-/// One line: the method, what it costs, and why nothing less serves.
+/// A method with its setting.
+fn with_setting(method: MethodKind, setting: Option<f64>) -> String {
+    let setting = method.setting_in_words(setting).map_or_else(String::new, |setting| format!(" with {setting}"));
+    format!("{}{setting}", method.name())
+}
+
+/// One line: the method, and why nothing less serves.
 fn sentence(scene: &Classified, request: &Request, cost: &Cost) -> String {
-    let setting =
-        cost.method.setting_in_words(cost.setting).map_or_else(String::new, |setting| format!(" with {setting}"));
     let reason = &scene.reason;
     let why = match (request.method, scene.class, request.accuracy, request.budget) {
         (Some(_), ..) => "as asked for".to_owned(),
@@ -157,12 +204,12 @@ fn sentence(scene: &Classified, request: &Request, cost: &Cost) -> String {
             format!("the cheapest within {accuracy:.0e}, because {reason}")
         }
     };
-    let (name, seconds) = (cost.method.name(), time(cost.seconds));
-    format!("{name}{setting}, {why} (reference tasks: error up to {:.0e} in {seconds})", cost.error)
+    format!("{}, {why}", with_setting(cost.method, cost.setting))
 }
 
 /// A time as people say it, in whole units or two figures: no machine keeps to more.
-fn time(seconds: f64) -> String {
+#[must_use]
+pub fn time(seconds: f64) -> String {
     let (unit, name) = match seconds {
         seconds if seconds < 1e-6 => (1e-9, "ns"),
         seconds if seconds < 1e-3 => (1e-6, "µs"),
@@ -182,33 +229,42 @@ mod tests {
         Classified { class, reason: "so it is".to_owned(), only: None }
     }
 
+    fn asked(accuracy: f64) -> Request {
+        Request { accuracy: Some(accuracy), ..Request::default() }
+    }
+
     #[test]
-    fn nothing_cheaper_in_the_table_meets_the_request() {
+    fn the_rows_that_promise_the_accuracy_are_tried_from_the_cheapest_on() {
         for class in [Class::ClosedForm, Class::LinearSolve, Class::Piecewise, Class::OdeNeeded] {
             for power in 1..=11 {
                 let accuracy = libm::pow(10.0, -f64::from(power));
-                let request = Request { accuracy: Some(accuracy), ..Request::default() };
-                let Some(cost) = choose(&scene(class), &request).unwrap().cost else { panic!("a row") };
-                assert!(cost.error <= accuracy, "{cost:?}");
-                let cheaper = costs().iter().filter(|other| other.class == class && other.seconds < cost.seconds);
+                let rows = options(&scene(class), &asked(accuracy)).unwrap().into_iter().filter_map(|own| own.cost);
+                let rows: Vec<Cost> = rows.collect();
+                assert!(rows.iter().all(|cost| cost.error <= accuracy), "{rows:?}");
+                assert!(rows.is_sorted_by(|one, next| one.seconds <= next.seconds), "{rows:?}");
+                let first = rows.first().unwrap();
+                let cheaper = costs().iter().filter(|other| other.class == class && other.seconds < first.seconds);
                 for other in cheaper {
-                    assert!(other.error > accuracy, "{other:?} is cheaper than {cost:?} at {accuracy:e}");
+                    assert!(other.error > accuracy, "{other:?} is cheaper than {first:?} at {accuracy:e}");
                 }
             }
         }
     }
 
     #[test]
-    fn a_budget_of_time_buys_the_most_accurate_within_it() {
-        let all: Vec<&Cost> = costs().iter().filter(|cost| cost.class == Class::OdeNeeded).collect();
-        for row in &all {
-            let request = Request { budget: Some(row.seconds), ..Request::default() };
-            let cost = choose(&scene(Class::OdeNeeded), &request).unwrap().cost.unwrap();
-            let best = all.iter().filter(|other| other.seconds <= row.seconds).map(|other| other.error);
-            assert_eq!((cost.error, cost.seconds <= row.seconds), (best.fold(f64::INFINITY, f64::min), true));
-        }
-        let both = Request { accuracy: Some(1e-10), budget: Some(1e-9), ..Request::default() };
-        assert!(choose(&scene(Class::OdeNeeded), &both).is_err());
+    fn a_time_alone_is_spent_on_accuracy_and_a_name_alone_on_its_best() {
+        let timed = Request { budget: Some(1e-5), ..Request::default() };
+        let rows: Vec<Cost> =
+            options(&scene(Class::OdeNeeded), &timed).unwrap().into_iter().filter_map(|own| own.cost).collect();
+        assert!(rows.len() > 40 && rows.is_sorted_by(|one, next| one.error <= next.error));
+        let named = Request { method: Some(MethodKind::Penalty), ..Request::default() };
+        let only = options(&scene(Class::OdeNeeded), &named).unwrap();
+        let best = costs().iter().filter(|cost| cost.class == Class::OdeNeeded && cost.method == MethodKind::Penalty);
+        let best = best.map(|cost| cost.error).fold(f64::INFINITY, f64::min);
+        assert_eq!(only.iter().map(|own| own.cost.as_ref().unwrap().error).collect::<Vec<_>>(), [best]);
+        // What the table says of its tasks may be better in a scene.
+        let exact = Request { accuracy: Some(1e-12), ..named };
+        assert!(options(&scene(Class::OdeNeeded), &exact).unwrap().len() > 3);
     }
 
     #[test]
@@ -221,9 +277,8 @@ mod tests {
 
     #[test]
     fn what_cannot_be_met_says_what_comes_nearest() {
-        let request = Request { accuracy: Some(1e-30), ..Request::default() };
-        let said = choose(&scene(Class::Piecewise), &request).unwrap_err().to_string();
+        let said = options(&scene(Class::Piecewise), &asked(1e-30)).unwrap_err().to_string();
         assert!(said.contains("`piecewise`") && said.contains("event driven"), "{said}");
-        assert!(matches!(choose(&scene(Class::LawRequired), &Request::default()), Err(NoChoice::LawRequired(_))));
+        assert!(matches!(options(&scene(Class::LawRequired), &Request::default()), Err(NoChoice::LawRequired(_))));
     }
 }

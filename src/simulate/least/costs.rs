@@ -23,6 +23,8 @@ pub struct Cost {
     pub seconds: f64,
     /// The greatest relative error.
     pub error: f64,
+    /// What the greatest of the tasks has to do at that setting, counted in bodies, contacts and steps.
+    pub work: f64,
 }
 
 /// The committed table, in which a row that cannot be read is left out; a test shows that there is none.
@@ -32,7 +34,7 @@ pub fn costs() -> &'static [Cost] {
 }
 
 fn read(line: &str) -> Option<Cost> {
-    let [class, method, setting, seconds, error] = line.split(',').collect::<Vec<_>>().try_into().ok()?;
+    let [class, method, setting, seconds, error, work] = line.split(',').collect::<Vec<_>>().try_into().ok()?;
     let setting: Option<f64> = if setting.is_empty() { None } else { Some(setting.parse().ok()?) };
     Some(Cost {
         class: Class::ALL.into_iter().find(|own| own.name() == class)?,
@@ -40,6 +42,7 @@ fn read(line: &str) -> Option<Cost> {
         setting,
         seconds: seconds.parse().ok()?,
         error: error.parse().ok()?,
+        work: work.parse().ok()?,
     })
 }
 

@@ -6,6 +6,7 @@ use crate::task::{IN_THE_PLANE, ON_A_LINE, Task};
 
 use super::class::{Class, classify};
 use super::costs::Cost;
+use super::work::work;
 
 /// The finest step, as a part of the run, and the steps in which the settings go down to it.
 const FINEST_STEP: f64 = 1e-5;
@@ -27,7 +28,9 @@ pub fn measure_costs(repetitions: usize) -> Vec<Cost> {
                 let on_line = line.iter().map(|task| point(task, method, setting, repetitions));
                 let in_plane = plane.iter().map(|task| point(task, method, setting, repetitions));
                 let points: Vec<Point> = on_line.chain(in_plane).collect();
-                rows.extend(row(class, method, setting, &points));
+                let work = line.iter().map(|task| task_work(task, method, setting));
+                let work = work.chain(plane.iter().map(|task| task_work(task, method, setting)));
+                rows.extend(row(class, method, setting, &points, work.fold(0.0, f64::max)));
             }
         }
         rows.sort_by(|one, other| one.seconds.total_cmp(&other.seconds));
@@ -45,7 +48,7 @@ fn is_of<const D: usize>(task: &Task<D>, class: Class) -> bool {
 fn settings(method: MethodKind) -> Vec<Option<f64>> {
     match method.setting() {
         Setting::None => vec![None],
-        Setting::Tolerance => (3..=13).map(|power| Some(libm::pow(10.0, -f64::from(power)))).collect(),
+        Setting::Tolerance => (3..=14).map(|power| Some(libm::pow(10.0, -f64::from(power)))).collect(),
         Setting::Step => {
             let steps = (3..).map(|power| libm::pow(10.0, -f64::from(power) / 2.0));
             steps.take_while(|step| *step > 0.99 * FINEST_STEP).map(Some).collect()
@@ -59,9 +62,16 @@ fn point<const D: usize>(task: &Task<D>, method: MethodKind, setting: Option<f64
     measured(task.name, setting, method.at::<D>(setting, end).as_ref(), &cases, repetitions)
 }
 
-fn row(class: Class, method: MethodKind, setting: Option<f64>, points: &[Point]) -> Option<Cost> {
+/// What a task has to do; nothing where the method refuses it.
+fn task_work<const D: usize>(task: &Task<D>, method: MethodKind, setting: Option<f64>) -> f64 {
+    let case = (task.jittered)(0.0);
+    let run = method.at::<D>(setting, case.budget.until).run(&case.world, &case.budget);
+    run.map_or(0.0, |run| work(method, &case.world, &run))
+}
+
+fn row(class: Class, method: MethodKind, setting: Option<f64>, points: &[Point], work: f64) -> Option<Cost> {
     let failed = points.is_empty() || points.iter().any(|point| point.failures > 0);
     let greatest = |value: fn(&Point) -> f64| points.iter().map(value).fold(0.0, f64::max);
     let error = greatest(|point| point.greatest_error.unwrap_or(f64::INFINITY)).max(ROUNDING);
-    (!failed).then(|| Cost { class, method, setting, seconds: greatest(|point| point.seconds), error })
+    (!failed).then(|| Cost { class, method, setting, seconds: greatest(|point| point.seconds), error, work })
 }

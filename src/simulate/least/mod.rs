@@ -3,11 +3,14 @@
 mod choice;
 mod class;
 mod costs;
+mod kept;
 #[cfg(feature = "clock")] // it reads the clock
 mod measure;
+mod work;
 
-pub use choice::{Choice, DEFAULT_ACCURACY, NoChoice, Request, choose};
+pub use choice::{Choice, DEFAULT_ACCURACY, NoChoice, Request, options, time};
 pub use class::{Class, Classified, classify};
 pub use costs::{Cost, costs};
+pub use kept::{Kept, NotKept, keep};
 #[cfg(feature = "clock")]
 pub use measure::measure_costs;

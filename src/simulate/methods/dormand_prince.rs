@@ -1,5 +1,7 @@
 //! One step of the pair of Dormand and Prince (1980), with the error and the interpolant of order 4 (Hairer, Nørsett, Wanner).
 
+use nalgebra::Matrix;
+
 use crate::state::{State, Vector};
 use crate::world::World;
 
@@ -32,6 +34,31 @@ const DENSE: [f64; 7] = [
     69_997_945.0 / 29_380_423.0,
 ];
 
+/// The greatest sizes so far, by which errors are measured: a scene of micrometres is as accurate as one of kilometres.
+#[derive(Clone, Debug)]
+pub(super) struct Sizes<const D: usize> {
+    from: Vec<Vector<D>>,
+    /// How far a body went from where it started, in m.
+    way: f64,
+    /// How fast one was, in m/s.
+    speed: f64,
+}
+
+impl<const D: usize> Sizes<D> {
+    pub(super) fn of(start: &State<D>) -> Self {
+        let mut sizes = Self { from: start.positions.clone(), way: 0.0, speed: 0.0 };
+        sizes.see(start);
+        sizes
+    }
+
+    /// Takes a state into account.
+    pub(super) fn see(&mut self, state: &State<D>) {
+        let ways = state.positions.iter().zip(&self.from).map(|(place, from)| (place - from).amax());
+        self.way = ways.fold(self.way, f64::max);
+        self.speed = state.velocities.iter().map(Matrix::amax).fold(self.speed, f64::max);
+    }
+}
+
 /// A step that may be accepted.
 pub(super) struct Trial<const D: usize> {
     /// The state at its end.
@@ -48,7 +75,7 @@ pub(super) fn trial<const D: usize>(
     world: &World<D>,
     start: &State<D>,
     length: f64,
-    tolerance: f64,
+    (tolerance, sizes): (f64, &Sizes<D>),
     stop: f64,
 ) -> Trial<D> {
     let bodies = world.bodies.len();
@@ -76,13 +103,13 @@ pub(super) fn trial<const D: usize>(
     };
     let mut worst = 0.0_f64;
     let mut dense = Vec::with_capacity(bodies);
+    let mut sizes = sizes.clone();
+    sizes.see(&state);
     for body in 0..bodies {
-        let pairs = [(&speeds, &start.positions, &state.positions), (&pulls, &start.velocities, &state.velocities)];
-        for (slopes, before, after) in pairs {
-            let error = weighted(slopes, &ERROR, body);
-            for axis in 0..D {
-                let scale = tolerance * (1.0 + before[body][axis].abs().max(after[body][axis].abs()));
-                let part = error[axis].abs() / scale;
+        for (slopes, size) in [(&speeds, sizes.way), (&pulls, sizes.speed)] {
+            let error = weighted(slopes, &ERROR, body).amax();
+            if error != 0.0 {
+                let part = error / (tolerance * size);
                 worst = if part.is_finite() { worst.max(part) } else { 1e10 };
             }
         }

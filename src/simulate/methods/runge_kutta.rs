@@ -14,12 +14,12 @@ use crate::state::{State, Vector};
 use crate::trajectory::{Ending, Motion, Segment, Trajectory};
 use crate::world::World;
 
-use super::dormand_prince::{Trial, trial};
+use super::dormand_prince::{Sizes, Trial, trial};
 
 /// The adaptive method, with a tolerance for the error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungeKutta {
-    /// The error of a step, relative to 1 + the size of each component in SI units.
+    /// The error of a step, relative to the longest way and the greatest speed of a body so far.
     pub tolerance: f64,
 }
 
@@ -44,6 +44,7 @@ impl<const D: usize> Method<D> for RungeKutta {
             contacts: world.contacts(),
             stalled: Vec::new(),
             stalled_at: f64::NEG_INFINITY,
+            sizes: Sizes::of(&world.start()),
             result: Trajectory::begin(world.start()),
         };
         run.result.ending = run.integrate()?;
@@ -58,6 +59,7 @@ struct Run<'a, const D: usize> {
     contacts: Vec<Contact>,
     stalled: Vec<Contact>,
     stalled_at: f64,
+    sizes: Sizes<D>,
     result: Trajectory<D>,
 }
 
@@ -80,7 +82,7 @@ impl<const D: usize> Run<'_, D> {
                 let last_step = step >= left;
                 let length = step.min(left);
                 // Just before a force changes its law, stages must not look beyond.
-                let attempt = trial(self.world, &self.result.last, length, self.tolerance, stop);
+                let attempt = trial(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
                 if attempt.error > 1.0 {
                     step = length * (0.9 * attempt.error.powf(-0.2)).clamp(0.1, 0.9);
                     if step <= 1e-14 * self.result.last.time.max(1e-300) {
@@ -146,6 +148,7 @@ impl<const D: usize> Run<'_, D> {
             let motion = Motion::Polynomial(coefficients);
             self.result.extend(body, Segment { start, end: start + length, motion }, self.budget);
         }
+        self.sizes.see(&attempt.state);
         self.result.last = attempt.state.clone();
     }
 
@@ -153,7 +156,7 @@ impl<const D: usize> Run<'_, D> {
     fn meet(&mut self, contact: Contact, guess: f64, stop: f64) -> Result<Option<Ending>, Refusal> {
         let mut length = guess;
         if length > 0.0 {
-            let mut attempt = trial(self.world, &self.result.last, length, self.tolerance, stop);
+            let mut attempt = trial(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
             for _ in 0..20 {
                 let geometry = self.world.geometry(contact, &attempt.state);
                 let rate = self.world.rate(contact, &geometry.normal, &attempt.state.velocities);
@@ -165,7 +168,7 @@ impl<const D: usize> Run<'_, D> {
                     break;
                 }
                 length = next;
-                attempt = trial(self.world, &self.result.last, length, self.tolerance, stop);
+                attempt = trial(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
             }
             let geometry = self.world.geometry(contact, &attempt.state);
             let rate = self.world.rate(contact, &geometry.normal, &attempt.state.velocities);
