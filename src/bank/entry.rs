@@ -45,12 +45,4 @@ impl Card {
             file: loaded.source.name.to_string(),
         }
     }
-
-    /// Whether a search finds it: it is of that level, where one is named, and has every word in its identity, title or tags.
-    #[must_use]
-    pub fn is_found(&self, search: &str, level: &str) -> bool {
-        let text = format!("{} {} {}", self.id, self.title, self.tags.join(" ")).to_lowercase();
-        (level.is_empty() || self.level == level)
-            && search.split_whitespace().all(|word| text.contains(&word.to_lowercase()))
-    }
 }

@@ -9,19 +9,24 @@ mod diagnosis;
 mod each;
 mod easier;
 mod entry;
+mod exhibit;
 mod expected;
 #[cfg(feature = "files")]
 mod files;
 mod homework;
 mod printed;
 mod promise;
+mod query;
 #[cfg(feature = "files")]
 mod read_file;
+mod relatives;
 mod repeat;
 mod report;
 #[cfg(feature = "files")]
 mod repository;
 mod sample;
+mod sections;
+mod spelling;
 mod wrong_forms;
 
 pub use audit::{Seeds, audit, unusable};
@@ -31,10 +36,13 @@ pub use course::course_letters;
 pub use course::{COURSE_FILE, FOLDER, load_in_course};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
+pub use exhibit::{AnswerKind, Exhibit};
 #[cfg(feature = "files")]
 pub use files::files_under;
 pub use homework::{HOMEWORK_FOLDER, Homework, Slot};
 pub use promise::{Finding, Outcome, Promise};
+pub use query::Query;
 pub use report::{AnswerSpread, Audit, Failing, FormAudit};
 #[cfg(feature = "files")]
 pub use repository::course_folder;
+pub use sections::Section;

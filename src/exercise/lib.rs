@@ -27,6 +27,7 @@ mod student_sheet;
 mod students;
 mod submission;
 mod table;
+mod thumbnail;
 mod together;
 mod tried;
 mod work;

@@ -14,7 +14,7 @@ use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::again::Again;
 use super::app::{App, SharedApp};
-use super::headers::ANEW;
+use super::headers::{A_WHILE, ANEW, OF_PICTURES};
 use super::workers::{Admitted, NotDone};
 
 /// What a page that shows a refusal knows.
@@ -54,6 +54,29 @@ pub(super) async fn page(
         Ok(Ok(text)) => (NO_CACHE, Html(text)).into_response(),
         Ok(Err(refused)) => self::refused(app, &refused),
         Err(reason) => not_done(app, reason, None),
+    }
+}
+
+/// Makes a picture on a worker, which a browser keeps for a while unless files are watched.
+pub(super) async fn picture(
+    app: &SharedApp,
+    admitted: Admitted<'_>,
+    make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
+) -> Response {
+    let own = SharedApp::clone(app);
+    let kept = if app.settings.watch.is_some() { ANEW } else { A_WHILE };
+    match admitted.work(move || make(&own)).await {
+        Ok(Ok(text)) => {
+            let kind = HeaderValue::from_static("image/svg+xml");
+            let headers = [
+                (header::CONTENT_TYPE, kind),
+                (header::CACHE_CONTROL, kept),
+                (header::CONTENT_SECURITY_POLICY, OF_PICTURES),
+            ];
+            (headers, text).into_response()
+        }
+        Ok(Err(refused)) => (kind(refused.kind).0, NO_CACHE).into_response(),
+        Err(reason) => no_call(reason),
     }
 }
 

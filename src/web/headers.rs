@@ -31,3 +31,9 @@ pub(super) const ANEW: HeaderValue = HeaderValue::from_static("no-cache");
 
 /// For files whose address changes with their contents.
 pub(super) const FOR_EVER: HeaderValue = HeaderValue::from_static("public, max-age=31536000, immutable");
+
+/// For pictures of the gallery: who may see them may change.
+pub(super) const A_WHILE: HeaderValue = HeaderValue::from_static("private, max-age=3600");
+
+/// The policy of a picture, which holds its own style and nothing else.
+pub(super) const OF_PICTURES: HeaderValue = HeaderValue::from_static("default-src 'none'; style-src 'unsafe-inline'");

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
 use momentous_bank::Bank;
-use momentous_bank::Card;
+use momentous_bank::Exhibit;
 use momentous_bank::files_under;
 use momentous_bank::load_in_course;
 use momentous_exercise::calls::{Problems, Refused, RefusedKind};
@@ -34,14 +34,14 @@ struct Shelf {
     /// What the watched files looked like.
     stamp: u64,
     compiled: BTreeMap<String, Arc<Problem>>,
-    cards: Option<Arc<Vec<Card>>>,
+    exhibits: Option<Arc<Vec<Exhibit>>>,
 }
 
 impl Library {
     /// The bank of the current folder, or of the folder that is watched.
     pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
         let stamp = watched.map_or(0, stamp);
-        let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), cards: None };
+        let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), exhibits: None };
         Ok(Self {
             watched: watched.map(Path::to_owned),
             built_in: Bank::built_in(),
@@ -60,22 +60,22 @@ impl Library {
         self.watched.as_deref().map_or(0, stamp)
     }
 
-    /// The cards of all problems that load, in the order of their identities.
+    /// All problems that load as a gallery shows them, in the order of their identities.
     ///
     /// # Errors
     /// The folder cannot be read.
-    pub fn cards(&self) -> Result<Arc<Vec<Card>>, Refused> {
+    pub fn exhibits(&self) -> Result<Arc<Vec<Exhibit>>, Refused> {
         let bank = {
             let shelf = self.shelf()?;
-            if let Some(cards) = &shelf.cards {
-                return Ok(Arc::clone(cards));
+            if let Some(exhibits) = &shelf.exhibits {
+                return Ok(Arc::clone(exhibits));
             }
             Arc::clone(&shelf.bank)
         };
         let loaded = bank.sources().filter_map(|source| load_in_course(source.clone()).ok());
-        let cards = Arc::new(loaded.map(|loaded| Card::of(&loaded)).collect::<Vec<_>>());
-        self.shelf()?.cards = Some(Arc::clone(&cards));
-        Ok(cards)
+        let exhibits = Arc::new(loaded.map(|loaded| Exhibit::of(&loaded)).collect::<Vec<_>>());
+        self.shelf()?.exhibits = Some(Arc::clone(&exhibits));
+        Ok(exhibits)
     }
 
     /// The file of a problem of the bank.
@@ -97,7 +97,7 @@ impl Library {
             let seen = stamp(folder);
             if seen != shelf.stamp {
                 let bank = read(Some(folder)).map_err(|faults| Refused::fault(&faults))?;
-                *shelf = Shelf { bank: Arc::new(bank), stamp: seen, compiled: BTreeMap::new(), cards: None };
+                *shelf = Shelf { bank: Arc::new(bank), stamp: seen, compiled: BTreeMap::new(), exhibits: None };
             }
         }
         Ok(shelf)

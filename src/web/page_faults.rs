@@ -12,8 +12,8 @@ use super::view::View;
 /// What is wrong with the templates of the pages: each is filled once, with a problem of the bank.
 #[must_use]
 pub fn page_faults(app: &App) -> Vec<String> {
-    let problem = match app.library.cards() {
-        Ok(cards) => cards.first().map(|card| card.id.clone()).unwrap_or_default(),
+    let problem = match app.library.exhibits() {
+        Ok(exhibits) => exhibits.first().map(|exhibit| exhibit.card.id.clone()).unwrap_or_default(),
         Err(refused) => return vec![refused.message],
     };
     let none = Parameters::default();
@@ -21,7 +21,7 @@ pub fn page_faults(app: &App) -> Vec<String> {
     let own = |make: fn(&View<'_>, String, &Parameters) -> Result<String, Refused>| make(&view, problem.clone(), &none);
     let simulator = |name: &str| pages::simulator(&view, name.to_owned(), &none);
     let pages = [
-        pages::start(app, &none),
+        pages::start(&view, &none),
         own(pages::practice),
         own(pages::solution),
         own(pages::solve),

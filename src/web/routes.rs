@@ -68,6 +68,7 @@ pub fn router(app: Arc<App>) -> Router {
     let base = app.settings.base_path.clone();
     let mut own = Router::new()
         .route("/", get(start))
+        .route("/figure/{*problem}", get(figure))
         .route("/health", get(health))
         .route("/watch", get(watch))
         .route("/static/{digest}/{name}", get(asset))
@@ -89,7 +90,7 @@ pub fn router(app: Arc<App>) -> Router {
     };
     let by_tls = app.settings.is_secure.then_some(BY_TLS);
     for (name, value) in HEADERS.into_iter().chain(by_tls) {
-        all = all.layer(SetResponseHeaderLayer::overriding(name, value));
+        all = all.layer(SetResponseHeaderLayer::if_not_present(name, value));
     }
     let all = all.layer(CompressionLayer::new()).layer(CatchPanicLayer::new());
     all.layer(from_fn_with_state(app, observed))
@@ -168,13 +169,32 @@ fn unreachable_records(fault: &Unreachable) -> Response {
         .into_response()
 }
 
+/// The gallery says what is withheld; where nobody can say, it is shown without that, and the pages behind it refuse.
 async fn start(State(app): State<SharedApp>, headers: HeaderMap, Query(fields): Query<Fields>) -> Response {
-    match admitted(&app, &headers, While::Shown).await {
-        Ok((place, _)) => {
-            answer::page(&app, place, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?))
-                .await
+    let known = match admitted(&app, &headers, While::Refused).await {
+        Err(NotAdmitted::Unknown(_)) => admitted(&app, &headers, While::Shown).await,
+        known => known,
+    };
+    match known {
+        Ok((place, withheld)) => {
+            let make = move |app: &App| {
+                let fields = Parameters::new(fields, &app.settings.limits)?;
+                pages::start(&View::new(app, withheld.as_ref()), &fields)
+            };
+            answer::page(&app, place, make).await
         }
         Err(NotAdmitted::Busy(reason)) => answer::not_done(&app, reason, None),
+        Err(NotAdmitted::Unknown(fault)) => unreachable_records(&fault),
+    }
+}
+
+/// The figure of a problem in the gallery.
+async fn figure(State(app): State<SharedApp>, headers: HeaderMap, Path(problem): Path<String>) -> Response {
+    match admitted(&app, &headers, While::Refused).await {
+        Ok((place, withheld)) => {
+            answer::picture(&app, place, move |app| pages::figure(&View::new(app, withheld.as_ref()), &problem)).await
+        }
+        Err(NotAdmitted::Busy(reason)) => answer::no_call(reason),
         Err(NotAdmitted::Unknown(fault)) => unreachable_records(&fault),
     }
 }

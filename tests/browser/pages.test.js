@@ -11,6 +11,7 @@ import { site } from "./site.js";
 const PAGES = [
   "/",
   "/?search=spring&level=core",
+  "/?search=xylophone",
   "/practice/impact/two-carts",
   "/practice/impact/two-carts?form=find-e&seed=9",
   "/practice/concepts/coupling-in-symbols",

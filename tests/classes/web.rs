@@ -96,6 +96,42 @@ fn the_first_page_is_small_and_its_files_are_kept() {
 }
 
 #[test]
+fn the_gallery_goes_the_way_of_a_course_and_finds_by_topic_level_and_answer() {
+    let client = Client::new();
+    let page = client.get("/").text(200);
+    let place = |title: &str| page.find(&format!(">{title}</h2>")).unwrap_or_else(|| panic!("no section {title}"));
+    let titles = [
+        "Impulse and momentum",
+        "Conservation of momentum",
+        "Impact",
+        "Coefficient of restitution",
+        "Angular momentum",
+    ];
+    assert!(titles.map(place).is_sorted());
+    assert!(page.contains("Find the velocity of each cart afterwards and the kinetic energy lost."));
+    let count = |query: &str| {
+        let page = client.get(&format!("/?{query}")).text(200);
+        page.matches("<li><img ").count()
+    };
+    let all = count("level=intro") + count("level=core") + count("level=challenge");
+    assert_eq!(all, Bank::built_in().ids().count());
+    assert!((1..all).contains(&count("answer=interval")) && (1..all).contains(&count("topic=streams")));
+    assert_eq!(count("topic=streams&search=hockey"), 0);
+    let taken = client.get("/?search=resitution").text(200);
+    assert!(taken.contains("Problems for <strong>restitution</strong>"));
+}
+
+#[test]
+fn every_problem_has_a_small_figure() {
+    let client = Client::new();
+    for problem in problems() {
+        let figure = client.get(&format!("/figure/{}", problem.id())).text(200);
+        assert!(figure.starts_with("<svg "), "{}", problem.id());
+    }
+    assert_eq!(client.get("/figure/impact/two-cart").status, 404);
+}
+
+#[test]
 fn each_call_answers_in_json() {
     let client = Client::new();
     let variant = json!({ "problem": "impact/two-carts", "form": "forward", "seed": 7 });

@@ -1,11 +1,13 @@
 //! The pages: each takes the fields of its address or form, asks the engine, and fills a template.
 
+mod figure;
 mod play;
 mod practice;
 mod simulator;
 mod solve;
 mod start;
 
+pub(super) use figure::figure;
 pub(super) use play::play;
 pub(super) use practice::practice;
 pub(super) use simulator::simulator;

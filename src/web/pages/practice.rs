@@ -135,10 +135,11 @@ fn read(
 
 /// An easier problem on the same matter that is not withheld from the reader.
 fn easier(view: &View<'_>, id: &str) -> Result<Option<Easier>, Refused> {
-    let cards = view.app.library.cards()?;
-    let Some(own) = cards.iter().find(|card| card.id == id) else { return Ok(None) };
+    let exhibits = view.app.library.exhibits()?;
+    let cards = || exhibits.iter().map(|exhibit| &exhibit.card);
+    let Some(own) = cards().find(|card| card.id == id) else { return Ok(None) };
     let is_open = |card: &&Card| view.is_open(&card.id);
-    let offered = own.easier(cards.iter().filter(is_open));
+    let offered = own.easier(cards().filter(is_open));
     Ok(offered.map(|card| Easier { id: card.id.clone(), title: card.title.clone() }))
 }
 

@@ -1,40 +1,117 @@
-//! The start page: every problem by topic, with a search.
+//! The start page: a gallery of the problems in the order of a course, with a search.
 
 use serde::Serialize;
 
-use momentous_bank::Card;
+use momentous_bank::{AnswerKind, Exhibit, Query, Section};
 use momentous_exercise::calls::Refused;
+use momentous_render::Fragment;
 
-use super::super::app::App;
 use super::super::parameters::Parameters;
+use super::super::view::View;
+
+/// The levels by their names in addresses, and what they are called.
+const LEVELS: [(&str, &str); 3] = [("intro", "Introductory"), ("core", "Standard"), ("challenge", "Challenging")];
+
+/// So many problems of each section stand on the start page itself; the rest is behind a link, so that the page stays short and small.
+const FIRST: usize = 4;
 
 #[derive(Serialize)]
 struct StartPage<'a> {
     title: &'static str,
     search: &'a str,
-    level: &'a str,
+    /// The words that were looked for, where others were typed.
+    instead: Option<&'a str>,
+    filters: [Filter<'a>; 3],
+    /// Whether some problems only are shown, since nobody has said which.
+    is_overview: bool,
     found: usize,
-    topics: Vec<Topic<'a>>,
+    sections: Vec<Shelf<'a>>,
+}
+
+/// A list of which one is chosen.
+#[derive(Serialize)]
+struct Filter<'a> {
+    name: &'static str,
+    label: &'static str,
+    chosen: &'a str,
+    options: Vec<(&'a str, &'a str)>,
+}
+
+/// A section with its problems.
+#[derive(Serialize)]
+struct Shelf<'a> {
+    name: &'a str,
+    title: &'a str,
+    /// How many problems it has.
+    count: usize,
+    problems: Vec<Shown<'a>>,
 }
 
 #[derive(Serialize)]
-struct Topic<'a> {
-    name: &'a str,
-    problems: Vec<&'a Card>,
+struct Shown<'a> {
+    id: &'a str,
+    title: &'a str,
+    level: &'a str,
+    asks: &'a Fragment,
+    /// Whether it is part of an assignment that is open, and so is not practised now.
+    reserved: bool,
 }
 
-/// The start page; `search` and `level` narrow the list.
-pub(crate) fn start(app: &App, fields: &Parameters) -> Result<String, Refused> {
-    let cards = app.library.cards()?;
-    let search = fields.text("search");
-    let level = fields.text("level");
-    let found: Vec<&Card> = cards.iter().filter(|card| card.is_found(search, level)).collect();
-    let mut topics: Vec<Topic> = Vec::new();
-    for card in &found {
-        match topics.last_mut() {
-            Some(topic) if topic.name == card.topic => topic.problems.push(card),
-            _ => topics.push(Topic { name: &card.topic, problems: vec![card] }),
+/// The start page; `search`, `topic`, `level` and `answer` narrow the gallery.
+pub(crate) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refused> {
+    let exhibits = view.app.library.exhibits()?;
+    let mut all: Vec<&Exhibit> = exhibits.iter().collect();
+    // Within a section the easier ones come first.
+    all.sort_by_key(|own| {
+        (own.section.place, own.section.name.as_str(), LEVELS.iter().position(|(name, _)| *name == own.card.level))
+    });
+    let [search, topic, level, answer] = ["search", "topic", "level", "answer"].map(|name| fields.text(name));
+    let query = Query::of(search, &exhibits);
+    let kind = AnswerKind::ALL.into_iter().find(|(_, name, _)| *name == answer).map(|(kind, ..)| kind);
+    let is_found = |own: &&&Exhibit| {
+        (topic.is_empty() || own.section.name == topic)
+            && (level.is_empty() || own.card.level == level)
+            && kind.is_none_or(|kind| own.answers.contains(&kind))
+            && query.finds(own)
+    };
+    let found: Vec<&Exhibit> = all.iter().filter(is_found).copied().collect();
+    let mut topics: Vec<&Section> = all.iter().map(|own| &own.section).collect();
+    topics.dedup();
+    let filter = |name, label, chosen, options| Filter { name, label, chosen, options };
+    let is_overview = [search, topic, level, answer].iter().all(|own| own.is_empty());
+    let most = if is_overview { FIRST } else { usize::MAX };
+    let sections = found.chunk_by(|one, other| one.section == other.section);
+    let page = StartPage {
+        title: "Momentous",
+        search,
+        instead: query.instead.as_deref(),
+        filters: [
+            filter("topic", "Topic", topic, topics.iter().map(|own| (own.name.as_str(), own.title.as_str())).collect()),
+            filter("level", "Level", level, LEVELS.into()),
+            filter("answer", "Kind of answer", answer, AnswerKind::ALL.map(|(_, name, label)| (name, label)).into()),
+        ],
+        is_overview,
+        found: found.len(),
+        sections: sections.map(|own| Shelf::of(view, own, most)).collect(),
+    };
+    view.page("start", &page)
+}
+
+impl<'a> Shelf<'a> {
+    fn of(view: &View<'_>, exhibits: &[&'a Exhibit], most: usize) -> Self {
+        let section = exhibits.first().map(|own| &own.section);
+        let shown = |own: &&'a Exhibit| Shown {
+            id: &own.card.id,
+            title: &own.card.title,
+            level: LEVELS.iter().find(|(name, _)| *name == own.card.level).map_or(own.card.level, |(_, label)| label),
+            asks: &own.asks,
+            reserved: !view.is_open(&own.card.id),
+        };
+        Self {
+            name: section.map_or("", |own| own.name.as_str()),
+            title: section.map_or("", |own| own.title.as_str()),
+            count: exhibits.len(),
+            problems: exhibits.iter().take(most).map(shown).collect(),
         }
     }
-    app.page("start", &StartPage { title: "Momentous", search, level, found: found.len(), topics })
 }

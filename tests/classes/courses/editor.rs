@@ -218,7 +218,9 @@ fn problems_of_an_open_assignment_are_shown_to_its_staff_only() {
         browser.get("/practice/impulse/parcel-push").text(200);
         browser.get("/simulators/collision").text(200);
         assert_eq!(call(&mut browser, "collision", "{}").status, 200);
-        browser.get("/").text(200);
+        let gallery = browser.get("/?search=two+carts").text(200);
+        assert_eq!(gallery.contains("in an assignment now"), status == 403, "as {login:?}");
+        assert_eq!(browser.get("/figure/impact/two-carts").status, status, "as {login:?}");
     }
     let mut nobody = university.browser();
     assert!(nobody.get(&pages[0]).text(403).contains("part of an assignment that is open now"));

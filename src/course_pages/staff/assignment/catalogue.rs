@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use momentous_bank::Card;
-use momentous_bank::load_in_course;
+use momentous_bank::{Card, Exhibit, Query, load_in_course};
 
 use super::super::super::library::source;
 use super::super::super::outcome::NotShown;
@@ -20,7 +19,11 @@ pub(super) struct Offered {
 }
 
 /// The problems that can be chosen, the course's own first.
-pub(super) struct Catalogue(Vec<Offered>);
+pub(super) struct Catalogue {
+    offered: Vec<Offered>,
+    /// The same with the words by which they are found.
+    exhibits: Vec<Exhibit>,
+}
 
 impl Catalogue {
     pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
@@ -32,22 +35,32 @@ impl Catalogue {
         visit
             .work(move |app| {
                 let loaded = files.iter().filter_map(|file| load_in_course(source(file)).ok());
-                let own: Vec<Card> = loaded.map(|loaded| Card::of(&loaded)).collect();
-                let bank: Arc<Vec<Card>> = app.library.cards()?;
-                let rest = bank.iter().filter(|card| own.iter().all(|mine| mine.id != card.id)).cloned();
-                let rest: Vec<Offered> = rest.map(|card| Offered { card, own: false }).collect();
-                Ok(Self(own.into_iter().map(|card| Offered { card, own: true }).chain(rest).collect()))
+                let mut exhibits: Vec<Exhibit> = loaded.map(|loaded| Exhibit::of(&loaded)).collect();
+                let own = exhibits.len();
+                let bank: Arc<Vec<Exhibit>> = app.library.exhibits()?;
+                let is_own = |id: &str, own: &[Exhibit]| own.iter().any(|mine| mine.card.id == id);
+                let rest: Vec<Exhibit> =
+                    bank.iter().filter(|exhibit| !is_own(&exhibit.card.id, &exhibits)).cloned().collect();
+                exhibits.extend(rest);
+                let offer =
+                    |(place, exhibit): (usize, &Exhibit)| Offered { card: exhibit.card.clone(), own: place < own };
+                Ok(Self { offered: exhibits.iter().enumerate().map(offer).collect(), exhibits })
             })
             .await
     }
 
     /// The problem of that identity.
     pub(super) fn find(&self, id: &str) -> Option<&Offered> {
-        self.0.iter().find(|offered| offered.card.id == id)
+        self.offered.iter().find(|offered| offered.card.id == id)
     }
 
-    /// Those that a search finds.
+    /// Those that a search finds, of that level where one is named.
     pub(super) fn search(&self, text: &str, level: &str) -> Vec<Offered> {
-        self.0.iter().filter(|offered| offered.card.is_found(text, level)).cloned().collect()
+        let query = Query::of(text, &self.exhibits);
+        let is_found = |(offered, exhibit): &(&Offered, &Exhibit)| {
+            (level.is_empty() || offered.card.level == level) && query.finds(exhibit)
+        };
+        let found = self.offered.iter().zip(&self.exhibits).filter(is_found);
+        found.map(|(offered, _)| offered.clone()).collect()
     }
 }
