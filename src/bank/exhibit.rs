@@ -106,9 +106,9 @@ fn asks(draft: &Draft) -> Vec<Inline> {
         return Inline::line(&questions.join(" "));
     }
     let parts = first.map_or(&draft.ask, |form| &form.ask);
-    let chosen =
-        parts.iter().find_map(|ask| if let Ask::Choose(choice) = ask { Some(choice.choose.as_str()) } else { None });
-    chosen.map(Inline::line).unwrap_or_default()
+    // Other parts are named by the sheet, which is not drawn here.
+    let chosen = parts.iter().filter_map(|ask| if let Ask::Choose(choice) = ask { Some(&choice.choose) } else { None });
+    chosen.take(1).flat_map(|choice| Inline::line(choice)).collect()
 }
 
 fn is_question(sentence: &str) -> bool {
