@@ -1,6 +1,7 @@
 //! How far into its scene a solution goes: what only other forms ask is not looked at.
 
 use momentous_expr::Symbol;
+use momentous_model::Instance;
 use momentous_model::Instant;
 use momentous_model::QuantityKind;
 use momentous_problem::PartKind;
@@ -31,4 +32,12 @@ pub fn last_instant(worked: Worked<'_>) -> usize {
     let used = leaf.answer_steps().iter().flat_map(|step| &step.equations);
     let reached = used.filter_map(|place| reached(leaf.system.equations.get(*place)?));
     reached.max().map_or(last, |reached| reached.min(last))
+}
+
+/// The laws that the steps towards the answers use, each with its stage.
+pub(crate) fn laws_used(worked: Worked<'_>) -> impl Iterator<Item = &Instance> {
+    let leaf = worked.leaf();
+    let equations = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+    let stated = equations.filter_map(|place| leaf.system.equations.get(*place));
+    stated.filter_map(move |equation| worked.problem.model().instances.get(equation.tag))
 }

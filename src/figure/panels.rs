@@ -23,7 +23,7 @@ pub(super) struct Row {
     pub panels: Vec<Canvas>,
 }
 
-/// What stands between the panels: before + impulse = after.
+/// What stands between the panels: before + impulse = after; between two of them the last one.
 static SIGNS: LazyLock<[Math; 2]> = LazyLock::new(|| [Operator::Plus, Operator::Equals].map(Math::Operator));
 
 /// Rows in columns: headings above, signs between, axes at the lower left.
@@ -39,7 +39,8 @@ pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> 
     for (row, frames) in rows.into_iter().zip(&frames) {
         let frame = frames.iter().copied().reduce(Extent::joined).unwrap_or_default();
         let level = top - frame.high.y;
-        for (index, sign) in SIGNS.iter().enumerate() {
+        let signs = SIGNS.iter().skip((SIGNS.len() + 1).saturating_sub(centres.len()));
+        for (index, sign) in signs.enumerate() {
             if let (Some(left), Some(right)) = (centres.get(index), centres.get(index + 1)) {
                 let (left_width, right_width) = (widths[index], widths[index + 1]);
                 let x = f64::midpoint(left + left_width / 2.0, right - right_width / 2.0);

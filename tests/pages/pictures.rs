@@ -182,7 +182,9 @@ fn every_stage_has_its_diagram() {
         };
         let drawings = drawings_of_solution(worked);
         let titled = |start: &str| drawings.iter().filter(|drawing| drawing.title.starts_with(start)).count();
-        assert!(titled("Impulse-momentum") >= stages.iter().filter(momentum).count(), "{at}");
+        // What work or the balance of forces solves has its forces.
+        let balanced = titled("Impulse-momentum") + titled("Free-body diagram");
+        assert!(balanced >= stages.iter().filter(momentum).count(), "{at}");
         let on_circle = |title: &str| title.ends_with("on the cord") || title.ends_with("on the circular track");
         let swings = drawings.iter().filter(|drawing| on_circle(&drawing.title)).count();
         assert_eq!(swings, stages.iter().filter(swing).count(), "{at}");
@@ -190,6 +192,53 @@ fn every_stage_has_its_diagram() {
         let unknown = drawings.iter().flat_map(labels).any(|label| label.plain().ends_with("= ?"));
         assert!(!unknown, "{at}: a momentum or an impulse is not known");
     });
+}
+
+/// Where a force is asked that holds a body on its way, its free-body diagram is drawn.
+#[test]
+fn a_force_that_is_asked_is_seen_with_the_others() {
+    let asked = [
+        ("chains/crate-on-a-track", ["N_A2", "m_A g"]),
+        ("chains/ballistic-pendulum", ["F_T,C2", "(m_A + m_B) g"]),
+        ("conservation/lamp-under-a-trolley", ["F_T,A2", "m g"]),
+        ("angular-momentum/lasso", ["F_T,A2", "W_A"]),
+        ("angular-momentum/plane-on-a-line", ["F_T,A2", "m a_n"]),
+        ("streams/grain-belt", ["F_hold,B", "F_B"]),
+        ("strings/mooring-rope", ["N_V", "F_V"]),
+    ];
+    for (id, forces) in asked {
+        let problem = bank().iter().find(|problem| problem.id() == id).expect("a problem");
+        let forms = (0..problem.forms().len()).map(|form| {
+            let variant = Sampler::new(problem, form).expect("a form").variant(1).expect("a variant");
+            drawings_of_solution(Worked::new(problem, &variant).expect("its own problem"))
+        });
+        let mut diagrams = forms.flatten().filter(|drawing| drawing.title.starts_with("Free-body diagram"));
+        let drawing = diagrams.next().unwrap_or_else(|| panic!("{id}: no free-body diagram"));
+        let labels: Vec<String> = labels(&drawing).into_iter().map(Math::plain).collect();
+        for force in forces {
+            assert!(labels.iter().any(|label| label == force), "{id}: {force} is not among {labels:?}");
+        }
+    }
+}
+
+/// A solution by work and energy or by forces shows these, and no momentum.
+#[test]
+fn the_figure_is_that_of_the_principle_which_the_solution_uses() {
+    let titles = [
+        ("impulse/arrow-in-straw", vec!["Free-body diagram of the arrow", "Graph of F against x"]),
+        ("impulse/bungee-tow", vec!["Free-body diagram of the sledge", "Graph of F against x"]),
+        ("impulse/skydiver", vec!["Free-body diagram of the skydiver"]),
+        ("impulse/tram-stops", vec!["Graph of v against t"]),
+        ("impulse/bullet-in-gel", vec!["Graph of v against x", "Impulse-momentum diagram of the motion"]),
+        ("impact/dropped-basketball", vec!["The fall of the ball", "Impulse-momentum diagram of the impact"]),
+    ];
+    for (id, expected) in titles {
+        let problem = bank().iter().find(|problem| problem.id() == id).expect("a problem");
+        let variant = Sampler::new(problem, 0).expect("a form").variant(1).expect("a variant");
+        let drawings = drawings_of_solution(Worked::new(problem, &variant).expect("its own problem"));
+        let titles: Vec<&str> = drawings.iter().map(|drawing| drawing.title.as_str()).collect();
+        assert_eq!(titles, expected, "{id}");
+    }
 }
 
 /// The names that a label may stand for: a quantity, and its vector where it is a component or a speed.
@@ -308,7 +357,7 @@ ask: [ { find: \"dt[second]\", unit: s } ]
     assert!(written.contains(&expected), "{expected}: {written:?}");
 }
 
-/// A body that falls until a string is taut falls on nothing; the diagram names the duration of the fall after its stage.
+/// A body that falls until a string is taut falls on nothing, before it is solved and after.
 #[test]
 fn a_fall_that_a_string_ends_has_no_floor() {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/found/falls_on_a_string.yaml");
@@ -318,11 +367,14 @@ fn a_fall_that_a_string_ends_has_no_floor() {
     let variant = Sampler::new(&problem, 0).expect("a form").variant(1).expect("a variant");
     let worked = Worked::new(&problem, &variant).expect("its own problem");
     let sheet = explain::situation(worked).expect("a figure");
-    assert!(!sheet.shapes.iter().any(|shape| matches!(shape, Shape::Line { role: Role::Surface, .. })), "{sheet:?}");
-    let drawings = drawings_of_solution(worked);
-    let written: Vec<String> = drawings.iter().flat_map(labels).map(Math::plain).collect();
-    let expected = name_math("dt[drop]").plain();
-    assert!(written.iter().any(|label| label.ends_with(&expected)), "{expected}: {written:?}");
+    let solution = drawings_of_solution(worked);
+    let falls = solution.iter().filter(|drawing| drawing.title.starts_with("The fall of"));
+    let falls: Vec<&Drawing> = falls.chain([&sheet]).collect();
+    assert_eq!(falls.len(), 2, "{solution:?}");
+    for fall in falls {
+        let is_floor = |shape: &Shape| matches!(shape, Shape::Line { role: Role::Surface, .. });
+        assert!(!fall.shapes.iter().any(is_floor), "{fall:?}");
+    }
 }
 
 /// Which picture is right is not known by the length of its text.

@@ -7,8 +7,10 @@ mod balance;
 mod besides;
 mod cache;
 mod compass;
+mod curve;
 mod diagram_plan;
 mod flow;
+mod free_body;
 mod graph;
 mod labels;
 mod legend;
@@ -19,6 +21,7 @@ mod oblique;
 mod offered_graph;
 mod participants;
 mod plot;
+mod principle;
 mod quantities;
 mod sense;
 mod sheet;
@@ -50,6 +53,7 @@ pub(super) fn solution(quantities: &Quantities<'_>, count: usize) -> Vec<Drawing
         // What nobody asks for may be solved without its forces.
         let own = stages::solution(quantities, compass, index, stage).into_iter().flatten();
         drawings.extend(own.filter(Drawing::is_known));
+        drawings.extend(free_body::at_instants(quantities, compass, index, stage));
     }
     legend::tell(quantities, &mut drawings);
     drawings

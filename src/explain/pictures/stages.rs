@@ -15,13 +15,16 @@ use momentous_scene::stage::Swing;
 use super::angular;
 use super::arm;
 use super::compass::Compass;
+use super::curve;
 use super::flow;
+use super::free_body;
 use super::graph;
 use super::moment;
 use super::momentum;
 use super::participants::Arrows;
 use super::participants::Drawn;
 use super::participants::Participant;
+use super::principle;
 use super::quantities::Quantities;
 use super::sheet;
 use super::snapshot;
@@ -74,7 +77,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
         Some(Stage::Strike(stage)) => Some(arm::strike_sheet(quantities, stage)),
         Some(Stage::Conical(stage)) => Some(sheet::revolution::conical(quantities, stage)),
         Some(Stage::Bowl(stage)) => Some(sheet::revolution::bowl(quantities, stage)),
-        Some(Stage::Fall(fall)) => sheet::fall::drawing(quantities, compass, fall),
+        Some(Stage::Fall(fall)) => sheet::fall::drawing(quantities, compass, 0, fall),
         Some(Stage::Stream(stream)) => sheet::stream::drawing(quantities, compass, 0, stream),
         Some(Stage::Thrust(thrust)) => sheet::stream::rocket(quantities, compass, 0, thrust),
         Some(Stage::Bounces(bounces)) => sheet::fall::bouncing(quantities, bounces),
@@ -90,6 +93,11 @@ pub(super) fn solution(
 ) -> Vec<Option<Drawing>> {
     let stages = &quantities.scene().stages;
     let momenta = || momentum::diagram(quantities, compass, index, &drawn(stage));
+    if principle::is_without_momentum(quantities, index)
+        && let Some(drawings) = without_momentum(quantities, compass, index, stage)
+    {
+        return drawings.into_iter().map(Some).collect();
+    }
     match stage {
         Stage::Rotate(rotate) if rotate.is_arm() => vec![arm::rotation(quantities, index, rotate)],
         Stage::Rotate(rotate) => vec![angular::rotation(quantities, index, rotate)],
@@ -126,6 +134,9 @@ pub(super) fn solution(
                 .to_vec()
         }
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
+        Stage::Motion(motion) => {
+            vec![curve::velocity(quantities, index, motion), momenta()]
+        }
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Walk(walk) => vec![sheet::ride::walk(quantities, compass, index, walk)],
         Stage::Interact(own) if own.at_rest => vec![snapshot::displacements(quantities, compass, index, &own.between)],
@@ -139,7 +150,6 @@ pub(super) fn solution(
         | Stage::Taut(_)
         | Stage::Tow(_)
         | Stage::Blow(_)
-        | Stage::Motion(_)
         | Stage::Fall(_)
         | Stage::Separate(_)
         | Stage::Slide(_)
@@ -149,6 +159,25 @@ pub(super) fn solution(
             vec![momenta()]
         }
     }
+}
+
+/// The figures of a stage that a solution deals with by energy or by forces; none where it has no such figures.
+fn without_momentum(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Stage,
+) -> Option<Vec<Drawing>> {
+    let drawings: Vec<Drawing> = if let Stage::Fall(fall) = stage {
+        sheet::fall::drawing(quantities, compass, index, fall).into_iter().collect()
+    } else if let Stage::Motion(motion) = stage {
+        curve::velocity(quantities, index, motion).into_iter().collect()
+    } else {
+        let forces = free_body::of_stage(quantities, compass, index, stage)?;
+        let graph = graph::force_plot(quantities, index);
+        graph.into_iter().chain([forces]).chain(curve::works(quantities, index)).collect()
+    };
+    (!drawings.is_empty()).then_some(drawings)
 }
 
 /// A diagram of momenta that is offered among others.

@@ -134,7 +134,7 @@ impl Quantities<'_> {
     }
 
     /// What is written at an arrow that shows the sense of a force: its size, `-F` where `F` is negative.
-    fn size_of(&self, strength: &Expr) -> Math {
+    pub(super) fn size_of(&self, strength: &Expr) -> Math {
         match self.evaluate(strength) {
             Some(value) if value < 0.0 => factor(strength, self.symbolic(&-strength.clone())),
             Some(_) => factor(strength, self.symbolic(strength)),

@@ -273,8 +273,10 @@ pub(super) fn fall_wording(quantities: &Quantities<'_>, body: &str, height: Opti
     let name = quantities.called(body);
     let height = height.map_or_else(String::new, |height| format!(" from a height {}", height.plain()));
     let bounces = if bounces > 0 { ", then bounces, rising less each time" } else { "" };
-    let how = if quantities.scope() == Scope::Given { " (not to scale)" } else { "" };
+    let solved = quantities.scope() == Scope::Solved;
+    let how = if solved { "" } else { " (not to scale)" };
     let (what, sideways) = match bounces {
+        "" if solved => (format!("the fall of {name}"), ", with the velocities at its start and at its end"),
         "" => (format!("the fall of {name}"), ""),
         _ => (format!("the fall of {name} and the bounces"), ", drawn side by side"),
     };

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use momentous_laws::angular;
 use momentous_laws::momentum;
-use momentous_model::Instance;
 use momentous_model::Omission;
 use momentous_model::Omitted;
 use momentous_problem::PartKind;
@@ -17,6 +16,7 @@ use super::super::Inline;
 use super::super::asked::solution_figures;
 use super::super::cache::WayCache;
 use super::super::reach::last_instant;
+use super::super::reach::laws_used;
 use super::super::terms::display::Display;
 use super::super::wording::capitalised;
 use super::stage_words::acting;
@@ -72,18 +72,10 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
 const MOMENTUM: [&str; 4] =
     [momentum::CONSERVATION.id, momentum::IMPULSE_MOMENTUM.id, momentum::SYSTEM.id, angular::CONSERVATION.id];
 
-/// The laws that the steps towards the answers use, each with its stage.
-fn used(worked: Worked<'_>) -> impl Iterator<Item = &Instance> {
-    let leaf = worked.leaf();
-    let equations = leaf.answer_steps().iter().flat_map(|step| &step.equations);
-    let stated = equations.filter_map(|place| leaf.system.equations.get(*place));
-    stated.filter_map(move |equation| worked.problem.model().instances.get(equation.tag))
-}
-
 /// The stages whose laws the answers need; all that are looked at where something is to be decided.
 fn solved_stages(worked: Worked<'_>) -> BTreeSet<usize> {
     let decides = worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Choice(_)));
-    if decides { (0..last_instant(worked)).collect() } else { used(worked).filter_map(|law| law.stage).collect() }
+    if decides { (0..last_instant(worked)).collect() } else { laws_used(worked).filter_map(|law| law.stage).collect() }
 }
 
 /// Why momentum serves where energy does not, for impacts that lose energy and are solved by momentum.
@@ -97,7 +89,7 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
     };
     let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
     let by_momentum: BTreeSet<usize> =
-        used(worked).filter(|law| MOMENTUM.contains(&law.law.id)).filter_map(|law| law.stage).collect();
+        laws_used(worked).filter(|law| MOMENTUM.contains(&law.law.id)).filter_map(|law| law.stage).collect();
     let stages = scene.stages.iter().enumerate().filter(|(index, _)| by_momentum.contains(index));
     let lossy = stages.filter(|(_, stage)| matches!(stage, Stage::Impact(impact) if loses(impact)));
     let (impacts, change) = match lossy.count() {

@@ -9,7 +9,7 @@ use momentous_expr::Math;
 
 use super::angle::draw_incline;
 use super::dimension::draw_dimension;
-use super::moving::{MovingBody, Scales, draw_vector};
+use super::moving::{Moving, MovingBody, Scales, draw_vector};
 
 /// The greatest height, and the least that can be seen.
 const HIGHEST: f64 = 120.0;
@@ -35,6 +35,8 @@ pub struct Fall {
     pub heights: Vec<Height>,
     /// What it falls on.
     pub ground: Ground,
+    /// Its vectors where it arrives; none where it is not shown there.
+    pub end: Option<Vec<Moving>>,
 }
 
 /// What a body falls on.
@@ -78,11 +80,21 @@ impl Fall {
         // Heights are those of the lowest point of the body.
         body = body.moved(Point::new(0.0, fall + radius));
         body.draw(canvas);
-        let scales = Scales::of([&self.body], HIGHEST / 3.0);
+        let arriving = MovingBody { vectors: self.end.iter().flatten().cloned().collect(), ..self.body.clone() };
+        let scales = Scales::of([&self.body, &arriving], HIGHEST / 3.0);
         for moving in &self.body.vectors {
             draw_vector(canvas, &mut body, moving, &scales, Attach::Leaving);
         }
-        canvas.line([Point::new(0.0, fall), Point::ORIGIN], Role::Path, true);
+        let mut foot = Point::ORIGIN;
+        if self.end.is_some() {
+            let mut end = arriving.outline().moved(Point::new(0.0, radius));
+            end.draw(canvas);
+            foot.y += 2.0 * radius;
+            for moving in &arriving.vectors {
+                draw_vector(canvas, &mut end, moving, &scales, Attach::Arriving);
+            }
+        }
+        canvas.line([Point::new(0.0, fall), foot], Role::Path, true);
         dimension(canvas, Point::new(-radius - DIMENSION_GAP, fall), Some(-4.0), label);
         let mut x = 0.0;
         for (height, label) in heights {

@@ -140,6 +140,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             moment: dice.chance(50).then(|| Moment { label: name("M"), value: dice.between(-1.0, 1.0) }),
         }),
         _ => Layout::Fall(Fall {
+            end: None,
             body: moving_body(dice, 0),
             heights: (0..=dice.below(4))
                 .map(|index| Height {
@@ -329,6 +330,7 @@ pub fn nonsense() -> Vec<Drawing> {
         body: moving,
         heights: vec![Height { label: None, value: f64::NAN }],
         ground: Ground::Slope(f64::NAN, None),
+        end: Some(Vec::new()),
     };
     let situation =
         |layout| Situation { wording: wording("Nonsense"), layout, axes: vec![AxisMark::new("x", f64::NAN)] };

@@ -208,16 +208,19 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
         body: MovingBody::new(Math::Text("ball".to_owned())),
         heights: vec![height("0", 2.0), height("1", 1.28), height("2", 0.82), Height { label: None, value: 0.5 }],
         ground: Ground::Level,
+        end: None,
     };
     let pile = Fall {
         body: body("R").with(velocity(sub("v", "R"), [0.0, 0.0])),
         heights: vec![height("", 2.0)],
         ground: Ground::Body(body("P").shaped(Form::Block).with(velocity(sub("v", "P"), [0.0, 0.0]))),
+        end: None,
     };
     let roof = Fall {
         body: MovingBody::new(Math::Text("ball".to_owned())),
         heights: vec![height("", 2.0)],
         ground: Ground::Slope(0.4, Some(name("\u{3b2}"))),
+        end: None,
     };
     vec![
         ("line", figure("Three carts", Layout::Line(line), vec![AxisMark::new("x", 0.0)])),

@@ -1,4 +1,4 @@
-//! A body that rises or sinks on another one which gives way: where it starts, and in a solution where it ends, with the momenta.
+//! A body that rises or sinks on another one which gives way: where it starts, and in a solution where it ends, with the velocities.
 
 use momentous_expr::Math;
 use momentous_figure::Carried;
@@ -6,7 +6,6 @@ use momentous_figure::CarriedBy;
 use momentous_figure::CarriedEnd;
 use momentous_figure::Drawing;
 use momentous_figure::Layout;
-use momentous_figure::Moving;
 use momentous_figure::MovingBody;
 use momentous_figure::Situation;
 use momentous_figure::Wording;
@@ -76,7 +75,7 @@ pub(in super::super) fn on_circle(
     drawing(quantities, compass, index, carried, [place, holds, format!("{name} and {other}")])
 }
 
-/// The two bodies at an instant: velocities on a sheet, momenta in a solution.
+/// The two bodies at an instant, with their velocities.
 fn end(
     quantities: &Quantities<'_>,
     compass: &Compass,
@@ -84,14 +83,7 @@ fn end(
     instant: usize,
     (angle, label): (f64, Option<Math>),
 ) -> CarriedEnd {
-    let vectors = |body: &str| match quantities.scope() {
-        Scope::Given => quantities.motion(compass, body, instant),
-        Scope::Solved => {
-            let momentum = quantities.momentum(body, body, instant, quantities.mass(body, instant));
-            momentum.value.map(|_| Moving::momentum(momentum.placed(compass))).into_iter().collect::<Vec<_>>()
-        }
-    };
-    let [rider, carrier] = bodies.map(|body| quantities.body(body, vectors(body)));
+    let [rider, carrier] = bodies.map(|body| quantities.body(body, quantities.motion(compass, body, instant)));
     CarriedEnd { rider, carrier, angle, label }
 }
 
@@ -114,12 +106,12 @@ fn drawing(
         format!("the difference in height between the start and the end is {}", height.plain())
     });
     let phrase = quantities.model().phrase(quantities.scene(), index);
-    let momenta = format!("{phrase}: the momenta of {both} at its start and at its end");
+    let velocities = format!("{phrase}: the velocities of {both} at its start and at its end");
     let beside = if shown > 1 { "the start is on the left, the end on the right".to_owned() } else { String::new() };
     let wording = Wording {
         title: capitalised(&place),
         description: sentences([holds, height, beside.clone()]),
-        caption: sentences([if solved { momenta } else { place }, beside]),
+        caption: sentences([if solved { velocities } else { place }, beside]),
     };
     let layout = Layout::Carried(Carried { ends: carried.ends.into_iter().take(shown).collect(), ..carried });
     Situation { wording, layout, axes: compass.marks() }.drawing()

@@ -25,14 +25,19 @@ const SKETCHED: f64 = 0.6;
 const SKETCHED_BOUNCES: u32 = 3;
 const MOST_BOUNCES: u32 = 6;
 
-/// The start of a fall, with what the body falls on.
-pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, fall: &stage::Fall) -> Option<Drawing> {
+/// The start of a fall, with what the body falls on; in a solution also its end, with the velocities at both.
+pub(in super::super) fn drawing(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    fall: &stage::Fall,
+) -> Option<Drawing> {
     let scene = quantities.scene();
     // An axis along the string of a pulley points down where the body falls along it.
-    let hangs = scene.sinks(0, &fall.body).filter(|_| scene.axes.rectangular().len() == 1);
+    let hangs = scene.sinks(index, &fall.body).filter(|_| scene.axes.rectangular().len() == 1);
     let upright = hangs.map(|down| compass.tilted(if down > 0 { -FRAC_PI_2 } else { FRAC_PI_2 }));
     let compass = upright.as_ref().unwrap_or(compass);
-    let next = scene.stages.get(1);
+    let next = scene.stages.get(index + 1);
     if let Some(Stage::Bounces(bounces)) = next {
         return bouncing(quantities, bounces);
     }
@@ -40,17 +45,18 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
     let ground = match struck {
         Some(Partners::Bodies(first, second)) => {
             let other = if first == fall.body { second } else { first };
-            let body = quantities.body(other, quantities.motion(compass, other, 1));
+            let body = quantities.body(other, quantities.motion(compass, other, index + 1));
             if is_carried(quantities, other) { Ground::Sprung(body) } else { Ground::Body(body) }
         }
-        Some(Partners::Surface(..)) => slope(quantities, compass),
+        Some(Partners::Surface(..)) => slope(quantities, compass, index + 1),
         None if next.is_none() => Ground::Level,
         None => Ground::Air,
     };
     let label = quantities.label_of(&fall.height);
-    let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
+    let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, index + 1));
     let wording = fall_wording(quantities, &fall.body, label.as_ref(), 0);
-    let fall = Fall { body, heights: vec![Height { label, value: 1.0 }], ground };
+    let end = (quantities.scope() == Scope::Solved).then(|| quantities.motion(compass, &fall.body, index + 2));
+    let fall = Fall { body, heights: vec![Height { label, value: 1.0 }], ground, end };
     Some(Situation { wording, layout: Layout::Fall(fall), axes: compass.marks() }.drawing())
 }
 
@@ -60,9 +66,9 @@ fn is_carried(quantities: &Quantities<'_>, body: &str) -> bool {
     quantities.scene().stages.iter().any(carries)
 }
 
-/// The surface that the second stage strikes: a slope where its normal is turned from the vertical.
-fn slope(quantities: &Quantities<'_>, compass: &Compass) -> Ground {
-    let frame = quantities.model().frames.get(1).and_then(Option::as_ref);
+/// The surface that is struck in a stage: a slope where its normal is turned from the vertical.
+fn slope(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Ground {
+    let frame = quantities.model().frames.get(stage).and_then(Option::as_ref);
     let normal = frame.and_then(|frame| Some((frame, quantities.direction(&frame.normal)?)));
     match normal {
         Some((frame, normal)) if !frame.normal.turn.is_zero() => {
@@ -109,7 +115,7 @@ pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces)
         heights.push(Height { label, value });
     }
     let wording = fall_wording(quantities, &bounces.body, label.as_ref(), number);
-    let fall = Fall { body: quantities.body(&bounces.body, Vec::new()), heights, ground: Ground::Level };
+    let fall = Fall { body: quantities.body(&bounces.body, Vec::new()), heights, ground: Ground::Level, end: None };
     Some(Situation { wording, layout: Layout::Fall(fall), axes: Vec::new() }.drawing())
 }
 

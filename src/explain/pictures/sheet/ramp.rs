@@ -2,7 +2,6 @@
 
 use momentous_figure::Drawing;
 use momentous_figure::Layout;
-use momentous_figure::Moving;
 use momentous_figure::Ramp;
 use momentous_figure::Situation;
 use momentous_figure::Wording;
@@ -15,7 +14,7 @@ use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
 use super::super::words::sentences;
 
-/// The body where it starts, in a solution also where it ends, there with its momenta.
+/// The body where it starts, in a solution also where it ends, there with its velocities.
 pub(in super::super) fn drawing(
     quantities: &Quantities<'_>,
     compass: &Compass,
@@ -25,14 +24,7 @@ pub(in super::super) fn drawing(
     let falls = stage.way != Some(UpOrDown::Up);
     let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
     let rightwards = (compass.place([forwards, 0.0])[0] > 0.0) == falls;
-    let vectors = |instant: usize| match quantities.scope() {
-        Scope::Given => quantities.motion(compass, &stage.body, instant),
-        Scope::Solved => {
-            let scale = quantities.mass(&stage.body, instant).unwrap_or(1.0);
-            let momentum = quantities.momentum(&stage.body, &stage.body, instant, Some(scale));
-            momentum.value.map(|_| Moving::momentum(momentum.placed(compass))).into_iter().collect::<Vec<_>>()
-        }
-    };
+    let vectors = |instant: usize| quantities.motion(compass, &stage.body, instant);
     let [start, end] = [index + 1, index + 2].map(vectors);
     let end = (quantities.scope() == Scope::Solved || !end.is_empty()).then_some(end);
     let (top, foot) = if falls { (Some(start), end) } else { (end, Some(start)) };
@@ -40,7 +32,7 @@ pub(in super::super) fn drawing(
     let name = quantities.called(&stage.body);
     let told =
         height.as_ref().map_or_else(String::new, |height| format!("the height of the ramp is {}", height.plain()));
-    let at_ends = if quantities.scope() == Scope::Solved { ", with its momentum at both ends" } else { "" };
+    let at_ends = if quantities.scope() == Scope::Solved { ", with its velocity at both ends" } else { "" };
     let wording = Wording {
         title: capitalised(&format!("{name} on the ramp")),
         description: sentences([format!("{name} on a smooth ramp{at_ends}"), told]),

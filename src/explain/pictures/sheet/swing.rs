@@ -1,4 +1,4 @@
-//! A body on a cord: on a sheet where it is and what is given of its swing, in a solution both ends with the momenta.
+//! A body on a cord: on a sheet where it is and what is given of its swing, in a solution both ends with the velocities.
 
 use momentous_expr::Expr;
 use momentous_expr::Math;
@@ -51,7 +51,7 @@ pub(in super::super) fn drawing(
     };
     let what = match quantities.scope() {
         Scope::Given => place.clone(),
-        Scope::Solved => format!("{phrase}: the momentum of {name} at its start and at its end"),
+        Scope::Solved => format!("{phrase}: the velocity of {name} at its start and at its end"),
     };
     let wording =
         Wording { title: capitalised(&place), description: sentences([holds, rises]), caption: sentences([what]) };
@@ -93,7 +93,7 @@ fn end(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Swi
 }
 
 /// The angle of the cord on the drawing, counter-clockwise from straight down, and how it is written.
-pub(super) fn angle(
+pub(in super::super) fn angle(
     quantities: &Quantities<'_>,
     compass: &Compass,
     index: usize,
@@ -131,17 +131,9 @@ fn from_height(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> f64 
     angle.filter(|angle| angle.is_finite()).unwrap_or(SKETCHED)
 }
 
-/// Velocities on a sheet, the momentum in a solution; along one axis they turn with the cord.
+/// Velocities, of which energy speaks; along one axis they turn with the cord.
 fn vectors(quantities: &Quantities<'_>, compass: &Compass, body: &str, instant: usize, angle: f64) -> Vec<Moving> {
-    let mut vectors = match quantities.scope() {
-        Scope::Given => quantities.motion(compass, body, instant),
-        Scope::Solved => {
-            let scale = quantities.mass(body, instant).unwrap_or(1.0);
-            let momentum = quantities.momentum(body, body, instant, Some(scale));
-            let known = momentum.value.map(|_| Moving::momentum(momentum.placed(compass)));
-            known.into_iter().collect()
-        }
-    };
+    let mut vectors = quantities.motion(compass, body, instant);
     if quantities.axes.len() == 1 {
         for [x, y] in vectors.iter_mut().filter_map(|moving| moving.vector.value.as_mut()) {
             let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
