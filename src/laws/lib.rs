@@ -22,22 +22,33 @@ pub mod wrong;
 pub use law::Law;
 pub use sides::Sides;
 
-/// Every chapter's laws, in the order in which a course teaches them.
-pub const CHAPTERS: &[(&str, &[&Law])] = &[
-    ("Components and magnitudes", geometry::LAWS),
-    ("Forces and their impulses", force::LAWS),
-    ("Linear impulse and momentum", momentum::LAWS),
-    ("Systems of particles", mass_centre::LAWS),
-    ("Impact and restitution", restitution::LAWS),
-    ("Separation and guided bodies", separation::LAWS),
-    ("Energy", energy::LAWS),
-    ("Angular impulse and momentum", angular::LAWS),
-    ("Central force of gravity", orbit::LAWS),
-    ("Motions given as functions", motion::LAWS),
-    ("Motion between impacts", kinematics::LAWS),
-    ("Motion against resistance", resistance::LAWS),
-    ("Bouncing", bouncing::LAWS),
-    ("Streams and variable mass", variable_mass::LAWS),
+/// A chapter of a course: the laws that are taught together.
+#[derive(Debug)]
+pub struct Chapter {
+    /// A stable name for tools and rubrics: `momentum`.
+    pub id: &'static str,
+    /// What it is called: `Linear impulse and momentum`.
+    pub title: &'static str,
+    /// Its laws.
+    pub laws: &'static [&'static Law],
+}
+
+/// Every chapter, in the order in which a course teaches them.
+pub const CHAPTERS: &[Chapter] = &[
+    Chapter { id: "components", title: "Components and magnitudes", laws: geometry::LAWS },
+    Chapter { id: "force", title: "Forces and their impulses", laws: force::LAWS },
+    Chapter { id: "momentum", title: "Linear impulse and momentum", laws: momentum::LAWS },
+    Chapter { id: "mass-centre", title: "Systems of particles", laws: mass_centre::LAWS },
+    Chapter { id: "restitution", title: "Impact and restitution", laws: restitution::LAWS },
+    Chapter { id: "separation", title: "Separation and guided bodies", laws: separation::LAWS },
+    Chapter { id: "energy", title: "Energy", laws: energy::LAWS },
+    Chapter { id: "angular-momentum", title: "Angular impulse and momentum", laws: angular::LAWS },
+    Chapter { id: "orbit", title: "Central force of gravity", laws: orbit::LAWS },
+    Chapter { id: "motion", title: "Motions given as functions", laws: motion::LAWS },
+    Chapter { id: "kinematics", title: "Motion between impacts", laws: kinematics::LAWS },
+    Chapter { id: "resistance", title: "Motion against resistance", laws: resistance::LAWS },
+    Chapter { id: "bouncing", title: "Bouncing", laws: bouncing::LAWS },
+    Chapter { id: "variable-mass", title: "Streams and variable mass", laws: variable_mass::LAWS },
 ];
 
 /// The law of that id.
@@ -47,5 +58,16 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
 /// ```
 #[must_use]
 pub fn find(id: &str) -> Option<&'static Law> {
-    CHAPTERS.iter().flat_map(|(_, laws)| laws.iter()).find(|law| law.id == id).copied()
+    CHAPTERS.iter().flat_map(|chapter| chapter.laws).find(|law| law.id == id).copied()
+}
+
+/// The chapter of a law.
+///
+/// ```
+/// use momentous_laws::{chapter_of, momentum};
+/// assert_eq!(chapter_of(&momentum::CONSERVATION).map(|chapter| chapter.id), Some("momentum"));
+/// ```
+#[must_use]
+pub fn chapter_of(law: &Law) -> Option<&'static Chapter> {
+    CHAPTERS.iter().find(|chapter| chapter.laws.contains(&law))
 }

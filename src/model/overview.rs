@@ -4,6 +4,7 @@ use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_expr::SymbolTable;
 use momentous_fault::Segment;
+use momentous_laws::Law;
 use momentous_quantity::Decimal;
 use momentous_quantity::Quantity;
 use momentous_scene::Axis;
@@ -148,5 +149,10 @@ impl<'s> Builder<'s> {
     #[must_use]
     pub fn symbols(&self) -> &SymbolTable {
         &self.symbols
+    }
+
+    /// The laws of the scene, once for each use.
+    pub fn laws(&self) -> impl Iterator<Item = &'static Law> {
+        self.instances.iter().map(|instance| instance.law)
     }
 }

@@ -5,14 +5,21 @@ use std::collections::BTreeSet;
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
+use momentous_laws::{Law, angular, energy, force, motion};
 use momentous_model::Instant;
+use momentous_model::Integral;
 use momentous_model::Name;
 use momentous_model::QuantityKind;
 use momentous_model::VectorName;
 use momentous_problem::Worked;
 
 use super::ground::Ground;
+use super::vectors::Vectors;
 use super::written::Alphabet;
+
+/// Letters of functions that are integrated, by the law that integrates them.
+const FUNCTIONS: [(&Law, &str); 4] =
+    [(&force::IMPULSE, "F"), (&energy::WORK, "F"), (&angular::MOMENT_IMPULSE, "M"), (&motion::DISPLACEMENT, "v")];
 
 /// Letters under which kinetic energies are written.
 const KINETIC_ENERGY: [&str; 5] = ["T", "K", "KE", "E_k", "E_kin"];
@@ -22,16 +29,59 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
     let model = worked.problem.model();
     let is_typed = |name: &str| name.starts_with(char::is_alphabetic) && !name.contains([' ', '(', '*', '/']);
     let names = model.symbols.iter().filter(|(_, entry)| is_typed(&entry.name)).map(|(symbol, _)| symbol).collect();
-    let mut alphabet =
-        Alphabet { symbols: model.symbols.clone(), names, short: Vec::new(), spelt: Vec::new(), own: BTreeSet::new() };
+    let mut alphabet = Alphabet {
+        symbols: model.symbols.clone(),
+        names,
+        short: Vec::new(),
+        spelt: Vec::new(),
+        own: BTreeSet::new(),
+        vectors: Vectors::among(&model.symbols),
+        limits: BTreeMap::new(),
+    };
+    functions(worked, &mut alphabet);
     magnitudes(worked, &mut alphabet);
     motions(worked, &mut alphabet);
     masses(worked, ground, &mut alphabet);
+    unions(worked, &mut alphabet);
     totals(worked, &mut alphabet);
     numbered(worked, &mut alphabet);
     once(worked, &mut alphabet);
+    across(worked, &mut alphabet);
     alone(worked, ground, &mut alphabet);
     alphabet
+}
+
+/// Each letter for a function that the scene integrates, `F(t)`, and the limits of the integrals over a variable.
+fn functions(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let mut by_letter: BTreeMap<&str, Vec<&Integral>> = BTreeMap::new();
+    for instance in &model.instances {
+        let letter = FUNCTIONS.iter().find(|(law, _)| *law == instance.law).map(|(_, letter)| *letter);
+        if let (Some(letter), Some(integral)) = (letter, &instance.integral) {
+            by_letter.entry(letter).or_default().push(integral);
+        }
+    }
+    for (letter, integrals) in &by_letter {
+        let [first, others @ ..] = integrals.as_slice() else { continue };
+        // Against the axis, a letter may as well be the size of the force.
+        let is_along =
+            !matches!(&first.integrand, Expr::Product(factors) if factors.first() == Some(&Expr::integer(-1)));
+        let is_one = others.iter().all(|own| own.integrand == first.integrand);
+        if !is_along || !is_one || model.symbols.find(letter).is_some() {
+            continue;
+        }
+        let variable = &model.symbols.entry(first.variable).name;
+        alphabet.shorten(letter, first.integrand.clone());
+        alphabet.spelt.push((format!("{letter}({variable})"), (*letter).to_owned()));
+    }
+    let all = || by_letter.values().flatten();
+    for integral in all() {
+        let limits = [integral.low.clone(), integral.high.clone()];
+        let alike = |own: &&&Integral| own.low == integral.low && own.high == integral.high;
+        if all().filter(|own| own.variable == integral.variable).all(|own| alike(&own)) {
+            alphabet.limits.insert(model.symbols.entry(integral.variable).name.clone(), limits);
+        }
+    }
 }
 
 /// The size of a vector: `magnitude(H_O1)`, `|H_O1|`.
@@ -156,6 +206,29 @@ fn once(worked: Worked<'_>, alphabet: &mut Alphabet) {
             if alike.count() == 1 {
                 alphabet.shorten(&short.to_string(), symbol.into());
             }
+        }
+    }
+}
+
+/// The mass of what has come together, under its letter: `m_C` for `m_A + m_B`.
+fn unions(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let scene = &worked.problem.loaded().draft.scene;
+    let subjects: BTreeSet<&str> =
+        model.symbols.iter().map(|(symbol, _)| model.name(symbol).subject.as_str()).collect();
+    for union in subjects.into_iter().filter(|own| scene.members(own).len() > 1) {
+        let masses = scene.members(union).into_iter().map(|part| model.symbols.find(&format!("m_{part}")));
+        if let Some(masses) = masses.collect::<Option<Vec<_>>>() {
+            alphabet.shorten(&format!("m_{union}"), Expr::sum(masses.into_iter().map(Expr::from)));
+        }
+    }
+}
+
+/// The transverse component of a vector in polar coordinates as `v_A2.t`.
+fn across(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    for (symbol, entry) in worked.problem.model().symbols.iter() {
+        if let Some(vector) = entry.name.strip_suffix(".theta") {
+            alphabet.shorten(&format!("{vector}.t"), symbol.into());
         }
     }
 }

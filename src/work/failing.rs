@@ -1,28 +1,57 @@
 //! Lines whose sides do not agree, or cannot be tried: why.
 
+use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 use momentous_quantity::coherent_unit;
+use momentous_solve::Bounded;
 
 use super::clash::clash_in_symbols;
 use super::elsewhere::{Elsewhere, elsewhere};
 use super::found::Found;
 use super::ground::Place;
-use super::holds::At;
+use super::holds::{At, Holds};
 use super::judge::Judge;
 use super::meaning::Meanings;
 use super::verdict::Verdict;
 use super::written::Written;
 use super::wrong::WrongSystems;
 
+/// Where between its limits a function is tried.
+const SHARES: [f64; 3] = [0.17, 0.48, 0.81];
+
 impl Judge<'_> {
     /// What is said of a line that cannot be tried.
-    pub(crate) fn open(&self, line: &Written, place: Place<'_>) -> Found {
+    pub(crate) fn open(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Found {
         let missing = line.quantities().into_iter().find(|symbol| place.value(*symbol).is_none());
+        if let Some(verdict) = missing.and_then(|variable| self.of_function(line, place, sets, variable)) {
+            return Found::of(verdict);
+        }
         let detail = missing.map_or_else(
             || "its numbers are too close to tell".to_owned(),
             |symbol| format!("{} does not follow from what is given", self.worked.problem.name_of(symbol)),
         );
         Found::of(Verdict::Undecided).because(detail)
+    }
+
+    /// The verdict on a function of a variable over which the scene integrates, `F = F_0 e^(-t/T)`: it says what is given where it
+    /// holds between the limits.
+    fn of_function(&self, line: &Written, place: Place<'_>, sets: &[Meanings], variable: Symbol) -> Option<Verdict> {
+        let limits = self.alphabet.limits.get(&line.symbols.entry(variable).name)?;
+        let number = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
+        let [low, high] = limits.each_ref().map(|own| own.evaluate(&number));
+        let holds = |set: &Meanings| {
+            let at_share = |share: f64| {
+                let between = Bounded::exactly(low + share * (high - low));
+                let value = |symbol: Symbol| if symbol == variable { Some(between) } else { place.value(symbol) };
+                At { value: &value, units: self.worked.problem.units(), turned: &self.turned }.line(line, set)
+            };
+            SHARES.map(at_share).into_iter().max().unwrap_or(Holds::Open)
+        };
+        match sets.iter().map(holds).min()? {
+            Holds::Yes | Holds::AsFigures => Some(Verdict::Restates),
+            Holds::Open => None,
+            Holds::No => Some(Verdict::DoesNotFollow),
+        }
     }
 
     /// Whether a bare number is that of a given in a unit in which bare numbers do not count.

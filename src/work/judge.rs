@@ -71,7 +71,10 @@ impl<'a> Judge<'a> {
             Some(instance.law)
         };
         let laws: Vec<_> = found.support.laws.iter().filter_map(law).collect();
-        let message = self.message(&found, &laws.iter().map(|law| law.name).collect::<Vec<_>>());
+        // Conservation along each of two axes is named once.
+        let mut names: Vec<&str> = laws.iter().map(|law| law.name).collect();
+        names.dedup();
+        let message = self.message(&found, &names);
         for own in &found.mistakes {
             self.mistakes.push((own.of.id, self.lines));
         }
@@ -110,11 +113,34 @@ impl<'a> Judge<'a> {
         worst.unwrap_or_else(|| Found::of(Verdict::Remark))
     }
 
-    /// What is found of one statement.
+    /// What is found of one statement. The sheet does not tell the sense of the axis across the line of impact: a line may count it
+    /// the other way round.
     fn stated(&mut self, text: &str) -> Found {
         if let Some(found) = self.own_letter(text) {
             return found;
         }
+        let before = self.before.clone();
+        let found = self.read(text);
+        if !found.verdict.is_wrong() || !self.turned.is_empty() {
+            return found;
+        }
+        let model = self.worked.problem.model();
+        let is_across = |symbol: &Symbol| model.name(*symbol).component.as_deref() == Some("t");
+        self.turned = model.symbols.iter().map(|(symbol, _)| symbol).filter(is_across).collect();
+        if self.turned.is_empty() {
+            return found;
+        }
+        let after = std::mem::replace(&mut self.before, before);
+        let turned = self.read(text);
+        self.turned.clear();
+        if turned.verdict.is_true() {
+            return turned;
+        }
+        self.before = after;
+        found
+    }
+
+    fn read(&mut self, text: &str) -> Found {
         let readings = match readings(text, &self.alphabet, self.before.as_ref(), self.mark) {
             Ok(readings) => readings,
             Err(NoLine::NoStatement) => return Found::of(Verdict::Remark),
@@ -122,6 +148,7 @@ impl<'a> Judge<'a> {
                 return Found::of(Verdict::Unreadable)
                     .because("it begins with a sign, and no line stands before it".to_owned());
             }
+            Err(NoLine::Integral(fault)) => return Found::of(Verdict::Unreadable).because(fault.said().to_owned()),
             Err(NoLine::Unreadable(fault)) => {
                 return Found::of(Verdict::Unreadable).because(said(&fault, &self.printed_names()));
             }
@@ -147,7 +174,10 @@ impl<'a> Judge<'a> {
         let [alternatives] = sides.as_slice() else { return None };
         let [chain] = alternatives.as_slice() else { return None };
         let (name, rest) = (chain.sides.first()?.trim(), chain.sides.get(1..)?);
-        if chain.signs.iter().any(|sign| *sign != Compared::Equal) || !is_name(name) {
+        if chain.signs.iter().any(|sign| *sign != Compared::Equal)
+            || !is_name(name)
+            || self.alphabet.vectors.is_vector(name)
+        {
             return None;
         }
         let is_unknown = match term(name, &self.alphabet, self.mark) {
@@ -196,7 +226,7 @@ impl<'a> Judge<'a> {
         let best = here.iter().copied().min().unwrap_or(Holds::Open);
         match best {
             Holds::Yes | Holds::AsFigures => self.holding(line, place, &sets, &here),
-            Holds::Open => self.open(line, place),
+            Holds::Open => self.open(line, place, &sets),
             Holds::No => self.failing(line, place, &sets, &at),
         }
     }

@@ -14,9 +14,6 @@ use super::judge::Judge;
 use super::report::{AnswerNeeded, JudgedLine, LawNeeded, NextStep, WorkReport};
 use super::support::Slopes;
 
-/// The points for a law, and for an answer, where the problem says nothing else.
-const POINT: u32 = 1;
-
 impl Judge<'_> {
     /// The report on the lines judged so far, and the next step towards the answers; none where the lines hold all of it.
     #[must_use]
@@ -68,18 +65,19 @@ impl Judge<'_> {
             name: instance.law.name,
             stage: instance.stage.map(|stage| model.phrase(scene, stage)),
             established: established.contains(&position),
-            points: POINT,
+            points: self.worked.problem.loaded().draft.rubric.points_for_law(instance.law),
         }
     }
 
     fn answers(&self) -> Vec<AnswerNeeded> {
         let given = self.answers_given();
+        let points = self.worked.problem.loaded().draft.rubric.points_for_answer();
         let parts = self.worked.form.parts.iter().filter(|part| !written_answers(&part.kind).is_empty());
         parts
             .map(|part| AnswerNeeded {
                 id: part.id.clone(),
                 established: written_answers(&part.kind).iter().all(|symbol| given.contains(symbol)),
-                points: POINT,
+                points,
             })
             .collect()
     }

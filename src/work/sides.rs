@@ -117,7 +117,11 @@ const DIRECTIONS: [&str; 14] = [
 const CHANGES: [(&str, &str); 3] = [("\\Delta ", "Δ"), ("Delta ", "Δ"), ("delta ", "Δ")];
 
 /// Commands and signs of LaTeX that set a line and say nothing.
-const SETTING: [(&str, &str); 13] = [
+const SETTING: [(&str, &str); 17] = [
+    ("\\dots", "…"),
+    ("\\ldots", "…"),
+    ("\\cdots", "…"),
+    ("...", "…"),
     ("\\begin{aligned}", ""),
     ("\\end{aligned}", ""),
     ("\\begin{align*}", ""),
@@ -148,6 +152,7 @@ pub(crate) type Sides = Vec<Vec<Chain>>;
 /// The statements of a line, one after another.
 pub(crate) fn statements(line: &str) -> Vec<String> {
     let line = SETTING.iter().fold(line.to_owned(), |line, (from, to)| line.replace(from, to));
+    let line = with_plain_indices(&line);
     let line = with_joined_indices(&CHANGES.iter().fold(line, |line, (from, to)| line.replace(from, to)));
     split(&line, &ARROWS).iter().flat_map(|own| listed(own)).collect()
 }
@@ -177,15 +182,41 @@ fn listed(statement: &str) -> Vec<String> {
     parts.into_iter().map(str::to_owned).collect()
 }
 
-/// `v_A,x` and `F_T,C2` with the index behind the comma joined to the one before.
+/// `v_{\text{rel},A1}` as `v_{rel_A1}`, as the sheet sets it.
+fn with_plain_indices(line: &str) -> String {
+    let (mut text, mut rest) = (String::with_capacity(line.len()), line);
+    while let Some((before, behind)) = rest.split_once("_{") {
+        let mut depth = 1_usize;
+        let end = behind.find(|sign| {
+            depth = match sign {
+                '{' => depth + 1,
+                '}' => depth - 1,
+                _ => depth,
+            };
+            depth == 0
+        });
+        let Some(end) = end else { break };
+        let index = ["\\text", "\\mathrm", "{", "}", " "]
+            .iter()
+            .fold(behind[..end].to_owned(), |index, own| index.replace(own, ""));
+        text.extend([before, "_{", &index.replace(',', "_"), "}"]);
+        rest = &behind[end + 1..];
+    }
+    text + rest
+}
+
+/// `v_A,x`, `F_T,C2` and `T_rel,1` with the index behind the comma joined to the one before.
 fn with_joined_indices(line: &str) -> String {
     let signs: Vec<char> = line.chars().collect();
     let mut text = String::with_capacity(line.len());
+    let mut is_index = false;
     for (at, sign) in signs.iter().enumerate() {
         let before = at.checked_sub(1).and_then(|before| signs.get(before));
+        let is_next = |next: &char| next.is_alphabetic() || is_index && next.is_numeric();
         let is_joined = *sign == ','
             && before.is_some_and(|before| before.is_alphabetic())
-            && signs.get(at + 1).is_some_and(|next| next.is_alphabetic());
+            && signs.get(at + 1).is_some_and(is_next);
+        is_index = *sign == '_' || is_joined || is_index && (sign.is_alphanumeric() || *sign == '{');
         text.push(if is_joined { '_' } else { *sign });
     }
     text

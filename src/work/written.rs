@@ -1,5 +1,6 @@
 //! A line as equations in the quantities of a problem, with a symbol for each number that stands in it.
 
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 use momentous_expr::Expr;
@@ -17,7 +18,10 @@ use momentous_grade::read_term;
 use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
+use super::integrals::{self, IntegralFault, WrittenIntegral};
+use super::series;
 use super::sides::{Chain, Compared, sides};
+use super::vectors::{Vectors, with_components};
 
 /// Larger whole numbers are no constants of a formula.
 const LARGEST_WHOLE: u32 = 100;
@@ -37,6 +41,10 @@ pub(crate) struct Alphabet {
     pub(crate) spelt: Vec<(String, String)>,
     /// Short names that the student has introduced.
     pub(crate) own: BTreeSet<String>,
+    /// The vectors of the problem.
+    pub(crate) vectors: Vectors,
+    /// The only limits between which the problem integrates over a variable, by its name.
+    pub(crate) limits: BTreeMap<String, [Expr; 2]>,
 }
 
 impl Alphabet {
@@ -56,8 +64,10 @@ impl Alphabet {
         }
     }
 
-    fn meant(&self, term: &Expr) -> Expr {
-        term.substitute(&|symbol| self.short.iter().find(|(short, _)| *short == symbol).map(|(_, own)| own.clone()))
+    /// A term with what short names stand for; the variable of an integral stands for nothing.
+    fn meant(&self, term: &Expr, variable: Option<Symbol>) -> Expr {
+        let short = |symbol: Symbol| self.short.iter().find(|(short, _)| *short == symbol && Some(*short) != variable);
+        term.substitute(&|symbol| short(symbol).map(|(_, own)| own.clone()))
     }
 }
 
@@ -99,6 +109,8 @@ pub(crate) enum NoLine {
     NoStatement,
     /// A side cannot be read.
     Unreadable(Unreadable),
+    /// An integral cannot be worked out.
+    Integral(IntegralFault),
     /// It begins with a sign, and nothing stands before it.
     NothingBefore,
 }
@@ -116,7 +128,7 @@ pub(crate) fn readings(
     let before = before.filter(|_| goes_on);
     let read = |manner| {
         let written = Written::blank(alphabet, before);
-        Reader { alphabet, manner, mark, before, written, is_doubtful: false }.line(&sides)
+        Reader { alphabet, manner, mark, before, written, inserted: Vec::new(), is_doubtful: false }.line(&sides)
     };
     let mut readings = Vec::new();
     for bars in [&[BehindBars::Doubtful][..], &[BehindBars::Above, BehindBars::Below]] {
@@ -147,7 +159,7 @@ pub(crate) fn readings(
 pub(crate) fn term(side: &str, alphabet: &Alphabet, mark: DecimalMark) -> Result<(Expr, Written), NoLine> {
     let manner = Manner { letters: Letters::Units, behind_bars: BehindBars::Above };
     let written = Written::blank(alphabet, None);
-    let mut reader = Reader { alphabet, manner, mark, before: None, written, is_doubtful: false };
+    let mut reader = Reader { alphabet, manner, mark, before: None, written, inserted: Vec::new(), is_doubtful: false };
     let term = reader.side(1, side)?;
     Ok((term, reader.written))
 }
@@ -197,6 +209,8 @@ struct Reader<'a> {
     mark: DecimalMark,
     before: Option<&'a Written>,
     written: Written,
+    /// Integrals and series, each under a name that stands in its place.
+    inserted: Vec<(Symbol, Expr)>,
     is_doubtful: bool,
 }
 
@@ -210,15 +224,19 @@ impl Reader<'_> {
     }
 
     fn chain(&mut self, chain: &Chain) -> Result<Vec<Statement>, NoLine> {
-        let terms: Vec<Expr> =
-            chain.sides.iter().enumerate().map(|(place, side)| self.side(place, side)).collect::<Result<_, _>>()?;
-        let pairs = terms.windows(2).zip(&chain.signs);
-        let statements = pairs.filter_map(|(pair, sign)| match pair {
-            [left, right] => Some(Statement { left: left.clone(), compared: *sign, right: right.clone() }),
-            _ => None,
-        });
-        let statements = statements.collect();
-        self.written.last = terms.last().cloned();
+        let written: Vec<String> = chain.sides.iter().map(|side| with_components(side)).collect();
+        let along = self.alphabet.vectors.components(&written);
+        let mut statements = Vec::new();
+        for sides in along.as_deref().unwrap_or(std::slice::from_ref(&written)) {
+            let terms: Vec<Expr> =
+                sides.iter().enumerate().map(|(place, side)| self.side(place, side)).collect::<Result<_, _>>()?;
+            let pairs = terms.windows(2).zip(&chain.signs);
+            statements.extend(pairs.filter_map(|(pair, sign)| match pair {
+                [left, right] => Some(Statement { left: left.clone(), compared: *sign, right: right.clone() }),
+                _ => None,
+            }));
+            self.written.last = terms.last().cloned();
+        }
         Ok(statements)
     }
 
@@ -228,12 +246,65 @@ impl Reader<'_> {
             return last.ok_or(NoLine::NothingBefore);
         }
         let side = self.alphabet.spelt.iter().fold(side.to_owned(), |side, (text, name)| side.replace(text, name));
-        let read =
-            read_term(&with_indices(&side), &mut self.written.symbols, &self.alphabet.names, self.manner, self.mark);
+        self.term(&side, None)
+    }
+
+    /// A term, whose integrals and series are worked out first. The variable is that of the integral in which it stands.
+    fn term(&mut self, text: &str, variable: Option<Symbol>) -> Result<Expr, NoLine> {
+        let mut text = self.alphabet.vectors.with_sizes(text);
+        while let Some(integral) = integrals::first(&text) {
+            let integral = integral.map_err(NoLine::Integral)?;
+            let value = self.integral(&integral)?;
+            text = format!("{} {} {}", integral.before, self.insert(value), integral.behind);
+        }
+        while let Some(series) = series::first(&text) {
+            let terms = series.terms.iter().map(|term| self.term(term, variable)).collect::<Result<Vec<_>, _>>()?;
+            // A number that stands in several terms is the same in all of them.
+            let first = |own: &WrittenNumber| {
+                let is_same = |other: &&WrittenNumber| other.value == own.value && other.unit == own.unit;
+                self.written.numbers.iter().find(is_same).map(|other| Expr::from(other.symbol))
+            };
+            let same = |symbol: Symbol| self.written.number(symbol).and_then(first);
+            let terms: Vec<Expr> = terms.iter().map(|term| term.substitute(&same)).collect();
+            let Some(value) = series::value(&terms) else { break };
+            text = format!("{} {} {}", series.before, self.insert(value), series.behind);
+        }
+        let inserted = self.inserted.iter().map(|(symbol, _)| *symbol).chain(variable);
+        let names: Vec<Symbol> = self.alphabet.names.iter().copied().chain(inserted).collect();
+        let read = read_term(&with_indices(&text), &mut self.written.symbols, &names, self.manner, self.mark);
         let read = read.map_err(NoLine::Unreadable)?;
         self.is_doubtful |= read.is_doubtful;
         self.written.numbers.extend(read.numbers);
-        Ok(self.alphabet.meant(&read.term))
+        let inserted = |symbol: Symbol| self.inserted.iter().find(|(own, _)| *own == symbol);
+        let term = self.alphabet.meant(&read.term, variable);
+        Ok(term.substitute(&|symbol| inserted(symbol).map(|(_, value)| value.clone())))
+    }
+
+    /// The name that stands for a value in what is still to be read.
+    fn insert(&mut self, value: Expr) -> String {
+        let name = format!("inserted_{}", self.inserted.len() + 1);
+        let dimension = value.dimension(&self.written.symbols).unwrap_or(Dimension::NONE);
+        let entry = SymbolEntry { name: name.clone(), dimension, meaning: String::new() };
+        self.inserted.push((self.written.symbols.intern(entry), value));
+        name
+    }
+
+    fn integral(&mut self, integral: &WrittenIntegral) -> Result<Expr, NoLine> {
+        let [low, high] = match &integral.limits {
+            Some([low, high]) => [self.term(low, None)?, self.term(high, None)?],
+            None => {
+                let known = self.alphabet.limits.get(&integral.variable);
+                known.cloned().ok_or(NoLine::Integral(IntegralFault::Limits))?
+            }
+        };
+        let dimension = high.dimension(&self.written.symbols).unwrap_or(Dimension::NONE);
+        let entry = SymbolEntry { name: integral.variable.clone(), dimension, meaning: String::new() };
+        let variable =
+            self.written.symbols.find(&integral.variable).unwrap_or_else(|| self.written.symbols.intern(entry));
+        let integrand = self.term(&integral.integrand, Some(variable))?;
+        let whole = integrand.integrate(variable).ok_or(NoLine::Integral(IntegralFault::Formula))?;
+        let at = |end: &Expr| whole.substitute(&|symbol| (symbol == variable).then(|| end.clone()));
+        Ok(Expr::sum([at(&high), -at(&low)]))
     }
 }
 

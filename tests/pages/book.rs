@@ -21,9 +21,9 @@ fn docs() -> PathBuf {
 fn made() -> BTreeMap<String, String> {
     let bank = bank_page::Survey::of_the_bank();
     let mut pages = BTreeMap::from([("bank.md".to_owned(), bank.page())]);
-    for (chapter, laws) in CHAPTERS {
-        for law in *laws {
-            pages.insert(format!("laws/{}.md", law.id), law_page::page(chapter, law, &bank));
+    for chapter in CHAPTERS {
+        for law in chapter.laws {
+            pages.insert(format!("laws/{}.md", law.id), law_page::page(chapter.title, law, &bank));
         }
     }
     let summary = fs::read_to_string(docs().join("SUMMARY.md")).unwrap();

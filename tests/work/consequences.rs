@@ -61,11 +61,20 @@ fn a_million_consequences_are_never_called_wrong() {
     assert!(consequences(MANY) > 900_000);
 }
 
-/// Whether an equation holds in other variants, with values that were solved without it.
-fn holds_elsewhere(exercise: &Exercise, drawer: &mut Drawer<'_>, (left, right): &(Expr, Expr)) -> bool {
+/// Whether an equation holds in other variants, with values that were solved without it, in one of the two senses of the axis across
+/// the line of impact.
+fn holds_elsewhere(exercise: &Exercise, drawer: &mut Drawer<'_>, sides: &(Expr, Expr)) -> bool {
+    [false, true].iter().any(|is_turned| holds_in_sense(exercise, drawer, sides, *is_turned))
+}
+
+fn holds_in_sense(exercise: &Exercise, drawer: &mut Drawer<'_>, (left, right): &(Expr, Expr), is_turned: bool) -> bool {
+    let symbols = &exercise.problem().model().symbols;
     let others = (500..540).filter_map(|seed| drawer.draw(seed).ok());
     others.filter(|other| other.variant().leaf() == exercise.variant().leaf()).all(|other| {
-        let value = |symbol: Symbol| other.variant().value(symbol).unwrap_or_else(Bounded::not_real);
+        let value = |symbol: Symbol| {
+            let value = other.variant().value(symbol).unwrap_or_else(Bounded::not_real);
+            if is_turned && symbols.entry(symbol).name.strip_suffix(".t").is_some() { value.neg() } else { value }
+        };
         let [left, right]: [Bounded; 2] = [left, right].map(|side| evaluate(side, &value));
         let size = left.value.abs().max(right.value.abs());
         let is_close = (left.value - right.value).abs() <= left.error + right.error + 1e-9 * size;

@@ -5,5 +5,7 @@
 mod algebra;
 mod altered;
 mod consequences;
+mod forms;
+mod rubric;
 mod solutions;
 mod students;

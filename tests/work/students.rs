@@ -12,9 +12,9 @@ use momentous::work::{Judge, Verdict};
 use serde::Deserialize;
 
 /// So many of the lines are judged as the key says; of 368.
-const AGREED: usize = 300;
+const AGREED: usize = 322;
 /// No more of them cannot be read or decided.
-const OPEN: usize = 60;
+const OPEN: usize = 36;
 
 #[derive(Deserialize)]
 struct Work {

@@ -41,9 +41,9 @@ pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
             .collect();
         fresh
     };
-    let chapters = super::CHAPTERS.iter().map(|(chapter, laws)| (*chapter, *laws));
-    let mut rows: Vec<_> = chapters
-        .map(|(chapter, laws)| (chapter, once(&mut laws.iter().flat_map(|law| law.wrong).map(|form| form.of))))
+    let mut rows: Vec<_> = super::CHAPTERS
+        .iter()
+        .map(|chapter| (chapter.title, once(&mut chapter.laws.iter().flat_map(|law| law.wrong).map(|form| form.of))))
         .collect();
     rows.push(("Reading the question", once(&mut reading::MISREADINGS.iter().map(|row| row.of))));
     rows.push(("Using the data", once(&mut data::ALTERED.iter().map(|row| row.of))));

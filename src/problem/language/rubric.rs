@@ -3,9 +3,13 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use momentous_laws::Law;
+use momentous_laws::chapter_of;
 use momentous_quantity::Decimal;
 use momentous_quantity::Rational;
 use momentous_scene::Term;
+
+use super::entries::Entries;
 
 /// What a partly right answer is worth, and what attempts and hints cost. Fractions are written `50 %`, `0.5` or `1/2`.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -69,7 +73,20 @@ pub struct Rubric {
     /// Which of several attempts counts. Default: `best`.
     #[serde(default)]
     pub keep: Option<Keep>,
+    /// The points for the work: for each law of a chapter (`momentum`, `restitution`, `energy`, ...) or for a law by its id that the answers
+    /// need, and under `answer` for each answer. Whatever is not listed is worth none. Default: one point for each law and each answer.
+    #[serde(default)]
+    pub work: Option<Entries<u32>>,
 }
+
+/// The name in `work` of the points for an answer.
+pub const ANSWER: &str = "answer";
+/// The points for a law or an answer where the rubric lists none.
+const EACH: u32 = 1;
+/// The points for a law or an answer that the rubric leaves out.
+const NOT_LISTED: u32 = 0;
+/// The most points for a law or an answer.
+pub(crate) const MOST_POINTS: u32 = 100;
 
 /// What is made of the figures with which a right value is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -124,6 +141,24 @@ impl Rubric {
             ("further_hint_penalty", &self.further_hint_penalty),
         ];
         all.into_iter().filter_map(|(key, term)| Some((key, term.as_ref()?)))
+    }
+
+    /// The points for a law that the answers need and the work holds. A law by its id goes before its chapter.
+    #[must_use]
+    pub fn points_for_law(&self, law: &Law) -> u32 {
+        let chapter = chapter_of(law).map_or("", |chapter| chapter.id);
+        self.points_for_work(&[law.id, chapter])
+    }
+
+    /// The points for an answer that the work gives.
+    #[must_use]
+    pub fn points_for_answer(&self) -> u32 {
+        self.points_for_work(&[ANSWER])
+    }
+
+    fn points_for_work(&self, names: &[&str]) -> u32 {
+        let Some(work) = &self.work else { return EACH };
+        names.iter().find_map(|name| work.get(name)).map_or(NOT_LISTED, |points| *points)
     }
 
     /// The fraction under a key; `None` where it is not written.

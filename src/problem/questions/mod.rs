@@ -10,5 +10,6 @@ pub(super) mod part;
 pub(super) mod parts;
 pub(super) mod pictures;
 pub(super) mod range;
+mod rubric;
 pub(super) mod to_solve;
 pub(super) mod vector;

@@ -18,7 +18,6 @@ use super::super::language::ask::Turn;
 use super::super::language::entries::Entries;
 use super::super::language::expression;
 use super::super::language::form::Question;
-use super::super::language::rubric::fraction;
 use super::super::reading::load::Loaded;
 use super::choices::comparing;
 use super::choices::impact_kind;
@@ -36,6 +35,7 @@ use super::part::Part;
 use super::part::PartKind;
 use super::pictures::pictured_read;
 use super::range;
+use super::rubric;
 use super::vector;
 
 /// What reading the parts of a form gives.
@@ -55,7 +55,6 @@ pub(crate) struct Read {
 /// Reads the parts of a form; faults are noted in the builder.
 pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
     let mut read = Read::default();
-    check_rubric(loaded, builder);
     for ((index, ask), letter) in question.ask.iter().enumerate().zip(('a'..='z').cycle()) {
         let path = question.path.key("ask").index(index);
         let letter = letter.to_string();
@@ -109,6 +108,7 @@ pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
     }
     tell_apart(&mut read.parts, builder);
     check_alone(&read, question, builder);
+    rubric::check(&loaded.draft.rubric, builder);
     read
 }
 
@@ -135,15 +135,6 @@ fn check_alone(read: &Read, question: &Question, builder: &mut Builder<'_>) {
             Fault::new(Code::Value, "a range is asked for together with other quantities, whose values it leaves open");
         let help = "give the range a form of its own";
         builder.fault(fault.help(help).at_path(question.path.key("ask")));
-    }
-}
-
-/// Every fraction of the rubric can be read; it is the same for all forms, so its faults are told once.
-fn check_rubric(loaded: &Loaded, builder: &mut Builder<'_>) {
-    for (key, term) in loaded.draft.rubric.fractions().filter(|(_, term)| fraction(term).is_none()) {
-        let fault = Fault::new(Code::Value, format!("`{}` is not a fraction of the points", term.0));
-        let path = Path::root().key("rubric").key(key);
-        builder.fault(fault.help("write a fraction from 0 to 1: `50 %`, `0.5` or `1/2`").at_path(path));
     }
 }
 

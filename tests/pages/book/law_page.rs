@@ -13,7 +13,7 @@ const END: &str = "<!-- end -->";
 /// The law's name; what it is about stands behind a name that several laws share, as trigonometry is.
 fn title(law: &Law) -> String {
     let name = law.name.strip_prefix("the ").unwrap_or(law.name);
-    let shared = CHAPTERS.iter().flat_map(|(_, laws)| *laws).filter(|own| own.name == law.name).count() > 1;
+    let shared = CHAPTERS.iter().flat_map(|chapter| chapter.laws).filter(|own| own.name == law.name).count() > 1;
     let name = if shared {
         format!("{name}: {}", law.id.replace('-', " ").replace("mass centre", "centre of mass"))
     } else {
@@ -51,9 +51,9 @@ pub fn listed(summary: &str) -> String {
     let (head, rest) = summary.split_once(START).unwrap();
     let (_, tail) = rest.split_once(END).unwrap();
     let mut list = String::new();
-    for (chapter, laws) in CHAPTERS {
-        writeln!(list, "- [{chapter}]()").unwrap();
-        for law in *laws {
+    for chapter in CHAPTERS {
+        writeln!(list, "- [{}]()", chapter.title).unwrap();
+        for law in chapter.laws {
             writeln!(list, "  - [{}](laws/{}.md)", title(law), law.id).unwrap();
         }
     }
