@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use momentous_exercise::Exercise;
 use momentous_exercise::MOST_ATTEMPTS;
 use momentous_exercise::Try;
+use momentous_exercise::WORK;
 use momentous_grade::DecimalMark;
 use momentous_grade::Entry;
 use momentous_grade::History;
@@ -15,7 +16,7 @@ use momentous_quantity::Rational;
 use super::handed_in::HintShown;
 use super::moment::Moment;
 use super::policy::Policy;
-use super::stored_report::{ShownReport, StoredPart, StoredReport};
+use super::stored_report::{ShownReport, StoredPart, StoredReport, StoredWork};
 use super::window::{Late, Phase, Window};
 
 /// What a student hands in, with all that decides whether it is taken and what it is worth.
@@ -131,9 +132,37 @@ impl HandIn<'_> {
         });
         let entries: Vec<Entry> = typed.collect();
         match () {
-            () if entries.contains(&Entry::Typed) => Ok(()),
-            () if entries.is_empty() => Err(Refusal::NothingNew),
+            () if entries.contains(&Entry::Typed) || self.new_work().is_some_and(|_| self.has_work_left()) => Ok(()),
+            () if entries.is_empty() && self.new_work().is_none() => Err(Refusal::NothingNew),
             () => Err(Refusal::NoAttemptLeft),
+        }
+    }
+
+    /// The work that is typed, where it differs from the one that was handed in last.
+    fn new_work(&self) -> Option<&str> {
+        let before = self.work_before().map_or("", |own| own.text.as_str());
+        self.text(WORK).filter(|text| self.exercise.takes_work() && *text != before)
+    }
+
+    fn work_before(&self) -> Option<&StoredWork> {
+        self.last.and_then(|last| last.work.as_ref())
+    }
+
+    /// Whether other work is taken: it has as many attempts as a part.
+    fn has_work_left(&self) -> bool {
+        self.policy.rules().counts(self.work_before().map_or(0, |own| own.made))
+    }
+
+    /// The work that stands after this.
+    fn work(&self, late: Option<&Late>) -> Option<StoredWork> {
+        let before = self.work_before();
+        match self.new_work().filter(|_| self.has_work_left()) {
+            Some(text) => Some(StoredWork {
+                text: text.to_owned(),
+                made: before.map_or(0, |own| own.made) + 1,
+                factor: late.map_or(Rational::ONE, |late| late.factor.clone()),
+            }),
+            None => before.cloned(),
         }
     }
 
@@ -150,8 +179,12 @@ impl HandIn<'_> {
             u32::try_from(own.count()).unwrap_or(u32::MAX)
         };
         let parts = &self.exercise.worked().form.parts;
+        let work = self.work(late.as_ref());
+        let typed = self.answers.iter().map(|(part, text)| (part.as_str(), text.as_str()));
+        let typed = typed.filter(|(part, _)| *part != WORK || !self.exercise.takes_work());
         let own = Try {
-            answers: self.answers.iter().map(|(part, text)| (part.as_str(), text.as_str())).collect(),
+            answers: typed.chain(work.as_ref().map(|own| (WORK, own.text.as_str()))).collect(),
+            work_factor: work.as_ref().map_or(Rational::ONE, |own| own.factor.clone()),
             hints: shown(None),
             further_hints: parts.iter().map(|part| (part.id.as_str(), shown(Some(&part.id)))).collect(),
             factor: late.as_ref().map_or(Rational::ONE, |late| late.factor.clone()),
@@ -160,7 +193,7 @@ impl HandIn<'_> {
         let mut marker = self.exercise.marker(self.decimal).with_attempts(self.policy.rules());
         let report = marker.mark_next(self.exercise.worked(), &mut history, &own);
         let stored = report.parts.into_iter().zip(history.parts()).map(|(part, own)| self.stored(part, own));
-        StoredReport { parts: stored.collect(), total: report.total.0, out_of: report.out_of, late, history }
+        StoredReport { parts: stored.collect(), total: report.total.0, out_of: report.out_of, late, history, work }
     }
 
     /// What is kept of a part.

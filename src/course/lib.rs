@@ -52,7 +52,7 @@ pub use roster::{RosterChange, RosterRecords, RosterRow, roster_changes, roster_
 pub use score::Score;
 pub use share::{NoShare, Share};
 pub use statistics::{ClassStatistics, ItemStatistics, statistics};
-pub use stored_report::{Found, NextHint, ShownPart, ShownReport, StoredPart, StoredReport};
+pub use stored_report::{Found, NextHint, ShownPart, ShownReport, StoredPart, StoredReport, StoredWork};
 pub use student_data::{AttemptData, ByHandData, SheetData, StudentData};
 pub use weights::{NoWeights, Weights};
 pub use window::{ExtensionForm, Late, Phase, Window};

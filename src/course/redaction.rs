@@ -1,5 +1,6 @@
 //! Answers that somebody takes out of the records, because they say what must not be kept.
 
+use momentous_exercise::WORK;
 use serde::{Deserialize, Serialize};
 
 use super::handed_in::{Attempt, Sheet};
@@ -68,6 +69,9 @@ pub fn redacted(attempt: &Attempt, order: &Redaction) -> Result<Attempt, NotReda
         // What is said of a text that cannot be read may quote it.
         part.unread = Some(UNREAD.to_owned());
         UNREAD.clone_into(&mut part.message);
+    }
+    if let Some(work) = report.work.as_mut().filter(|_| order.part == WORK) {
+        REDACTED.clone_into(&mut work.text);
     }
     attempt.report = serde_json::value::to_raw_value(&report).map_err(|_| NotRedacted::Report)?;
     Ok(attempt)

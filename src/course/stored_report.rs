@@ -33,6 +33,21 @@ pub struct StoredReport {
     pub late: Option<Late>,
     /// What the student has handed in by now.
     pub history: History,
+    /// The work that stands; nothing where none was handed in.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub work: Option<StoredWork>,
+}
+
+/// What is kept of the work beside the answers.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct StoredWork {
+    /// Its lines.
+    pub text: String,
+    /// How often work was handed in that differed from the one before.
+    pub made: u32,
+    /// The share of its points that the time leaves to it.
+    #[serde(with = "exact")]
+    pub factor: Rational,
 }
 
 /// What is kept of a part.

@@ -14,6 +14,7 @@ use super::Exercise;
 use super::echo::echo;
 use super::marker::Marker;
 use super::marking::Sittings;
+use super::work::{credit, work_among};
 
 /// One sheet that a student hands in: what is typed, and what had been seen by then.
 #[derive(Clone, Debug)]
@@ -26,11 +27,14 @@ pub struct Try<'a> {
     pub further_hints: Vec<(&'a str, u32)>,
     /// The share of the points that the time of the attempt leaves to what is new in it.
     pub factor: Rational,
+    /// The share of its points that the time of the work leaves to it.
+    pub work_factor: Rational,
 }
 
 impl Default for Try<'_> {
     fn default() -> Self {
-        Self { answers: Vec::new(), hints: 0, further_hints: Vec::new(), factor: Rational::ONE }
+        let one = || Rational::ONE;
+        Self { answers: Vec::new(), hints: 0, further_hints: Vec::new(), factor: one(), work_factor: one() }
     }
 }
 
@@ -73,11 +77,17 @@ impl Marker {
             Typed { text, seen: Seen { hints: own.hints, further }, readable }
         };
         let typed: Vec<Typed<'_>> = worked.form.parts.iter().map(of_part).collect();
-        let not_asked: Vec<(&str, &str)> = answers.iter().filter(|(part, _)| !ids.contains(part)).copied().collect();
+        let work = work_among(worked, &answers);
+        let is_other = |(part, text): &&(&str, &str)| !ids.contains(part) && Some(*text) != work;
+        let not_asked: Vec<(&str, &str)> = answers.iter().filter(is_other).copied().collect();
         history.mark(&typed, &own.factor, &rules, &mut |texts, sittings| {
             let mut sheet: Vec<(&str, &str)> = ids.iter().copied().zip(texts.iter().copied()).collect();
             sheet.extend(&not_asked);
-            self.mark_sheet(worked, &sheet, Sittings::Each(sittings))
+            let mut report = self.mark_sheet(worked, &sheet, Sittings::Each(sittings));
+            if let Some(work) = work {
+                credit(&mut report, worked, (work, &own.work_factor), self.mark);
+            }
+            report
         })
     }
 

@@ -69,7 +69,7 @@ pub use issue::{Issued, Remark};
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
-pub use momentous_work::Letter;
+pub use momentous_work::{JudgedLine, Letter, Verdict as WorkVerdict};
 pub use roster::{KnownBy, Student};
 pub use sheet_numbers::SheetNumbers;
 pub use sheet_seed::SheetSeed;

@@ -11,6 +11,7 @@ use momentous_grade::Sitting;
 use momentous_problem::Part;
 use momentous_problem::Simulated;
 use momentous_problem::Worked;
+use momentous_quantity::Rational;
 
 use super::Exercise;
 use super::marker::Blank;
@@ -112,7 +113,7 @@ impl Marker {
             report.recount();
         }
         if let Some(work) = work {
-            work::credit(&mut report, worked, work, *mark);
+            work::credit(&mut report, worked, (work, &Rational::ONE), *mark);
         }
         report
     }

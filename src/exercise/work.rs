@@ -24,6 +24,13 @@ impl Exercise {
         momentous_work::judge(self.worked(), work, decimal)
     }
 
+    /// Whether there is work to be judged: something that is asked follows from equations, and no part is called so.
+    #[must_use]
+    pub fn takes_work(&self) -> bool {
+        let worked = self.worked();
+        work_among(worked, &[(WORK, "")]).is_some() && !worked.leaf().answer_steps().is_empty()
+    }
+
     /// The letters that the lines of a student's work may hold.
     #[must_use]
     pub fn letters_for_work(&self) -> Vec<Letter> {
@@ -51,8 +58,8 @@ pub(super) fn work_among<'a>(worked: Worked<'_>, answers: &[(&str, &'a str)]) ->
     answers.iter().find(|(id, _)| *id == WORK && !is_part).map(|(_, work)| *work)
 }
 
-/// Gives each part whose answer is missing or wrong the share of its points that the method in the work is worth.
-pub(super) fn credit(report: &mut Report, worked: Worked<'_>, work: &str, decimal: DecimalMark) {
+/// Gives each part whose answer is missing or wrong the share of its points that the method in the work is worth, times a factor.
+pub(super) fn credit(report: &mut Report, worked: Worked<'_>, (work, factor): (&str, &Rational), decimal: DecimalMark) {
     if report.is_right() {
         return;
     }
@@ -60,7 +67,7 @@ pub(super) fn credit(report: &mut Report, worked: Worked<'_>, work: &str, decima
     if judged.points == 0 {
         return;
     }
-    let share = Rational::from(judged.points) / Rational::from(judged.out_of);
+    let share = factor * Rational::from(judged.points) / Rational::from(judged.out_of);
     for part in &mut report.parts {
         let method = Points(Rational::from(part.out_of) * &share);
         if method > part.points {

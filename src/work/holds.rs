@@ -175,6 +175,15 @@ fn half_of_last_place(number: &WrittenNumber) -> Option<f64> {
     })
 }
 
+/// The quantities whose values a line gives.
+pub(crate) fn results(line: &Written) -> Vec<Symbol> {
+    let statements = line.statements().filter(|statement| is_result(line, statement));
+    statements
+        .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
+        .filter(|own| line.number(*own).is_none())
+        .collect()
+}
+
 /// Whether a statement gives the value of one quantity.
 fn is_result(line: &Written, statement: &Statement) -> bool {
     let is_number = |side: &Expr| side.symbols().iter().all(|symbol| line.number(*symbol).is_some());

@@ -12,7 +12,7 @@ use super::alphabet::alphabet;
 use super::clash::clash_in_symbols;
 use super::found::{Accepted, Found};
 use super::ground::Ground;
-use super::holds::{At, Holds};
+use super::holds::{At, Holds, results};
 use super::meaning::meanings;
 use super::report::JudgedLine;
 use super::sides::{Compared, sides, statements};
@@ -36,6 +36,8 @@ pub struct Judge<'a> {
     pub(crate) mistakes: Vec<(&'static str, usize)>,
     pub(crate) accepted: Vec<Accepted>,
     lines: usize,
+    /// Whether the line that is judged is written in letters only.
+    is_in_letters: bool,
 }
 
 impl<'a> Judge<'a> {
@@ -55,12 +57,14 @@ impl<'a> Judge<'a> {
             mistakes: Vec::new(),
             accepted: Vec::new(),
             lines: 0,
+            is_in_letters: true,
         }
     }
 
     /// Judges the next line.
     pub fn line(&mut self, text: &str) -> JudgedLine {
         self.lines += 1;
+        self.is_in_letters = true;
         let found = self.found(text);
         if let Some(accepted) = &found.accepted {
             self.accepted.push(accepted.clone());
@@ -87,6 +91,7 @@ impl<'a> Judge<'a> {
             laws: ids,
             mistakes: found.mistakes.iter().map(|own| own.of.id).collect(),
             message,
+            is_in_letters: self.is_in_letters,
         }
     }
 
@@ -163,6 +168,12 @@ impl<'a> Judge<'a> {
             }
         }
         let Some((found, reading)) = best else { return Found::of(Verdict::Remark) };
+        self.is_in_letters &= reading.is_in_letters();
+        if found.verdict.is_wrong() {
+            // Of several values of one quantity the last counts: a list of guesses is worth no more than one.
+            let guessed = results(&reading);
+            self.accepted.iter_mut().for_each(|own| own.answers.retain(|answer| !guessed.contains(answer)));
+        }
         self.before = Some(reading);
         found
     }

@@ -21,6 +21,9 @@ pub struct JudgedLine {
     pub mistakes: Vec<&'static str>,
     /// What the student is told.
     pub message: String,
+    /// Whether it is written in letters and the constants of formulas, with no number that was worked out or put in.
+    #[serde(skip)]
+    pub is_in_letters: bool,
 }
 
 /// A law that the answers need.

@@ -191,6 +191,19 @@ impl Written {
         self.numbers.iter().all(is_plain) && self.statements().all(|own| side(&own.left) && side(&own.right))
     }
 
+    /// Whether each term holds a letter or is zero, and each number is a constant of a formula: no value stands in it.
+    pub(crate) fn is_in_letters(&self) -> bool {
+        let is_letter =
+            |symbol: &Symbol| self.number(*symbol).is_none_or(|own| own.unit.is_none() && own.value.is_zero());
+        let has_letter = |term: &Expr| term.is_zero() || term.symbols().iter().any(is_letter);
+        let side = |side: &Expr| match side {
+            Expr::Sum(terms) => terms.iter().all(has_letter),
+            other => has_letter(other),
+        };
+        let is_plain = |own: &WrittenNumber| own.unit.is_none() && is_constant(&own.value);
+        self.numbers.iter().all(is_plain) && self.statements().all(|own| side(&own.left) && side(&own.right))
+    }
+
     /// The quantities in it, without its numbers.
     pub(crate) fn quantities(&self) -> BTreeSet<Symbol> {
         let symbols = self.statements().flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()));

@@ -48,6 +48,8 @@ struct AttemptShown {
     total: String,
     out_of: u32,
     parts: Vec<PartShown>,
+    /// The work beside the answers; empty where there is none.
+    work: String,
 }
 
 #[derive(Serialize)]
@@ -175,6 +177,7 @@ fn shown(attempt: &Attempt, report: &StoredReport, counting: Option<u32>, zone: 
         total: Points(report.total.clone()).to_string(),
         out_of: report.out_of,
         parts: report.parts.iter().map(|own| part(attempt, own)).collect(),
+        work: report.work.as_ref().map_or_else(String::new, |own| own.text.clone()),
     }
 }
 

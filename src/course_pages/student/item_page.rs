@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use momentous_course::{self as course, Attempt, Found, Item, Phase, ShownPart, StoredReport, Unsubmitted};
+use momentous_exercise::WORK;
 use momentous_exercise::calls::{FieldResponse, HintResponse, ReadResponse, SheetResponse};
 use momentous_grade::{Entry, Points};
 use momentous_quantity::Rational;
@@ -17,6 +18,7 @@ use super::super::reply::Reply;
 use super::super::session;
 use super::super::visit::Visit;
 use super::own_sheet::OwnSheet;
+use super::work::WorkState;
 
 #[derive(Serialize)]
 struct ItemPage {
@@ -28,6 +30,8 @@ struct ItemPage {
     request: String,
     sheet: SheetResponse,
     fields: Vec<FieldState>,
+    /// The work beside the answers, where the problem takes any.
+    work: Option<WorkState>,
     /// What each attempt was: its number and when the server had it.
     receipts: Vec<Receipt>,
     /// What one has for the item, once verdicts are shown.
@@ -147,6 +151,7 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
     } else {
         None
     };
+    let work = if own.exercise.takes_work() { Some(WorkState::of(visit, own, typed.get(WORK)).await?) } else { None };
     let page = ItemPage {
         title: sheet.title.clone(),
         assignment: own.whole.assignment.key.to_string(),
@@ -154,6 +159,7 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
         item: own.item.key.to_string(),
         request: session::key::<()>().to_string(),
         fields: sheet.fields.iter().map(|own| field(&own.id)).collect(),
+        work,
         receipts: receipts(own, &sheet, zone),
         has,
         out_of: own.item.points,
@@ -242,7 +248,8 @@ fn receipts(own: &OwnSheet, sheet: &SheetResponse, zone: &str) -> Vec<Receipt> {
     let typed = |attempt: &Attempt| {
         let text =
             |field: &FieldResponse| Some((field.label.clone(), attempt.answers.get(&field.id)?.trim().to_owned()));
-        sheet.fields.iter().filter_map(text).filter(|(_, text)| !text.is_empty()).collect()
+        let work = attempt.answers.get(WORK).map(|work| ("work".to_owned(), work.trim().to_owned()));
+        sheet.fields.iter().filter_map(text).chain(work).filter(|(_, text)| !text.is_empty()).collect()
     };
     let receipt = |attempt: &Attempt| Receipt {
         number: attempt.number,

@@ -6,6 +6,7 @@ mod hint;
 mod item_page;
 mod own_sheet;
 mod solution;
+mod work;
 
 pub(super) use course::{assignment, course};
 pub(super) use hand_in::{draft, hand_in, read};

@@ -8,7 +8,7 @@ use momentous::course::{
     Accepted, Attempt, HandIn, HintShown, Item, Key, Moment, Policy, PolicyForm, Refusal, Sheet, StoredReport, Weights,
     Window, WorkedSheet,
 };
-use momentous::exercise::Exercise;
+use momentous::exercise::{Exercise, WORK};
 use momentous::fault::Source;
 use momentous::grade::DecimalMark;
 use momentous::problem::{CourseSymbols, Problem, compile, load};
@@ -101,7 +101,17 @@ impl Desk {
 
     /// Hands in texts of the three parts.
     pub fn hand_in(&mut self, texts: [&str; 3], local: &str) -> Result<Accepted, Refusal> {
-        let answers = answers(texts);
+        self.hand_in_all(answers(texts), local)
+    }
+
+    /// Hands in texts of the three parts and the work beside them.
+    pub fn hand_in_with_work(&mut self, texts: [&str; 3], work: &str, local: &str) -> Result<Accepted, Refusal> {
+        let mut answers = answers(texts);
+        answers.insert(WORK.to_owned(), work.to_owned());
+        self.hand_in_all(answers, local)
+    }
+
+    fn hand_in_all(&mut self, answers: BTreeMap<String, String>, local: &str) -> Result<Accepted, Refusal> {
         let received = at(local);
         let hand_in = HandIn {
             exercise: &self.exercise,

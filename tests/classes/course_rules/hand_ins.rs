@@ -45,6 +45,48 @@ fn what_is_not_taken_says_why() {
     assert_eq!(refused(["", "4.0 m/s", "x"], DAY), None);
 }
 
+/// Momentum; then restitution, too.
+const MOMENTUM: &str = "m_A v_A1 + m_B v_B1 = m_A v_A2 + m_B v_B2";
+const BOTH: &str = "m_A v_A1 + m_B v_B1 = m_A v_A2 + m_B v_B2\nv_B2 - v_A2 = e (v_A1 - v_B1)";
+
+#[test]
+fn work_gives_points_where_an_answer_is_missing() {
+    let mut desk = Desk::new(&text(), policy(&form()), 1);
+    // Three laws and three answers, of which one law is there: a sixth of two points, two points and one.
+    let first = desk.hand_in_with_work(["", "9 m/s", ""], MOMENTUM, DAY).unwrap();
+    assert_eq!(found(&first.stored), "1/3 unanswered, 1/3 wrong, 1/6 unanswered");
+    // Other work alone is taken, and the same is nothing new.
+    assert_eq!(desk.hand_in_with_work(["", "", ""], MOMENTUM, DAY).err(), Some(Refusal::NothingNew));
+    let second = desk.hand_in_with_work(["", "", ""], BOTH, DAY).unwrap();
+    assert!(second.stored.total > first.stored.total, "{}", second.stored.total);
+    // It stands where none is typed; a right answer has its own points.
+    let third = desk.hand_in(["-0.5 m/s", "", ""], DAY).unwrap();
+    assert!(third.stored.parts[0].verdict.is_right() && third.stored.work == second.stored.work);
+    // It has as many attempts as a part.
+    desk.hand_in_with_work(["", "", ""], "m_A v_A1 = 0", DAY).unwrap();
+    assert_eq!(desk.hand_in_with_work(["", "", ""], BOTH, DAY).err(), Some(Refusal::NoAttemptLeft));
+}
+
+#[test]
+fn work_that_is_late_has_the_share_of_its_day() {
+    let mut desk = Desk::new(&text(), policy(&form()), 1);
+    let late = desk.hand_in_with_work(["", "", ""], MOMENTUM, "2026-12-01T18:01").unwrap();
+    // By hand: a sixth of the points of each part, with 3/5 for two days.
+    assert_eq!(found(&late.stored), "1/5 unanswered, 1/5 unanswered, 1/10 unanswered");
+}
+
+#[test]
+fn a_list_of_guesses_is_worth_its_last() {
+    let points = |work: &str| {
+        let mut desk = Desk::new(&text(), policy(&form()), 1);
+        desk.hand_in_with_work(["", "", ""], work, DAY).unwrap().stored.total
+    };
+    let [right, wrong] = ["v_A2 = -0.5 m/s", "v_A2 = 0.7 m/s"];
+    assert_eq!(points(&format!("{right}\n{wrong}")), points(wrong));
+    assert_eq!(points(&format!("{wrong}\n{right}")), points(right));
+    assert!(points(right) > points(wrong));
+}
+
 #[test]
 fn further_hints_are_those_of_the_answer_that_stands() {
     let mut desk = Desk::new(&text(), policy(&form()), 1);

@@ -247,3 +247,23 @@ const SHEET: (u64, u64) = (13, 7);
 const HAND_IN: (u64, u64) = (9, 6);
 /// Session, membership, assignments, extension.
 const COURSE: (u64, u64) = (4, 3);
+
+#[test]
+fn work_is_judged_with_the_answers_and_its_numbers_are_not_told_before() {
+    let university = University::new();
+    let whole = university.assignment(&[(CARTS, "forward", 10)], |_| {});
+    let address = first(&university, &whole);
+    let mut ada = university.browser_of("ada");
+    assert!(ada.get(&address).text(200).contains("name=\"answer.work\""));
+    // What is typed and not handed in is kept.
+    ada.post(&format!("{address}/draft"), &form("0", &[("answer.work", "e = 1")])).to();
+    assert!(ada.get(&address).text(200).contains("e = 1</textarea>"));
+    let (_, answers) = right(&university, "ada");
+    let value = answers["v_A2"].clone();
+    let work = format!("m_A v_A1 + m_B v_B1 = m_A v_A2 + m_B v_B2\nv_A2 = {value}\nv_A2 = 77 m/s");
+    ada.post(&address, &form("1", &[("answer.work", &work)])).to();
+    let page = ada.get(&address).text(200);
+    assert!(page.contains("Follows, by conservation of linear momentum."));
+    assert_eq!(page.matches("Its numbers are judged with the answers.").count(), 2);
+    assert!(!page.contains("it is right"), "a number was told");
+}
