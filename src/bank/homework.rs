@@ -32,6 +32,10 @@ const MOST_TIMES: u32 = 1000;
 pub struct Homework {
     /// The title on the sheet.
     pub title: String,
+    /// The course that the sheet names.
+    pub course: Option<String>,
+    /// How many ruled lines the sheet has for each answer.
+    pub room: usize,
     /// What the sheet says of its date.
     pub date: Option<String>,
     /// The problems in the order of the sheet.
@@ -74,7 +78,8 @@ impl Homework {
     /// assert_eq!(faults.list[0].help.as_deref(), Some("did you mean `find-e`?"));
     /// ```
     pub fn of(source: &Source, bank: &Bank, secret: Option<&[u8]>) -> Result<Self, Faults> {
-        let HomeworkDraft { title, date, problems } = HomeworkDraft::read(source)?;
+        let HomeworkDraft { title, course, room, date, problems } = HomeworkDraft::read(source)?;
+        let room = room.map_or(0, usize::from);
         let mut slots: Vec<Slot> = Vec::new();
         let mut faults = Vec::new();
         let list = Path::root().key("problems");
@@ -94,7 +99,11 @@ impl Homework {
                 Err(fault) => faults.push(fault.clone().at_path(at.key("problem"))),
             }
         }
-        if faults.is_empty() { Ok(Self { title, date, slots }) } else { Err(Index::of(source).locate_all(faults)) }
+        if faults.is_empty() {
+            Ok(Self { title, course, room, date, slots })
+        } else {
+            Err(Index::of(source).locate_all(faults))
+        }
     }
 
     /// What all problems are worth together.

@@ -138,6 +138,7 @@ impl Exercise {
     pub fn sheet(&self) -> Sheet {
         let worked = self.worked();
         Sheet {
+            room: 0,
             title: self.problem.title().to_owned(),
             identity: self.identity(),
             place: None,

@@ -12,6 +12,7 @@ mod fade;
 mod font;
 mod fragment;
 mod html;
+mod key_groups;
 mod latex;
 mod latex_text;
 mod markdown;

@@ -73,6 +73,8 @@ pub struct Sheet {
     pub figure: Option<Box<Drawing>>,
     /// Hints in Markdown, to be read one by one.
     pub hints: Vec<String>,
+    /// How many ruled lines there are for each answer.
+    pub room: usize,
 }
 
 /// The place of a problem on a sheet with several.
@@ -87,6 +89,8 @@ pub struct SheetPlace {
 /// What heads a sheet with several problems.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Heading {
+    /// The course.
+    pub course: Option<String>,
     /// The title.
     pub title: String,
     /// What is said of the date.

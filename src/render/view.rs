@@ -16,6 +16,7 @@ use super::authored::Authored;
 use super::document::{BesideFile, Figures, Format};
 use super::equation;
 use super::fade::fade;
+use super::key_groups::{Group, groups};
 use super::page::{Heading, Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
 use super::writer::Writer;
 use super::writers::writer;
@@ -104,6 +105,10 @@ impl<'a> View<'a> {
             ("note", optional(Some(&sheet.note).filter(|note| !note.is_empty()), |note| self.inline(note))),
             ("figure", figure),
             ("hints", Value::from(hints)),
+            ("room", sheet.room.into()),
+            // A small figure stands beside the text on paper, unless pictures or room for answers need the whole width.
+            ("aside", optional(sheet.figure.as_deref().and_then(width_aside), Value::from)),
+            ("flows", (sheet.room == 0 && sheet.parts.iter().all(|part| part.pictures.is_empty())).into()),
         ]))
     }
 
@@ -160,7 +165,30 @@ impl<'a> View<'a> {
             ("kind", "key".into()),
             ("title", key.title.as_str().into()),
             ("has_students", key.rows.iter().any(|row| row.student.is_some()).into()),
+            ("groups", Value::from(groups(key).iter().map(|group| self.group(group)).collect::<Vec<_>>())),
             ("rows", Value::from(key.rows.iter().map(row).collect::<Vec<_>>())),
+        ])
+    }
+
+    /// The answers to one problem: a row for each sheet, a column for each part.
+    fn group(&self, group: &Group<'_>) -> Value {
+        let row = |row: &Vec<&KeyRow>| {
+            let answer = |part: &&str| row.iter().find(|own| own.part == **part).map(|own| self.inline(&own.answer));
+            let first = row.first();
+            map([
+                ("identity", optional(first, |first| identity(&first.identity))),
+                ("student", first.and_then(|first| first.student.clone()).into()),
+                (
+                    "answers",
+                    Value::from(group.parts.iter().map(|part| optional(answer(part), |own| own)).collect::<Vec<_>>()),
+                ),
+            ])
+        };
+        map([
+            ("identity", identity(group.identity)),
+            ("has_students", group.rows.iter().flatten().any(|row| row.student.is_some()).into()),
+            ("parts", Value::from(group.parts.clone())),
+            ("rows", Value::from(group.rows.iter().map(row).collect::<Vec<_>>())),
         ])
     }
 
@@ -223,6 +251,15 @@ impl<'a> View<'a> {
     }
 }
 
+/// The widest figure beside a text, and the least room that its caption needs.
+const ASIDE: std::ops::RangeInclusive<f64> = 120.0..=215.0;
+
+/// How wide the column beside the text is, in points, for a figure that finds room there.
+fn width_aside(drawing: &Drawing) -> Option<f64> {
+    let width = drawing.high.x - drawing.low.x;
+    (width <= *ASIDE.end()).then(|| width.max(*ASIDE.start()).ceil())
+}
+
 fn identity(identity: &Identity) -> Value {
     let mark = identity.secret.as_ref().map_or_else(String::new, |mark| format!("-{mark}"));
     map([
@@ -237,6 +274,7 @@ fn identity(identity: &Identity) -> Value {
 
 fn heading(heading: &Heading) -> Value {
     map([
+        ("course", heading.course.clone().into()),
         ("title", heading.title.as_str().into()),
         ("date", heading.date.clone().into()),
         ("points", points(Some(heading.points))),

@@ -119,6 +119,41 @@ fn every_format_has_one_sheet() {
     }
 }
 
+/// The problems of a student in one file follow each other on a page, and the next student begins another; where a solution stands
+/// between them they do not.
+#[test]
+fn problems_of_one_student_share_pages_in_one_file() {
+    let room = room();
+    let several = ["generate", "impact/two-carts", "conservation/coupling-wagons", "--roster", "class.csv"];
+    let file = |more: &[&str]| {
+        room.fine(&[&several[..], more].concat());
+        room.read("all.tex")
+    };
+    let whole = file(&["--key", "--format", "latex", "-o", "all.tex"]);
+    let students = room.read("class.csv").lines().count() - 1;
+    assert_eq!(whole.matches("\\pagetitle{Problems}").count(), students, "{whole}");
+    // Between students, and before the key.
+    assert_eq!(whole.matches("\\clearpage").count(), students, "{whole}");
+    let apart = file(&["--solution", "--format", "latex", "-o", "all.tex"]);
+    assert_eq!(apart.matches("\\clearpage").count(), 4 * students - 1);
+}
+
+/// A homework says at its head whose it is and for which course, and leaves room for answers where it is told to.
+#[test]
+fn a_homework_has_a_head_and_room_for_answers() {
+    let room = room();
+    let text = room.read("homework/week-3.yaml");
+    fs::write(room.path("homework/week-4.yaml"), format!("course: Mechanics 2\nroom: 3\n{text}")).unwrap();
+    let parts = |sheet: &str, line: &str| sheet.matches(line).count();
+    let sheet = room.fine(&["generate", "homework/week-4.yaml", "--seed", "7", "--format", "latex"]);
+    assert!(sheet.contains("Mechanics 2") && sheet.contains("Name: \\blank"), "{sheet}");
+    assert_eq!(parts(&sheet, "\n\\writingline"), 3 * parts(&sheet, "\n\\item[{("), "{sheet}");
+    let sheet = room.fine(&["generate", "homework/week-4.yaml", "--seed", "7", "--format", "typst"]);
+    assert!(sheet.contains("Mechanics 2") && sheet.contains("Name: #blank"), "{sheet}");
+    let plain = room.fine(&["generate", "homework/week-3.yaml", "--seed", "7", "--format", "latex"]);
+    assert_eq!(parts(&plain, "\n\\writingline"), 0);
+}
+
 #[test]
 fn marks_are_those_of_the_problems_one_by_one_in_the_points_of_the_homework() {
     let room = room();

@@ -137,6 +137,7 @@ impl Job {
             Page::Sheet(match (&self.homework, &asked.slot) {
                 (Some(homework), Some((number, slot))) => {
                     let heading = (*number == 1).then(|| Heading {
+                        course: homework.course.clone(),
                         title: homework.title.clone(),
                         date: homework.date.clone(),
                         points: homework.points().to_f64().value(),
@@ -146,7 +147,8 @@ impl Job {
                     for (shown, part) in parts.iter_mut().zip(&exercise.worked().form.parts) {
                         shown.points = slot.worth.get(&part.id).map(|worth| worth.to_f64().value());
                     }
-                    Sheet { place: Some(Box::new(SheetPlace { number: *number, heading })), student, parts, ..sheet }
+                    let (place, room) = (Some(Box::new(SheetPlace { number: *number, heading })), homework.room);
+                    Sheet { place, student, parts, room, ..sheet }
                 }
                 _ => Sheet { student: self.shown(), ..sheet },
             })

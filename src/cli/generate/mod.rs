@@ -1,6 +1,7 @@
 //! `momentous generate`
 
 mod asked;
+mod bound;
 mod destination;
 mod earlier;
 mod homework;
@@ -37,6 +38,7 @@ use super::pages::Held;
 use super::pages::Shown;
 use super::printer::Printer;
 
+use bound::Bound;
 use destination::Destination;
 pub(super) use destination::SEEDS;
 use earlier::Earlier;
@@ -107,6 +109,11 @@ pub(super) struct Generate {
     secret: Secret,
 }
 
+/// Whether each student, or each seed, has several sheets.
+fn each_has_several(wanted: &Wanted) -> bool {
+    wanted.sheets_each() > 1
+}
+
 impl Generate {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         if self.shown.is_said() && !self.solution {
@@ -144,7 +151,10 @@ impl Generate {
         let each = roster.as_ref().map_or(self.count, |roster| roster.0.len() as u64);
         match printer {
             None => self.stream(jobs, each.saturating_mul(wanted.sheets_each()), &destination)?,
-            Some(printer) => self.documents(jobs, printer, &destination)?,
+            Some(printer) => {
+                let together = !self.solution && each_has_several(&wanted) && (roster.is_some() || self.count == 1);
+                self.documents(jobs, printer, &destination, together)?;
+            }
         }
         if let Some(roster) = &roster {
             destination.write_for_teacher(SEEDS, &roster.seeds(asked, seeds, self.scheme)?)?;
@@ -190,16 +200,18 @@ impl Generate {
         Ok(files)
     }
 
-    /// One document of everything, or a file for each sheet, each solution and the key.
+    /// One document of everything, with the problems of a student on one sheet where they belong `together`, or a file for each sheet, each solution and the key.
     fn documents(
         &self,
         jobs: impl Iterator<Item = Job>,
         mut printer: Printer,
         destination: &Destination,
+        together: bool,
     ) -> Result<(), Failure> {
         let extension = self.format.extension();
         let mut pages = Vec::new();
         let mut rows: Vec<KeyRow> = Vec::new();
+        let mut bound = Bound::default();
         for job in jobs {
             let exercises = job.exercises()?;
             exercises.iter().try_for_each(Exercise::printable)?;
@@ -209,6 +221,7 @@ impl Generate {
                 rows.extend(job.key(&exercises));
             }
             let Destination::Folder(folder) = destination else {
+                let sheet = if together { bound.add(sheet) } else { sheet };
                 pages.extend(sheet.into_iter().chain(solution));
                 continue;
             };
@@ -235,6 +248,7 @@ impl Generate {
             }
             Destination::Folder(_) => Ok(()),
             Destination::File(_) | Destination::Stdout => {
+                pages.extend(bound.finish());
                 pages.extend(self.key.then_some(key));
                 Output::whole(destination.file(), &printer.print(&pages)?.bytes)
             }

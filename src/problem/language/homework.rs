@@ -11,6 +11,12 @@ use super::entries::Entries;
 pub struct HomeworkDraft {
     /// The title on the sheet.
     pub title: String,
+    /// The course that the sheet names at its head.
+    #[serde(default)]
+    pub course: Option<String>,
+    /// How many ruled lines the sheet has for each answer. Default: none.
+    #[serde(default)]
+    pub room: Option<u8>,
     /// What the sheet says of its date, in any words: `due 14 October 2026`.
     #[serde(default)]
     pub date: Option<String>,

@@ -148,6 +148,7 @@ pub fn identity() -> Identity {
 
 pub fn sheet() -> Sheet {
     Sheet {
+        room: 0,
         title: "Two smooth pucks".into(),
         place: None,
         identity: identity(),
