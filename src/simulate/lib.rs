@@ -28,6 +28,7 @@ mod state;
 mod sweep;
 mod task;
 mod trajectory;
+mod truth;
 mod world;
 
 pub use budget::{Budget, Keep};
@@ -49,7 +50,8 @@ pub use refusal::Refusal;
 pub use shown::{End, Shown};
 pub use state::{State, Vector};
 #[cfg(feature = "clock")]
-pub use sweep::{JITTERED_SCENES, Point, sweep};
-pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
+pub use sweep::{Errors, JITTERED_SCENES, Point, points_of, sweep};
+pub use task::{CONTACT, Case, IN_THE_PLANE, ON_A_LINE, Task};
 pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};
+pub use truth::Truth;
 pub use world::{Anchor, Body, Cord, Together, Wall, World};

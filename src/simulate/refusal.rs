@@ -86,6 +86,26 @@ pub enum Refusal {
 }
 
 impl Refusal {
+    /// Whether it is about the scene, which has no answer, or more than one: no other method can have a right one.
+    #[must_use]
+    pub fn is_of_the_scene(&self) -> bool {
+        match self {
+            Self::LawRequired { .. }
+            | Self::Collapse { .. }
+            | Self::Overlap { .. }
+            | Self::Jamming
+            | Self::EnergyGain { .. }
+            | Self::Invalid { .. } => true,
+            Self::LastingContact { .. }
+            | Self::NoExactMotion { .. }
+            | Self::NoFormula
+            | Self::NothingTouches
+            | Self::Unstable { .. }
+            | Self::NoCalibration { .. }
+            | Self::Breakdown { .. } => false,
+        }
+    }
+
     /// The name of the refusal, as tables print it.
     #[must_use]
     pub fn name(&self) -> &'static str {

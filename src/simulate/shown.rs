@@ -110,7 +110,9 @@ impl<const D: usize> Shown<D> {
             (_, End::Impact(count)) if impacts < count => {
                 Some(format!("before its time: after {impacts} of {count} impacts"))
             }
-            (Ending::Impacts, End::Time | End::Rest) => Some(format!("before its time: after {impacts} impacts")),
+            (Ending::Impacts, End::Rest | End::Time) if impacts >= MOST_IMPACTS => {
+                Some(format!("before its time: after {impacts} impacts"))
+            }
             _ => None,
         }
     }

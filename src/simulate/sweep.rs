@@ -14,6 +14,28 @@ pub const JITTERED_SCENES: u32 = 32;
 /// By how much a given is jittered at most, as a part of it.
 const JITTER: f64 = 0.01;
 
+/// The errors of the jittered scenes, by quantiles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// A tenth of the scenes have a smaller one.
+    pub low: f64,
+    /// Half of them have.
+    pub median: f64,
+    /// Nine tenths have.
+    pub high: f64,
+    /// All others have.
+    pub greatest: f64,
+}
+
+impl Errors {
+    fn of(mut all: Vec<f64>) -> Option<Self> {
+        all.sort_by(f64::total_cmp);
+        let greatest = *all.last()?;
+        let at = |tenths: usize| all.get(all.len() * tenths / 10).copied();
+        Some(Self { low: at(1)?, median: at(5)?, high: at(9)?, greatest })
+    }
+}
+
 /// One method at one setting on one task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
@@ -25,23 +47,28 @@ pub struct Point {
     pub setting: Option<f64>,
     /// The least time of a solve over the repetitions, in s, averaged over the scenes.
     pub seconds: f64,
-    /// The median of the relative errors; `None` where no scene was solved.
-    pub median_error: Option<f64>,
-    /// The greatest of the relative errors.
-    pub greatest_error: Option<f64>,
+    /// How often forces, or the next event of a contact, were worked out in a solve, on the average.
+    pub evaluations: f64,
+    /// The errors of the whole state; `None` where no scene was solved.
+    pub errors: Option<Errors>,
     /// How many of the scenes were refused or ended without the answer.
     pub failures: usize,
     /// The name of the refusal of the last that failed.
     pub refusal: Option<String>,
 }
 
+/// The power of ten of the finest tolerance: rounding is reached before.
+const FINEST_TOLERANCE: i32 = 15;
+
 /// Every method at every setting of its sweep: steps from 1/30 s down by halves of a decade, tolerances from 1e-3 by decades.
 fn settings(finest_step: f64) -> Vec<(MethodKind, Option<f64>)> {
     let mut all = Vec::new();
-    for &method in MethodKind::ALL {
+    for &method in MethodKind::ALL.iter().filter(|method| **method != MethodKind::ClosedForm) {
         match method.setting() {
             Setting::None => all.push((method, None)),
-            Setting::Tolerance => all.extend((3..=13).map(|power| (method, Some(libm::pow(10.0, -f64::from(power)))))),
+            Setting::Tolerance => {
+                all.extend((3..=FINEST_TOLERANCE).map(|power| (method, Some(libm::pow(10.0, -f64::from(power))))));
+            }
             Setting::Step => {
                 let steps = std::iter::successors(Some(1.0 / 30.0), |step| Some(step / 10.0_f64.sqrt()));
                 all.extend(steps.take_while(|step| *step >= finest_step).map(|step| (method, Some(step))));
@@ -52,28 +79,43 @@ fn settings(finest_step: f64) -> Vec<(MethodKind, Option<f64>)> {
 }
 
 /// Runs a task through every method and setting, `repetitions` times each, or more often where a solve is short; steps go down to
-/// `finest_step` (s).
+/// `finest_step` (s). `done` is called after each of the [`points_of`] points.
 ///
 /// ```
-/// use momentous_simulate::{ON_A_LINE, sweep};
-/// let points = sweep(&ON_A_LINE[0], 1, 0.02);
+/// use momentous_simulate::{ON_A_LINE, points_of, sweep};
+/// let mut count = 0;
+/// let points = sweep(&ON_A_LINE[0], 1, 0.02, &mut || count += 1);
+/// assert_eq!((points.len(), count), (points_of(0.02), points_of(0.02)));
 /// let exact = points.iter().find(|point| point.method == "event driven").unwrap();
 /// assert_eq!(exact.failures, 0);
-/// assert!(exact.greatest_error.unwrap() < 1e-15);
+/// assert!(exact.errors.unwrap().greatest < 1e-15);
 /// ```
 #[must_use]
-pub fn sweep<const D: usize>(task: &Task<D>, repetitions: usize, finest_step: f64) -> Vec<Point> {
+pub fn sweep<const D: usize>(
+    task: &Task<D>,
+    repetitions: usize,
+    finest_step: f64,
+    done: &mut dyn FnMut(),
+) -> Vec<Point> {
     let cases = jittered_cases(task);
-    let own = settings(finest_step).into_iter().filter(|(method, _)| *method != MethodKind::ClosedForm);
-    let points = own.map(|(method, setting)| {
+    let mut points = vec![closed_form(task, repetitions)];
+    done();
+    for (method, setting) in settings(finest_step) {
         let method = method.with::<D>(setting.unwrap_or(0.0));
-        measured(task.name, setting, method.as_ref(), &cases, repetitions)
-    });
-    std::iter::once(closed_form(task, repetitions)).chain(points).collect()
+        points.push(measured(task.name, setting, method.as_ref(), &cases, repetitions));
+        done();
+    }
+    points
+}
+
+/// How many points a sweep has.
+#[must_use]
+pub fn points_of(finest_step: f64) -> usize {
+    settings(finest_step).len() + 1
 }
 
 /// For how long each scene is solved again at least, in s, where it is solved more than once: the fastest of a few short solves says more of the machine than of them.
-const SPENT: f64 = 5e-3;
+const SPENT: f64 = 2e-3;
 
 /// The scenes behind each point.
 pub(super) fn jittered_cases<const D: usize>(task: &Task<D>) -> Vec<Case<D>> {
@@ -98,8 +140,8 @@ fn closed_form<const D: usize>(task: &Task<D>, repetitions: usize) -> Point {
         method: "closed form",
         setting: None,
         seconds: least,
-        median_error: Some(0.0),
-        greatest_error: Some(0.0),
+        evaluations: 1.0,
+        errors: Errors::of(vec![0.0]),
         failures: 0,
         refusal: None,
     }
@@ -119,7 +161,7 @@ pub(super) fn measured<const D: usize>(
     repetitions: usize,
 ) -> Point {
     let mut errors = Vec::new();
-    let mut seconds = 0.0;
+    let (mut seconds, mut evaluations) = (0.0, 0.0);
     let mut refusal = None;
     for case in cases {
         let budget = case.budget.keep(Keep::Impacts);
@@ -137,21 +179,18 @@ pub(super) fn measured<const D: usize>(
         seconds += least / f64::from(JITTERED_SCENES);
         match outcome {
             Ok(run) => {
-                let value = (case.measure)(&run).filter(|value| value.is_finite());
-                errors.extend(value.map(|value| (value - case.expected).abs() / case.expected.abs()));
+                evaluations += count(run.evaluations) / f64::from(JITTERED_SCENES);
+                errors.extend(case.truth.error(&run));
             }
             Err(error) => refusal = Some(error.name().to_owned()),
         }
     }
-    errors.sort_by(f64::total_cmp);
-    Point {
-        task,
-        method: method.name(),
-        setting,
-        seconds,
-        median_error: errors.get(errors.len() / 2).copied(),
-        greatest_error: errors.last().copied(),
-        failures: cases.len() - errors.len(),
-        refusal,
-    }
+    let failures = cases.len() - errors.len();
+    let errors = Errors::of(errors);
+    Point { task, method: method.name(), setting, seconds, evaluations, errors, failures, refusal }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "counts of evaluations stay far below 2^53")]
+fn count(evaluations: usize) -> f64 {
+    evaluations as f64
 }

@@ -18,6 +18,8 @@ pub struct Trajectory<const D: usize> {
     pub impact_count: usize,
     /// How many steps (events, where a method has no steps) the run took.
     pub steps: usize,
+    /// How often forces, or the next event of a contact, were worked out: what a run takes on any machine.
+    pub evaluations: usize,
     /// Where everything is at the end.
     pub last: State<D>,
     /// How it ended.
@@ -127,6 +129,7 @@ impl<const D: usize> Trajectory<D> {
             impacts: Vec::new(),
             impact_count: 0,
             steps: 0,
+            evaluations: 0,
             last: start,
             ending: Ending::Time,
         }

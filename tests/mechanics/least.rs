@@ -57,8 +57,7 @@ impl Findings {
         for accuracy in ACCURACIES {
             let error = |method: &dyn Method<D>| {
                 let run = method.run(&case.world, &case.budget).map_err(|refusal| refusal.to_string())?;
-                let value = (case.measure)(&run).ok_or("no answer")?;
-                Ok((value - case.expected).abs() / case.expected.abs())
+                case.truth.error(&run).ok_or_else(|| "it has other impacts".to_owned())
             };
             self.request(task.name, accuracy, &classified, error, case.budget.until);
         }

@@ -1,4 +1,4 @@
-//! Work-precision diagrams: error against time per solve, both on logarithmic axes, one line a method.
+//! Work-precision diagrams: error against time per solve and against evaluations, on logarithmic axes, one line a method.
 
 use super::super::plot::Axis;
 use super::super::plot::Curve;
@@ -7,7 +7,7 @@ use super::super::plot::Page;
 use super::super::plot::Panel;
 use super::super::plot::Spot;
 use super::points::Row;
-use super::tasks::asks;
+use super::tasks::about;
 
 /// The height of one task's panel, in pixels.
 const HEIGHT: f64 = 440.0;
@@ -34,26 +34,48 @@ pub(super) fn page(rows: &[Row]) -> Page {
             tasks.push(&row.task);
         }
     }
-    let title = format!("Error against time per solve: {}", tasks.join(", "));
-    Page { title, rows: tasks.into_iter().map(|task| vec![panel(task, rows).into()]).collect() }
+    let title = format!("Error against time and evaluations: {}", tasks.join(", "));
+    let row = |task| WORKS.iter().map(|work| panel(task, rows, work).into()).collect();
+    Page { title, rows: tasks.into_iter().map(row).collect() }
 }
 
-fn panel(task: &str, rows: &[Row]) -> Panel {
+/// A measure of work: what it is called, its axis, and its value in a row.
+struct Work {
+    label: &'static str,
+    axis: fn(&str, Vec<f64>) -> Axis,
+    of: fn(&Row) -> f64,
+}
+
+const WORKS: [Work; 2] = [
+    Work {
+        label: "time per solve",
+        axis: |label, values| Axis::times(label, values.into_iter()),
+        of: |row| row.seconds,
+    },
+    Work {
+        label: "evaluations of forces, or predictions of impacts",
+        axis: |label, values| Axis::counts(label, values.into_iter()),
+        of: |row| row.evaluations,
+    },
+];
+
+fn panel(task: &str, rows: &[Row], work: &Work) -> Panel {
     let rows: Vec<&Row> = rows.iter().filter(|row| row.task == task).collect();
-    let what = asks(task).map(|asks| format!(": {asks}")).unwrap_or_default();
-    let curves = LOOKS.iter().enumerate().filter_map(|(colour, (name, mark))| curve(&rows, name, *mark, colour));
+    let what = about(task).map(|about| format!(": {about}")).unwrap_or_default();
+    let curves = LOOKS.iter().enumerate();
+    let curves = curves.filter_map(|(colour, (name, mark))| curve(&rows, name, *mark, colour, work.of));
     Panel {
         title: format!("{task}{what}"),
         height: HEIGHT,
-        across: Axis::times("time per solve", rows.iter().map(|row| row.seconds)),
-        up: Axis::errors("relative error"),
+        across: (work.axis)(work.label, rows.iter().map(|row| (work.of)(row)).collect()),
+        up: Axis::errors("error of the whole state"),
         curves: curves.collect(),
         failures: true,
     }
 }
 
 /// The points of a method on a task, from its coarsest setting to its finest; the note says why it failed where it did.
-fn curve(rows: &[&Row], method: &str, mark: Mark, colour: usize) -> Option<Curve> {
+fn curve(rows: &[&Row], method: &str, mark: Mark, colour: usize, work: fn(&Row) -> f64) -> Option<Curve> {
     let rows: Vec<&Row> = rows.iter().filter(|row| row.method == method).copied().collect();
     let failed = rows.iter().filter(|row| row.failures > 0).count();
     let why = rows.iter().rev().find_map(|row| row.refusal.as_deref()).unwrap_or("no answer");
@@ -63,9 +85,9 @@ fn curve(rows: &[&Row], method: &str, mark: Mark, colour: usize) -> Option<Curve
         _ => Some(format!("\u{d7} {failed} of {}, {why}", rows.len())),
     };
     let spot = |row: &&Row| Spot {
-        across: row.seconds,
+        across: work(row),
         up: row.median_error,
-        spread: row.greatest_error.filter(|greatest| row.median_error.is_some_and(|median| *greatest > median)),
+        spread: row.low_error.zip(row.high_error).filter(|(low, high)| high > low).map(|(low, high)| [low, high]),
         failed: row.failures > 0,
     };
     let spots: Vec<Spot> = rows.iter().map(spot).collect();

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde::Deserialize;
 use serde::Serialize;
 
+use crate::simulate::Errors;
 use crate::simulate::Point;
 
 use super::super::failure::Failure;
@@ -17,7 +18,10 @@ pub(super) struct Row {
     pub method: String,
     pub setting: Option<f64>,
     pub seconds: f64,
+    pub evaluations: f64,
+    pub low_error: Option<f64>,
     pub median_error: Option<f64>,
+    pub high_error: Option<f64>,
     pub greatest_error: Option<f64>,
     pub failures: usize,
     pub refusal: Option<String>,
@@ -25,13 +29,17 @@ pub(super) struct Row {
 
 impl From<Point> for Row {
     fn from(point: Point) -> Self {
+        let error = |of: fn(&Errors) -> f64| point.errors.as_ref().map(of).map(rounded);
         Self {
             task: point.task.to_owned(),
             method: point.method.to_owned(),
             setting: point.setting,
             seconds: rounded(point.seconds),
-            median_error: point.median_error.map(rounded),
-            greatest_error: point.greatest_error.map(rounded),
+            evaluations: rounded(point.evaluations),
+            low_error: error(|errors| errors.low),
+            median_error: error(|errors| errors.median),
+            high_error: error(|errors| errors.high),
+            greatest_error: error(|errors| errors.greatest),
             failures: point.failures,
             refusal: point.refusal,
         }

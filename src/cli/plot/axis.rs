@@ -79,7 +79,17 @@ impl Axis {
 
     /// Whole decades, from the shortest time to the longest.
     pub(crate) fn times(label: &str, seconds: impl Iterator<Item = f64>) -> Self {
-        let logs = seconds.map(libm::log10);
+        Self::whole_decades(label, seconds, time)
+    }
+
+    /// Whole decades, from the smallest count to the largest.
+    pub(crate) fn counts(label: &str, counts: impl Iterator<Item = f64>) -> Self {
+        #[allow(clippy::cast_possible_truncation, reason = "a whole decade")]
+        Self::whole_decades(label, counts.filter(|count| *count > 0.0), |decade| power_of_ten(decade as i32))
+    }
+
+    fn whole_decades(label: &str, values: impl Iterator<Item = f64>, text: fn(f64) -> String) -> Self {
+        let logs = values.map(libm::log10);
         let (low, high) =
             logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), log| (f64::min(low, log), f64::max(high, log)));
         let (low, high) = (libm::floor(low).clamp(-12.0, 12.0), libm::ceil(high).clamp(-12.0, 12.0));
@@ -87,7 +97,7 @@ impl Axis {
         let mut ticks = Vec::new();
         let mut decade = low;
         while decade <= high {
-            ticks.push((libm::pow(10.0, decade), time(decade)));
+            ticks.push((libm::pow(10.0, decade), text(decade)));
             decade += 1.0;
         }
         Self { label: super::escaped(label), scale: Scale::Logarithmic { low, high }, ticks }

@@ -65,8 +65,8 @@ pub(crate) struct Spot {
     pub across: f64,
     /// Along the side; none where there is no value.
     pub up: Option<f64>,
-    /// Up to where a thin line shows its spread.
-    pub spread: Option<f64>,
+    /// From where to where a thin line shows its spread.
+    pub spread: Option<[f64; 2]>,
     /// Whether a cross stands above it.
     pub failed: bool,
 }
@@ -164,8 +164,8 @@ impl Panel {
             let Some(up) = spot.up.filter(|up| up.is_finite()) else { continue };
             let y = self.y(up);
             let _ = write!(way, "{}{x:.1} {y:.1}", if way.is_empty() { 'M' } else { 'L' });
-            if let Some(spread) = spot.spread {
-                let _ = writeln!(out, "<path class=\"spread\" d=\"M{x:.1} {y:.1}V{:.1}\"/>", self.y(spread));
+            if let Some([low, high]) = spot.spread.map(|ends| ends.map(|end| self.y(end))) {
+                let _ = writeln!(out, "<path class=\"spread\" d=\"M{x:.1} {low:.1}V{high:.1}\"/>");
             }
             draw(out, curve.mark, x, y);
         }

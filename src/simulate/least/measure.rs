@@ -72,6 +72,6 @@ fn task_work<const D: usize>(task: &Task<D>, method: MethodKind, setting: Option
 fn row(class: Class, method: MethodKind, setting: Option<f64>, points: &[Point], work: f64) -> Option<Cost> {
     let failed = points.is_empty() || points.iter().any(|point| point.failures > 0);
     let greatest = |value: fn(&Point) -> f64| points.iter().map(value).fold(0.0, f64::max);
-    let error = greatest(|point| point.greatest_error.unwrap_or(f64::INFINITY)).max(ROUNDING);
+    let error = greatest(|point| point.errors.map_or(f64::INFINITY, |errors| errors.greatest)).max(ROUNDING);
     (!failed).then(|| Cost { class, method, setting, seconds: greatest(|point| point.seconds), error, work })
 }

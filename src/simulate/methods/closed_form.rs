@@ -89,6 +89,7 @@ impl<'a, const D: usize> Bouncing<'a, D> {
             run.extend(0, Segment { start: since, end: arrival.time, motion }, budget);
             run.note(self.impact(&normal, &arrival), budget);
             run.steps += 1;
+            run.evaluations += 1;
             (since, place, velocity) = (arrival.time, on_floor, normal * (self.restitution * arrival.speed));
             run.last.time = since;
             (run.last.positions[0], run.last.velocities[0]) = (place, velocity);

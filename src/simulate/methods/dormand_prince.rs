@@ -53,13 +53,19 @@ impl<const D: usize> Sizes<D> {
 
     /// Takes a state into account.
     pub(super) fn see(&mut self, state: &State<D>) {
+        (self.way, self.speed) = self.with(state);
+    }
+
+    /// The longest way and the greatest speed, with those of a state.
+    fn with(&self, state: &State<D>) -> (f64, f64) {
         let ways = state.positions.iter().zip(&self.from).map(|(place, from)| (place - from).amax());
-        self.way = ways.fold(self.way, f64::max);
-        self.speed = state.velocities.iter().map(Matrix::amax).fold(self.speed, f64::max);
+        let speeds = state.velocities.iter().map(Matrix::amax);
+        (ways.fold(self.way, f64::max), speeds.fold(self.speed, f64::max))
     }
 }
 
-/// A step that may be accepted.
+/// A step of a world that is tried: its slopes, which the next one begins with where it goes on from here, and what is read off them.
+#[derive(Clone, Debug)]
 pub(super) struct Trial<const D: usize> {
     /// The state at its end.
     pub state: State<D>,
@@ -67,58 +73,82 @@ pub(super) struct Trial<const D: usize> {
     pub error: f64,
     /// The positions on the way: coefficients of 1, s, ..., s^4, where s goes from 0 to 1.
     pub dense: Vec<[Vector<D>; 5]>,
+    /// How often the forces were worked out.
+    pub evaluations: usize,
+    speeds: [Vec<Vector<D>>; STAGES.len()],
+    pulls: [Vec<Vector<D>>; STAGES.len()],
+    /// Whether the slopes of the first stage are those of the start.
+    begun: bool,
 }
 
-/// Tries a step; `stop` is a time at which forces change, which no stage may reach.
-#[allow(clippy::needless_range_loop, reason = "stages and bodies are numbered in the formulas")]
-pub(super) fn trial<const D: usize>(
-    world: &World<D>,
-    start: &State<D>,
-    length: f64,
-    (tolerance, sizes): (f64, &Sizes<D>),
-    stop: f64,
-) -> Trial<D> {
-    let bodies = world.bodies.len();
-    let mut speeds: Vec<Vec<Vector<D>>> = Vec::with_capacity(7);
-    let mut pulls: Vec<Vec<Vector<D>>> = Vec::with_capacity(7);
-    let mut state = start.clone();
-    for stage in 0..7 {
-        state.time = (start.time + NODES[stage] * length).min(stop.next_down());
+impl<const D: usize> Trial<D> {
+    pub(super) fn new(start: &State<D>) -> Self {
+        let none = || core::array::from_fn(|_| vec![Vector::zeros(); start.positions.len()]);
+        let (state, dense) = (start.clone(), vec![[Vector::zeros(); 5]; start.positions.len()]);
+        Self { state, error: 0.0, dense, evaluations: 0, speeds: none(), pulls: none(), begun: false }
+    }
+
+    /// Forgets the slopes of the start: a force has another law, or a body another velocity.
+    pub(super) fn begin_anew(&mut self) {
+        self.begun = false;
+    }
+
+    /// The last stage of an accepted step is the first of the next one.
+    pub(super) fn accepted(&mut self) {
+        self.speeds.swap(0, STAGES.len() - 1);
+        self.pulls.swap(0, STAGES.len() - 1);
+        self.begun = true;
+    }
+
+    /// Tries a step; `stop` is a time at which forces change, which no stage may reach.
+    #[allow(clippy::needless_range_loop, reason = "stages and bodies are numbered in the formulas")]
+    pub(super) fn step(
+        &mut self,
+        world: &World<D>,
+        start: &State<D>,
+        length: f64,
+        (tolerance, sizes): (f64, &Sizes<D>),
+        stop: f64,
+    ) {
+        let bodies = world.bodies.len();
+        for stage in usize::from(self.begun)..STAGES.len() {
+            self.state.time = (start.time + NODES[stage] * length).min(stop.next_down());
+            for body in 0..bodies {
+                let (mut position, mut velocity) = (Vector::zeros(), Vector::zeros());
+                for (before, weight) in STAGES[stage].iter().enumerate() {
+                    position += self.speeds[before][body] * *weight;
+                    velocity += self.pulls[before][body] * *weight;
+                }
+                self.state.positions[body] = start.positions[body] + position * length;
+                self.state.velocities[body] = start.velocities[body] + velocity * length;
+            }
+            world.accelerate(&self.state, &mut self.pulls[stage]);
+            self.speeds[stage].copy_from_slice(&self.state.velocities);
+            self.evaluations += 1;
+        }
+        self.begun = true;
+        self.state.time = start.time + length;
+        let weighted = |slopes: &[Vec<Vector<D>>; STAGES.len()], weights: &[f64; 7], body: usize| {
+            let terms = slopes.iter().zip(weights).map(|(slope, weight)| slope[body] * *weight);
+            terms.sum::<Vector<D>>() * length
+        };
+        let (way, speed) = sizes.with(&self.state);
+        self.error = 0.0;
         for body in 0..bodies {
-            let (mut position, mut velocity) = (Vector::zeros(), Vector::zeros());
-            for (before, weight) in STAGES[stage].iter().enumerate() {
-                position += speeds[before][body] * *weight;
-                velocity += pulls[before][body] * *weight;
+            for (slopes, size) in [(&self.speeds, way), (&self.pulls, speed)] {
+                let error = weighted(slopes, &ERROR, body).amax();
+                if error != 0.0 {
+                    let part = error / (tolerance * size);
+                    self.error = if part.is_finite() { self.error.max(part) } else { 1e10 };
+                }
             }
-            state.positions[body] = start.positions[body] + position * length;
-            state.velocities[body] = start.velocities[body] + velocity * length;
+            let change = self.state.positions[body] - start.positions[body];
+            let bend = self.speeds[0][body] * length - change;
+            let third = change - self.speeds[6][body] * length - bend;
+            let fourth = weighted(&self.speeds, &DENSE, body);
+            // c1 + s (c2 + (1 - s)(c3 + s (c4 + (1 - s) c5)))
+            self.dense[body] =
+                [start.positions[body], change + bend, -bend + third + fourth, -third - fourth * 2.0, fourth];
         }
-        pulls.push(world.accelerations(&state));
-        speeds.push(state.velocities.clone());
     }
-    state.time = start.time + length;
-    let weighted = |slopes: &[Vec<Vector<D>>], weights: &[f64; 7], body: usize| {
-        let terms = slopes.iter().zip(weights).map(|(slope, weight)| slope[body] * *weight);
-        terms.sum::<Vector<D>>() * length
-    };
-    let mut worst = 0.0_f64;
-    let mut dense = Vec::with_capacity(bodies);
-    let mut sizes = sizes.clone();
-    sizes.see(&state);
-    for body in 0..bodies {
-        for (slopes, size) in [(&speeds, sizes.way), (&pulls, sizes.speed)] {
-            let error = weighted(slopes, &ERROR, body).amax();
-            if error != 0.0 {
-                let part = error / (tolerance * size);
-                worst = if part.is_finite() { worst.max(part) } else { 1e10 };
-            }
-        }
-        let change = state.positions[body] - start.positions[body];
-        let bend = speeds[0][body] * length - change;
-        let third = change - speeds[6][body] * length - bend;
-        let fourth = weighted(&speeds, &DENSE, body);
-        // c1 + s (c2 + (1 - s)(c3 + s (c4 + (1 - s) c5)))
-        dense.push([start.positions[body], change + bend, -bend + third + fourth, -third - fourth * 2.0, fourth]);
-    }
-    Trial { state, error: worst, dense }
 }

@@ -28,6 +28,7 @@ impl<const D: usize> Method<D> for LinearSolve {
             run.note(impact, budget);
         }
         run.steps = 1;
+        run.evaluations = 1;
         run.ending = Ending::Impacts;
         Ok(run)
     }

@@ -62,6 +62,7 @@ pub(super) fn march<const D: usize>(
             run.note(impact, budget);
         }
         run.steps += 1;
+        run.evaluations += 1;
         if budget.keep == Keep::Steps {
             run.states.push(state.clone());
         }

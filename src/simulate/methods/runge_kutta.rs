@@ -14,7 +14,7 @@ use crate::state::{State, Vector};
 use crate::trajectory::{Ending, Motion, Segment, Trajectory};
 use crate::world::World;
 
-use super::dormand_prince::{Sizes, Trial, trial};
+use super::dormand_prince::{Sizes, Trial};
 
 /// The adaptive method, with a tolerance for the error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,9 +45,11 @@ impl<const D: usize> Method<D> for RungeKutta {
             stalled: Vec::new(),
             stalled_at: f64::NEG_INFINITY,
             sizes: Sizes::of(&world.start()),
+            trial: Trial::new(&world.start()),
             result: Trajectory::begin(world.start()),
         };
         run.result.ending = run.integrate()?;
+        run.result.evaluations = run.trial.evaluations;
         Ok(run.result)
     }
 }
@@ -60,6 +62,7 @@ struct Run<'a, const D: usize> {
     stalled: Vec<Contact>,
     stalled_at: f64,
     sizes: Sizes<D>,
+    trial: Trial<D>,
     result: Trajectory<D>,
 }
 
@@ -70,6 +73,7 @@ impl<const D: usize> Run<'_, D> {
         stops.push(self.budget.until);
         let mut step = self.budget.until / 100.0;
         for stop in stops {
+            self.trial.begin_anew();
             while self.result.last.time < stop {
                 if self.result.impact_count >= self.budget.impacts {
                     return Ok(Ending::Impacts);
@@ -82,19 +86,20 @@ impl<const D: usize> Run<'_, D> {
                 let last_step = step >= left;
                 let length = step.min(left);
                 // Just before a force changes its law, stages must not look beyond.
-                let attempt = trial(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
-                if attempt.error > 1.0 {
-                    step = length * (0.9 * attempt.error.powf(-0.2)).clamp(0.1, 0.9);
+                self.try_step(length, stop);
+                let error = self.trial.error;
+                if error > 1.0 {
+                    step = length * (0.9 * libm::pow(error, -0.2)).clamp(0.1, 0.9);
                     if step <= 1e-14 * self.result.last.time.max(1e-300) {
                         let (time, what) = (self.result.last.time, "the step became too small".to_owned());
                         return Err(Refusal::Breakdown { time, what });
                     }
                     continue;
                 }
-                let grown = length * (0.9 * attempt.error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);
-                match self.first_event(&attempt, length) {
+                let grown = length * (0.9 * libm::pow(error.max(1e-10), -0.2)).clamp(0.2, 5.0);
+                match self.first_event(length) {
                     None => {
-                        self.accept(&attempt, length);
+                        self.accept(length);
                         if last_step {
                             self.result.last.time = stop;
                         }
@@ -112,17 +117,21 @@ impl<const D: usize> Run<'_, D> {
         Ok(Ending::Time)
     }
 
+    fn try_step(&mut self, length: f64, stop: f64) {
+        self.trial.step(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
+    }
+
     /// The contact that closes first within a step, and the part of the step until then.
-    fn first_event(&self, attempt: &Trial<D>, length: f64) -> Option<(Contact, f64)> {
+    fn first_event(&self, length: f64) -> Option<(Contact, f64)> {
         let mut found: Option<(Contact, f64)> = None;
         for &contact in &self.contacts {
             let (first, second) = self.world.parties(contact);
             if D > 1 && matches!(contact, Contact::Bodies(..)) && self.world.reach(contact) == 0.0 {
                 continue;
             }
-            let mut relative = attempt.dense[second].to_vec();
+            let mut relative = self.trial.dense[second];
             if let Some(first) = first {
-                for (own, other) in relative.iter_mut().zip(&attempt.dense[first]) {
+                for (own, other) in relative.iter_mut().zip(&self.trial.dense[first]) {
                     *own -= other;
                 }
             }
@@ -136,9 +145,10 @@ impl<const D: usize> Run<'_, D> {
         found
     }
 
-    fn accept(&mut self, attempt: &Trial<D>, length: f64) {
+    fn accept(&mut self, length: f64) {
         let start = self.result.last.time;
-        for (body, dense) in attempt.dense.iter().enumerate() {
+        let kept = if self.budget.keep.has_paths() { &self.trial.dense[..] } else { &[] };
+        for (body, dense) in kept.iter().enumerate() {
             let mut scale = 1.0;
             let mut coefficients = Vec::with_capacity(dense.len());
             for term in dense {
@@ -148,19 +158,21 @@ impl<const D: usize> Run<'_, D> {
             let motion = Motion::Polynomial(coefficients);
             self.result.extend(body, Segment { start, end: start + length, motion }, self.budget);
         }
-        self.sizes.see(&attempt.state);
-        self.result.last = attempt.state.clone();
+        self.sizes.see(&self.trial.state);
+        self.result.last.clone_from(&self.trial.state);
+        self.trial.accepted();
     }
 
     /// Steps to the impact, closes the gap there, and strikes.
     fn meet(&mut self, contact: Contact, guess: f64, stop: f64) -> Result<Option<Ending>, Refusal> {
         let mut length = guess;
         if length > 0.0 {
-            let mut attempt = trial(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
+            self.try_step(length, stop);
             for _ in 0..20 {
-                let geometry = self.world.geometry(contact, &attempt.state);
-                let rate = self.world.rate(contact, &geometry.normal, &attempt.state.velocities);
-                if geometry.gap.abs() <= self.world.tolerance(contact, &attempt.state) || rate >= 0.0 {
+                let state = &self.trial.state;
+                let geometry = self.world.geometry(contact, state);
+                let rate = self.world.rate(contact, &geometry.normal, &state.velocities);
+                if geometry.gap.abs() <= self.world.tolerance(contact, state) || rate >= 0.0 {
                     break;
                 }
                 let next = (length - geometry.gap / rate).max(length / 2.0);
@@ -168,18 +180,19 @@ impl<const D: usize> Run<'_, D> {
                     break;
                 }
                 length = next;
-                attempt = trial(self.world, &self.result.last, length, (self.tolerance, &self.sizes), stop);
+                self.try_step(length, stop);
             }
-            let geometry = self.world.geometry(contact, &attempt.state);
-            let rate = self.world.rate(contact, &geometry.normal, &attempt.state.velocities);
-            let time = attempt.state.time;
+            let state = &self.trial.state;
+            let geometry = self.world.geometry(contact, state);
+            let rate = self.world.rate(contact, &geometry.normal, &state.velocities);
+            let time = state.time;
             // The residual of the event: what is left of the gap must be rounding, of the place or of the time.
-            let rounding = 1e3 * self.world.tolerance(contact, &attempt.state) + 1e-14 * time * rate.abs();
+            let rounding = 1e3 * self.world.tolerance(contact, state) + 1e-14 * time * rate.abs();
             if geometry.gap.abs() > rounding || geometry.gap.is_nan() {
                 let what = format!("the impact {} was not located", self.world.name_of(contact));
                 return Err(Refusal::Breakdown { time, what });
             }
-            self.accept(&attempt, length);
+            self.accept(length);
         }
         self.strike(contact)
     }
@@ -200,6 +213,7 @@ impl<const D: usize> Run<'_, D> {
         if group.iter().all(|struck| struck.contact != contact) {
             group.push(crate::simultaneous::Struck { contact, normal: geometry.normal, rate });
         }
+        self.trial.begin_anew();
         for mut impact in self.world.collide(&group, &mut state.velocities)? {
             impact.time = time;
             self.result.note(impact, self.budget);

@@ -1,7 +1,9 @@
 //! The stability suite: scenes with known answers, each run through every method, and what came of it.
 
+mod hard;
 mod points;
 mod scenes;
+mod suite;
 
 use super::budget::Budget;
 use super::method::Method;
@@ -9,7 +11,7 @@ use super::methods::{MethodKind, Setting};
 use super::trajectory::Trajectory;
 use super::world::World;
 
-pub use scenes::run_all;
+pub use suite::{in_the_plane, on_a_line, run_all};
 
 /// A scene with one number that is known, and how well it must be met to be right.
 pub struct Trial<const D: usize> {
@@ -24,7 +26,7 @@ pub struct Trial<const D: usize> {
     /// The number that is asked for; `None` where the run does not have it.
     #[allow(clippy::type_complexity, reason = "a measure is a function of the trajectory, and is named here")]
     pub measure: Box<dyn Fn(&Trajectory<D>) -> Option<f64>>,
-    /// What it is.
+    /// What it is; not a number where there is no answer, so that only a refusal is right.
     pub expected: f64,
     /// The error that is still right, relative to what is expected.
     pub tolerance: f64,
@@ -52,6 +54,8 @@ pub enum Verdict {
     Off(f64),
     /// The run ended without what was asked for.
     Missed,
+    /// There is no answer, and the run goes on as if there were.
+    Unanswerable,
 }
 
 impl std::fmt::Display for Verdict {
@@ -61,6 +65,7 @@ impl std::fmt::Display for Verdict {
             Self::Refused(name) => write!(out, "refused: {name}"),
             Self::Off(error) => write!(out, "fails: off by {error:.0e}"),
             Self::Missed => out.write_str("fails: what is asked for does not happen"),
+            Self::Unanswerable => out.write_str("fails: there is no answer"),
         }
     }
 }
@@ -78,6 +83,7 @@ pub fn run_trial<const D: usize>(trial: &Trial<D>) -> Vec<Row> {
     let run = |method: Box<dyn Method<D>>| {
         let verdict = match method.run(&trial.world, &trial.budget) {
             Err(refusal) => Verdict::Refused(refusal.name()),
+            Ok(_) if trial.expected.is_nan() => Verdict::Unanswerable,
             Ok(run) => match (trial.measure)(&run) {
                 None => Verdict::Missed,
                 Some(value) => {

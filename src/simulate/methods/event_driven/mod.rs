@@ -64,6 +64,7 @@ fn orbits<const D: usize>(world: &World<D>, start: State<D>, budget: &Budget) ->
             }
             _ => return refusal("central gravity with another force"),
         };
+        run.evaluations += 1;
         let (position, velocity) = motion.at(budget.until);
         if !position.iter().chain(velocity.iter()).all(|value| value.is_finite()) {
             return Err(Refusal::Breakdown { time: budget.until, what: "the orbit meets its centre".to_owned() });

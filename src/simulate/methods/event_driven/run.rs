@@ -297,6 +297,7 @@ impl<'a, const D: usize> Run<'a, D> {
     /// Enters the next event of a contact whose parties' entries are as of now.
     fn predict(&mut self, entry: usize) {
         let contact = self.agenda.contacts()[entry];
+        self.result.evaluations += 1;
         let limit = self.breakpoints.last().copied().unwrap_or(f64::INFINITY).min(self.budget.until);
         let horizon = limit - self.now.seconds();
         let elapsed = |body: usize| self.now.since(self.moving[body].since);
