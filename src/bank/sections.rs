@@ -1,5 +1,7 @@
 //! The sections of the gallery, in the order of a course.
 
+use momentous_exercise::titled;
+
 use super::entry::Card;
 
 /// A section of the gallery.
@@ -51,11 +53,4 @@ impl Section {
             None => Self { name: card.topic.clone(), title: titled(&card.topic), place: SECTIONS.len() },
         }
     }
-}
-
-/// `week-one` as `Week one`.
-fn titled(topic: &str) -> String {
-    let words = topic.replace('-', " ");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

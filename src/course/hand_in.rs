@@ -93,7 +93,7 @@ pub enum Refusal {
     #[error("no attempt is left where the answers are new")]
     NoAttemptLeft,
     /// Nothing is typed, or what was handed in before.
-    #[error("there is nothing new to hand in")]
+    #[error("there is nothing new to submit")]
     NothingNew,
     /// There are as many attempts as are ever kept.
     #[error("there are too many attempts at this sheet")]

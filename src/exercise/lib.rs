@@ -8,6 +8,7 @@ mod drawer;
 mod echo;
 mod follow_through;
 mod followed;
+mod forms;
 mod formula;
 mod issue;
 mod issued;
@@ -65,6 +66,7 @@ use momentous_render::SheetPart;
 use momentous_solve::Bounded;
 
 pub use attempts::Try;
+pub use forms::{FormLabel, titled};
 pub use issue::{Issued, Remark};
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};

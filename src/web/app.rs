@@ -1,5 +1,6 @@
 //! What all requests share.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -16,6 +17,7 @@ use super::library::Library;
 use super::log::Log;
 use super::metrics::Metrics;
 use super::settings::Settings;
+use super::words;
 use super::workers::Workers;
 
 /// What all requests share: the problems, the templates, the files of the pages and the workers.
@@ -48,6 +50,8 @@ struct Around<'a, Who, Page> {
     has_courses: bool,
     /// The simulators that the header offers: names in addresses, and titles.
     simulators: Vec<(&'static str, &'static str)>,
+    /// What buttons and headings are called, by their names.
+    say: BTreeMap<&'static str, &'static str>,
     /// What a page of a course knows besides.
     who: Option<&'a Who>,
     page: &'a Page,
@@ -116,7 +120,8 @@ impl App {
         let hidden = self.companion.as_ref().map(|companion| companion.hidden_simulators()).unwrap_or_default();
         let simulators = SIMULATORS.into_iter().filter(|(name, _)| !hidden.contains(name)).collect();
         let has_courses = self.companion.is_some();
-        let around = Around { base, assets, watch, has_courses, simulators, who, page };
+        let say = words::ALL.iter().copied().collect();
+        let around = Around { base, assets, watch, has_courses, simulators, say, who, page };
         self.site.page(name, &around).map_err(|faults| Refused::fault(&faults))
     }
 }

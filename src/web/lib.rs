@@ -24,6 +24,7 @@ pub mod sender;
 mod server;
 mod settings;
 mod view;
+pub mod words;
 mod workers;
 
 pub use again::Again;

@@ -15,6 +15,7 @@ use momentous_bank::Exhibit;
 use momentous_bank::files_under;
 use momentous_bank::load_in_course;
 use momentous_exercise::calls::{Problems, Refused, RefusedKind};
+use momentous_exercise::titled;
 use momentous_fault::Faults;
 use momentous_fault::Source;
 use momentous_problem::Problem;
@@ -76,6 +77,16 @@ impl Library {
         let exhibits = Arc::new(loaded.map(|loaded| Exhibit::of(&loaded)).collect::<Vec<_>>());
         self.shelf()?.exhibits = Some(Arc::clone(&exhibits));
         Ok(exhibits)
+    }
+
+    /// What a person calls a problem: its title, or for those of a course what its identity says.
+    ///
+    /// # Errors
+    /// The folder cannot be read.
+    pub fn title(&self, id: &str) -> Result<String, Refused> {
+        let exhibits = self.exhibits()?;
+        let found = exhibits.iter().find(|exhibit| exhibit.card.id == id).map(|exhibit| exhibit.card.title.clone());
+        Ok(found.unwrap_or_else(|| titled(id.rsplit('/').next().unwrap_or(id))))
     }
 
     /// The file of a problem of the bank.

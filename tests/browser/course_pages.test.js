@@ -62,7 +62,7 @@ const PAGES = [
   ["/people", { who: "teacher", at: () => "/people" }],
   ["/people", { who: "teacher", at: () => "/people", then: (page) => page.getByRole("button", { name: "New link for bob" }).click() }],
   ["/courses/new", { who: "teacher", at: () => "/courses/new" }],
-  ["/courses/new", { who: "teacher", at: () => "/courses/new", then: (page) => page.getByRole("button", { name: "Make the course" }).click() }],
+  ["/courses/new", { who: "teacher", at: () => "/courses/new", then: (page) => page.getByRole("button", { name: "Create course" }).click() }],
   ["/courses/{course}/settings", { who: "teacher", at: () => `${made.course}/settings` }],
   ["/courses/{course}/roster", { who: "teacher", at: () => `${made.course}/roster` }],
   ["/courses/{course}/roster", { who: "teacher", at: () => `${made.course}/roster`, then: (page) => paste(page, "id,name,section\nada,Ada <b>,B\n") }],
@@ -87,7 +87,7 @@ const FILES = ["gradebook.csv", "/members/{member}/data", "/print/sheets", "/pri
  */
 async function paste(page, table) {
   await page.locator("textarea[name=table]").fill(table);
-  await page.getByRole("button", { name: "Show what changes" }).click();
+  await page.getByRole("button", { name: "Preview changes" }).click();
 }
 
 test("every page in the table of routes is looked at", () => {

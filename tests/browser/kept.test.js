@@ -50,7 +50,7 @@ for (const javaScriptEnabled of [true, false]) {
     await field.fill("1,5 m/s left");
     if (javaScriptEnabled) {
       await field.press("Enter");
-      await page.locator("[data-saved]", { hasText: "Saved, not handed in" }).waitFor();
+      await page.locator("[data-saved]", { hasText: "Saved, not submitted" }).waitFor();
     } else {
       await Promise.all([page.waitForNavigation(), field.press("Enter")]);
     }
@@ -60,7 +60,7 @@ for (const javaScriptEnabled of [true, false]) {
     // Beside the button stands what it hands in, and what it costs; one press does it.
     const line = page.locator("[data-new='answer.v_A2']");
     assert.equal(await line.textContent(), "(a) 1,5 m/s left: for 90 % of its points");
-    await Promise.all([page.waitForNavigation(), page.getByRole("button", { name: "Hand in" }).click()]);
+    await Promise.all([page.waitForNavigation(), page.getByRole("button", { name: "Submit" }).click()]);
     assert.equal(await receipts(page), before + 1);
     assert.deepEqual(complaints, []);
     await close();
@@ -84,7 +84,7 @@ test("an answer that cannot be read stays in its field", async () => {
   const { page, close } = await sheet(made.visitors[2], 1);
   const field = page.locator("[name='answer.T_lost']");
   await field.fill("1,45 Joule oder so");
-  await Promise.all([page.waitForNavigation(), page.getByRole("button", { name: "Hand in" }).click()]);
+  await Promise.all([page.waitForNavigation(), page.getByRole("button", { name: "Submit" }).click()]);
   assert.equal(await field.inputValue(), "1,45 Joule oder so");
   assert.match((await page.locator("[data-reading=T_lost]").textContent()) ?? "", /oder/);
   await close();
@@ -97,7 +97,7 @@ test("points set by hand reach the student with the reason and the comment", asy
   await teacher.page.getByLabel("Points, from 0 to 5").fill("4,5");
   await teacher.page.getByLabel("Reason, which").fill("An oral answer.");
   await teacher.page.getByLabel("Comment to the student").fill("Mind the sign.");
-  await Promise.all([teacher.page.waitForNavigation(), teacher.page.getByRole("button", { name: "Set", exact: true }).click()]);
+  await Promise.all([teacher.page.waitForNavigation(), teacher.page.getByRole("button", { name: "Save points", exact: true }).click()]);
   assert.match(plain(await teacher.page.content()), /4\.5 of 5 points by hand/);
   const { page, close } = await sheet(made.visitors[2], 1);
   const text = plain(await page.content());

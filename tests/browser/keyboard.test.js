@@ -95,12 +95,12 @@ test("an assignment is done by keyboard alone, from the link to the receipts", a
       await page.keyboard.press("Control+A");
       await page.keyboard.type("2,5 m/s left");
       await page.locator("[data-reading][data-state=read]").first().waitFor();
-      await reach(page, "button", "Read and save");
+      await reach(page, "button", "Save");
       await Promise.all([page.waitForEvent("load"), page.keyboard.press("Space")]);
-      assert.match((await page.locator("[data-saved]").textContent()) ?? "", /^Saved, not handed in/);
+      assert.match((await page.locator("[data-saved]").textContent()) ?? "", /^Saved, not submitted/);
       assert.equal(await page.locator(`[name="${first}"]`).inputValue(), "2,5 m/s left");
     }
-    await reach(page, "button", "Hand in");
+    await reach(page, "button", "Submit");
     await enter(page);
     await page.locator(".receipts li").waitFor();
     assert.match((await page.locator(".receipts li").textContent()) ?? "", /^Tue, 6 Oct 2026, 15:00:00/);

@@ -131,7 +131,7 @@ async function hand_in(page, id, place) {
   const right = answers(id, place, plain(await page.content()));
   assert.equal(fields.length, right.length, `${id} ${PROBLEMS[place]}`);
   for (const [index, name] of fields.entries()) await page.locator(`[name="${name}"]`).fill(right[index] ?? "");
-  await page.getByRole("button", { name: "Hand in" }).click();
+  await page.getByRole("button", { name: "Submit" }).click();
   await page.locator(".receipts li").waitFor();
 }
 
@@ -174,7 +174,7 @@ const TOUR = [
     await press(page, "button", "Sign in as Operator", "Courses");
     await page.getByLabel("New password").fill("forty small carts");
     await page.getByLabel("The same again").fill("forty small carts");
-    await press(page, "button", "Keep this password", "Courses");
+    await press(page, "button", "Save password", "Courses");
     assert.match((await page.getByRole("status").textContent()) ?? "", /The password is changed/);
   }],
 
@@ -183,10 +183,8 @@ const TOUR = [
     await press(page, "link", "New course", "New course");
     await page.getByLabel("Title").fill("Mechanics 1");
     await page.getByLabel("Time zone").fill("Europe/Berlin");
-    await page.getByLabel("Login").fill("operator");
-    await press(page, "button", "Make the course", "Course made");
-    await page.getByRole("link", { name: "Courses" }).click();
-    await press(page, "link", "Mechanics 1", "Mechanics 1");
+        await press(page, "button", "Create course", "Course created");
+    await press(page, "link", "Continue", "Mechanics 1");
     found.course = new URL(page.url()).pathname;
   }],
 
@@ -194,27 +192,26 @@ const TOUR = [
     const { page } = teacher;
     await press(page, "link", "Roster", "Roster");
     await page.locator("textarea[name=table]").fill(ROSTER);
-    await press(page, "button", "Show what changes", "What changes");
+    await press(page, "button", "Preview changes", "What changes");
     assert.equal(await page.locator("tbody tr").count(), 40);
     await picture(page, "roster");
-    await press(page, "button", "Make these changes", "Roster");
+    await press(page, "button", "Apply changes", "Roster");
     assert.equal(await page.locator("caption").last().textContent(), "40 students");
   }],
 
   ["Hand out the links", async () => {
     const { page } = teacher;
-    const table = cells_of(await saved(page, page.getByRole("button", { name: "Make a table of links for them" })));
+    const table = cells_of(await saved(page, page.getByRole("button", { name: "Download sign-in links" })));
     for (const [id, , , role, link] of table.slice(1)) if (role === "student") found.links.set(String(id), String(link));
     assert.deepEqual([...found.links.keys()].sort(), STUDENTS.map((own) => own.id));
   }],
 
   ["Write a problem of your own", async () => {
     const { page } = teacher;
-    await page.goto(`${server.url}${found.course}`);
     await press(page, "link", "Problems of the course", "Problems of the course");
     await press(page, "link", "New problem", "New problem");
     await page.locator("textarea[name=text]").fill(TROLLEYS);
-    await press(page, "button", "Keep as a draft", "Two trolleys that couple");
+    await press(page, "button", "Save draft", "Two trolleys that couple");
     assert.equal(await page.locator("article.sheet").count(), 3);
     await press(page, "button", "Check over 100 seeds", "Two trolleys that couple");
     await page.getByRole("status").waitFor();
@@ -224,11 +221,11 @@ const TOUR = [
 
   ["Make an assignment", async () => {
     const { page } = teacher;
-    await page.goto(`${server.url}${found.course}`);
+    await press(page, "link", "Assignments", "Mechanics 1");
     await press(page, "link", "New assignment", "New assignment");
     await page.getByRole("button", { name: "Search" }).click();
     for (const problem of PROBLEMS) await page.locator(`input[name="add"][value="${problem}"]`).check();
-    await page.getByRole("button", { name: "Add those that are ticked" }).click();
+    await page.getByRole("button", { name: "Add selected problems" }).click();
     for (const problem of PROBLEMS) {
       const row = page.locator("fieldset.item", { has: page.locator(`input[value="${problem}"]`) });
       await row.getByLabel("Place").fill(String(PROBLEMS.indexOf(problem) + 1));
@@ -236,10 +233,10 @@ const TOUR = [
     }
     for (const [field, text] of Object.entries(RULES)) await page.locator(`input[name="${field}"]`).fill(text);
     await picture(page, "assignment", page.getByRole("region", { name: "Title and times" }));
-    await page.getByRole("button", { name: "Keep", exact: true }).click();
+    await page.getByRole("button", { name: "Save", exact: true }).click();
     await page.getByRole("status").waitFor();
     found.assignment = new URL(page.url()).pathname.replace(/\/edit$/, "");
-    await press(page, "link", "As students see it", "Sheet 1");
+    await press(page, "link", "Student view", "Sheet 1");
     found.items = await page.locator("tbody a").evaluateAll((links) => links.map((link) => link.getAttribute("href") ?? ""));
     assert.equal(found.items.length, 6);
   }],
@@ -247,12 +244,12 @@ const TOUR = [
   ["Give one student more time", async () => {
     const { page } = teacher;
     await press(page, "link", "Edit", "Edit the assignment");
-    await press(page, "link", "More time for one student", "More time");
+    await press(page, "link", "Extensions", "Extensions");
     await page.getByLabel("Student").selectOption({ label: `${name_of(EXTENDED)} (${EXTENDED})` });
     await page.locator('input[name="due"]').fill("2026-10-19T18:00");
     await page.locator('input[name="closes"]').fill("2026-10-20T18:00");
     await page.locator('input[name="reason"]').fill("was ill for a week");
-    await press(page, "button", "Give more time", "More time");
+    await press(page, "button", "Save extension", "Extensions");
     assert.match((await page.locator("tbody").textContent()) ?? "", /Hugo Eriksen.*20 Oct.*was ill for a week/s);
   }],
 
@@ -343,7 +340,7 @@ const TOUR = [
       assert.deepEqual(points?.map((own) => own === undefined), PROBLEMS.map((_, place) => is_missing(id, place)), name);
     }
     await press(page, "link", "Statistics", /^Statistics/);
-    assert.match((await page.locator("tr", { hasText: "coupled-trolleys: v_A2" }).textContent()) ?? "", /400 %/);
+    assert.match((await page.locator("tr", { hasText: "Coupled trolleys: v_A2" }).textContent()) ?? "", /400 %/);
   }],
 
   ["Change points by hand", async () => {
@@ -353,10 +350,10 @@ const TOUR = [
     await page.locator("tr", { hasText: name_of(BY_HAND) }).locator("td a").nth(place).click();
     await page.getByLabel("Points, from 0 to 10").fill("11");
     await page.getByLabel("Reason").first().fill("showed it on the board");
-    await page.getByRole("button", { name: "Set", exact: true }).click();
+    await page.getByRole("button", { name: "Save points", exact: true }).click();
     await page.getByRole("alert").waitFor();
     await page.getByLabel("Points, from 0 to 10").fill("7");
-    await page.getByRole("button", { name: "Set", exact: true }).click();
+    await page.getByRole("button", { name: "Save points", exact: true }).click();
     await page.getByRole("heading", { name: "Set by hand", exact: true }).waitFor();
     assert.match((await page.locator("main").textContent()) ?? "", /7 of 10\. showed it on the board/);
     await picture(page, "points");
@@ -371,13 +368,13 @@ const TOUR = [
     await page.getByRole("link", { name: "class/coupled-trolleys" }).click();
     const file = page.getByLabel("Problem file");
     await file.fill((await file.inputValue()).replace("restitution: 1", "restitution: 0"));
-    await page.getByRole("button", { name: "Keep as a new draft" }).click();
+    await page.getByRole("button", { name: "Save draft" }).click();
     await page.getByRole("button", { name: "Publish" }).click();
     await page.getByText("published", { exact: false }).first().waitFor();
     const before = await gradebook();
     await press(page, "link", "Regrade", /^Regrade/);
     await picture(page, "regrade");
-    await page.getByRole("radio", { name: "Mark what was handed in by the corrected problem" }).check();
+    await page.getByRole("radio", { name: "Mark what was submitted by the corrected problem" }).check();
     await press(page, "button", "Apply", /^Gradebook/);
     const book = await gradebook();
     for (const { id, name } of STUDENTS) {

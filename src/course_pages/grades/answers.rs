@@ -1,5 +1,7 @@
 //! What one student handed in at one item, attempt by attempt.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use momentous_course::{Attempt, Item, Override, OverrideRule, Role, Sheet, StoredPart, StoredReport, is_redacted};
@@ -13,7 +15,9 @@ use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-use super::class::{member, reports};
+use super::super::withheld::Withheld;
+use super::class::{member, reports, titles};
+use momentous_web::Withheld as _;
 
 #[derive(Serialize)]
 struct AnswersPage {
@@ -21,7 +25,6 @@ struct AnswersPage {
     assignment: String,
     assignment_title: String,
     item: String,
-    problem: String,
     member: String,
     name: String,
     points: u32,
@@ -55,6 +58,8 @@ struct AttemptShown {
 #[derive(Serialize)]
 struct PartShown {
     id: String,
+    /// Its label on the sheet and its right answer, where whoever asks may have it.
+    right: Option<RightAnswer>,
     typed: String,
     is_redacted: bool,
     read: Option<String>,
@@ -64,6 +69,13 @@ struct PartShown {
     out_of: u32,
     mistakes: Vec<&'static str>,
     message: String,
+}
+
+/// What the key says of a part.
+#[derive(Clone, Serialize)]
+struct RightAnswer {
+    label: String,
+    answer: String,
 }
 
 #[derive(Serialize)]
@@ -146,20 +158,28 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
     let reports = reports(&attempts)?;
     let counting = reports.last().and_then(|last| last.history.counting());
     let records = Records::of_student(visit, whole, student.member.key).await?;
+    let right = right_answers(visit, place).await?;
     let is_own = |own: &&Override| records.is_at(own, item.key);
     let page = AnswersPage {
-        title: format!("{}: {}", student.person.shown(), item.problem),
+        title: format!(
+            "{}: {}",
+            student.person.shown(),
+            titles(visit, whole).await?.remove(&item.key).unwrap_or_default()
+        ),
         assignment: whole.assignment.key.to_string(),
         assignment_title: whole.assignment.title.clone(),
         item: item.key.to_string(),
-        problem: item.problem.clone(),
         member: student.member.key.to_string(),
         name: student.person.shown().to_owned(),
         points: item.points,
         standing: records.standing(student.member.key, item.key).map(|own| Has::of(&own)),
         seen: sheet.as_ref().map(|sheet| sheet.seen.shown(zone)),
         statement: sheet.as_ref().map(|sheet| sheet.issued.statement.clone()).unwrap_or_default(),
-        attempts: attempts.iter().zip(&reports).map(|(own, report)| shown(own, report, counting, zone)).collect(),
+        attempts: attempts
+            .iter()
+            .zip(&reports)
+            .map(|(own, report)| shown((own, report), counting, zone, &right))
+            .collect(),
         by_hand: records.by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
         decides: visit.place()?.member.role == Role::Instructor,
         is_student: student.member.role == Role::Student,
@@ -168,7 +188,30 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
     visit.page("courses/grades/answers", page).await
 }
 
-fn shown(attempt: &Attempt, report: &StoredReport, counting: Option<u32>, zone: &str) -> AttemptShown {
+/// The right answers to the sheet, by part. They are kept from whoever learns in another course where the problem is open.
+async fn right_answers(visit: &Visit, place: &Place) -> Result<BTreeMap<String, RightAnswer>, NotShown> {
+    let Some(sheet) = &place.sheet else { return Ok(BTreeMap::new()) };
+    if Withheld::from_student(visit).await?.check(&place.item.problem).is_err() {
+        return Ok(BTreeMap::new());
+    }
+    let (problem, issued) = (items::problem(visit, &place.item).await?, sheet.issued.clone());
+    let answers = visit.work(move |_| {
+        // A corrected problem may no longer draw this sheet; then nothing stands beside it.
+        let Ok(exercise) = issued.draw(&problem) else { return Ok(BTreeMap::new()) };
+        let parts = exercise.worked().form.parts.iter().zip(exercise.student_sheet().fields);
+        let right = parts
+            .map(|(part, field)| (part.id.clone(), RightAnswer { label: field.label, answer: exercise.printed(part) }));
+        Ok(right.collect())
+    });
+    answers.await
+}
+
+fn shown(
+    (attempt, report): (&Attempt, &StoredReport),
+    counting: Option<u32>,
+    zone: &str,
+    right: &BTreeMap<String, RightAnswer>,
+) -> AttemptShown {
     AttemptShown {
         number: attempt.number,
         received: attempt.received.shown(zone),
@@ -176,14 +219,15 @@ fn shown(attempt: &Attempt, report: &StoredReport, counting: Option<u32>, zone: 
         counts: counting == Some(attempt.number),
         total: Points(report.total.clone()).to_string(),
         out_of: report.out_of,
-        parts: report.parts.iter().map(|own| part(attempt, own)).collect(),
+        parts: report.parts.iter().map(|own| part(attempt, own, right.get(&own.id))).collect(),
         work: report.work.as_ref().map_or_else(String::new, |own| own.text.clone()),
     }
 }
 
-fn part(attempt: &Attempt, own: &StoredPart) -> PartShown {
+fn part(attempt: &Attempt, own: &StoredPart, right: Option<&RightAnswer>) -> PartShown {
     PartShown {
         id: own.id.clone(),
+        right: right.cloned(),
         typed: attempt.answers.get(&own.id).cloned().unwrap_or_default(),
         is_redacted: is_redacted(attempt, &own.id),
         read: own.read.clone(),

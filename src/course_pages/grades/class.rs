@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use momentous_course::{
-    Attempt, Extension, Gradebook, HintShown, Key, Member, Role, Sheet, StoredReport, Window, WorkedSheet,
+    Attempt, Extension, Gradebook, HintShown, Item, Key, Member, Role, Sheet, StoredReport, Window, WorkedSheet,
 };
 use momentous_store::{AssignmentWithItems, Membership, StoreFault};
+use momentous_web::App;
 
 use super::super::at_close;
 use super::super::ledger::Records;
@@ -20,6 +21,21 @@ pub(super) async fn assignment(visit: &Visit) -> Result<AssignmentWithItems, Not
     let own = own.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))?;
     at_close::hand_in(visit, &own, None).await?;
     Ok(own)
+}
+
+/// What people call the items of an assignment: place and title of their problems.
+pub(super) async fn titles(
+    visit: &Visit,
+    whole: &AssignmentWithItems,
+) -> Result<BTreeMap<Key<Item>, String>, NotShown> {
+    let items: Vec<(Key<Item>, u32, String)> =
+        whole.items.iter().map(|item| (item.key, item.position.saturating_add(1), item.problem.clone())).collect();
+    let titled = move |app: &App| {
+        let title =
+            |(key, place, problem): &(_, _, String)| Ok((*key, format!("{place}. {}", app.library.title(problem)?)));
+        items.iter().map(title).collect()
+    };
+    visit.work(titled).await
 }
 
 /// The member of the address, which belongs to the course of the address.

@@ -8,7 +8,7 @@ use momentous_grade::Points;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-use super::class::Class;
+use super::class::{Class, titles};
 
 #[derive(Serialize)]
 struct GradebookPage {
@@ -57,8 +57,9 @@ pub(crate) async fn gradebook(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let book = class.gradebook();
     let is_missing = |mark: &GradeMark| *mark == GradeMark::Missing;
+    let titles = titles(visit, &class.whole).await?;
     let columns = book.columns.iter().enumerate().map(|(place, column)| Column {
-        heading: column.heading.clone(),
+        heading: titles.get(&column.item).cloned().unwrap_or_else(|| column.heading.clone()),
         points: column.points,
         missing: book.rows.iter().filter(|row| row.marks.get(place).is_some_and(is_missing)).count(),
     });

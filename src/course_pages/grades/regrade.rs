@@ -16,7 +16,7 @@ use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::session;
 use super::super::visit::Visit;
-use super::class::assignment;
+use super::class::{assignment, titles};
 use super::correction::{Corrected, corrected};
 
 /// A way to take a correction in.
@@ -33,7 +33,7 @@ const fn way(choice: CorrectionChoice, never_lower: bool, name: &'static str, sa
 
 /// Every way.
 const WAYS: [Way; 6] = [
-    way(CorrectionChoice::Remark, false, "remark", "Mark what was handed in by the corrected problem"),
+    way(CorrectionChoice::Remark, false, "remark", "Mark what was submitted by the corrected problem"),
     way(
         CorrectionChoice::Remark,
         true,
@@ -42,7 +42,7 @@ const WAYS: [Way; 6] = [
     ),
     way(CorrectionChoice::FullMarks, false, "full_marks", "Give everybody full marks"),
     way(CorrectionChoice::Drop, false, "drop", "Drop the item: it no longer counts"),
-    way(CorrectionChoice::IssueAnew, false, "issue_anew", "Issue new sheets: what was handed in no longer counts"),
+    way(CorrectionChoice::IssueAnew, false, "issue_anew", "Issue new sheets: what was submitted no longer counts"),
     way(
         CorrectionChoice::IssueAnew,
         true,
@@ -104,17 +104,23 @@ pub(crate) async fn regrade(visit: &Visit) -> Result<Reply, NotShown> {
     let records = Records::of_class(visit, &whole).await?;
     let accounts = records.accounts();
     let name = |effect: &Effect| names.get(&effect.member).cloned().unwrap_or_default();
+    let titles = titles(visit, &whole).await?;
     let page = RegradePage {
         title: format!("Regrade: {}", whole.assignment.title),
         assignment: whole.assignment.key.to_string(),
         revision: whole.revision,
         reason: USUAL_REASON,
-        items: items.iter().map(|own| shown(own, &accounts, name)).collect(),
+        items: items.iter().map(|own| shown(own, &titles, &accounts, name)).collect(),
     };
     visit.page("courses/grades/regrade", page).await
 }
 
-fn shown(own: &Corrected, accounts: &Accounts<'_>, name: impl Fn(&Effect) -> String) -> ItemShown {
+fn shown(
+    own: &Corrected,
+    titles: &BTreeMap<Key<Item>, String>,
+    accounts: &Accounts<'_>,
+    name: impl Fn(&Effect) -> String,
+) -> ItemShown {
     let ways: Vec<&Way> = WAYS.iter().filter(|way| own.offers(way.regrading.choice)).collect();
     let count = |is: &dyn Fn(&Effect) -> bool| own.effects.iter().filter(|effect| is(effect)).count();
     let before = |effect: &Effect| accounts.standing(effect.member, &own.item).mark;
@@ -135,7 +141,7 @@ fn shown(own: &Corrected, accounts: &Accounts<'_>, name: impl Fn(&Effect) -> Str
         |way: &&Way| ChoiceShown { name: way.name, says: way.says, changes: count(&|effect| changes(effect, way)) };
     ItemShown {
         key: own.item.key.to_string(),
-        problem: own.item.problem.clone(),
+        problem: titles.get(&own.item.key).unwrap_or(&own.item.problem).clone(),
         digest: own.file.digest.clone(),
         fault: own.fault.clone(),
         sheets: own.effects.len(),

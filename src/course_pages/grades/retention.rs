@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use momentous_store::Records;
+use momentous_web::words;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -34,7 +35,7 @@ pub(crate) async fn retention(visit: &Visit) -> Result<Reply, NotShown> {
 async fn page(visit: &Visit, fault: Option<&'static str>) -> Result<Reply, NotShown> {
     let Retained { course, closes, until, is_over, records } = retained(visit).await?;
     let page = RetentionPage {
-        title: "Retention",
+        title: words::RETENTION,
         days: course.retention_days,
         closes: closes.map(|closes| closes.shown(&course.zone)),
         ends: until.map(|until| until.shown(&course.zone)),

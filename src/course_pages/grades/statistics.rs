@@ -10,7 +10,7 @@ use momentous_quantity::Rational;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-use super::class::{Class, handed_in_sheets};
+use super::class::{Class, handed_in_sheets, titles};
 
 #[derive(Serialize)]
 struct StatisticsPage {
@@ -56,9 +56,20 @@ pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
     let all = handed_in_sheets(visit, &class.whole).await?;
     let whole = &class.whole.assignment;
     let (title, key) = (format!("Statistics: {}", whole.title), whole.key.to_string());
-    let found = visit.work(move |_| {
-        let (accounts, book) = (class.records.accounts(), class.gradebook());
-        Ok(course::statistics(&accounts, &book, all.iter().map(|own| (&own.sheet, own.reports.as_slice()))))
+    let titles = titles(visit, &class.whole).await?;
+    let found = visit.work(move |app| {
+        let (accounts, mut book) = (class.records.accounts(), class.gradebook());
+        for column in &mut book.columns {
+            if let Some(title) = titles.get(&column.item) {
+                column.heading.clone_from(title);
+            }
+        }
+        let mut found =
+            course::statistics(&accounts, &book, all.iter().map(|own| (&own.sheet, own.reports.as_slice())));
+        for part in &mut found.parts.items {
+            part.item.problem = app.library.title(&part.item.problem)?;
+        }
+        Ok(found)
     });
     visit.page("courses/grades/statistics", shown(title, key, found.await?)).await
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
+use momentous_web::words;
 use serde::Serialize;
 
 use super::super::outcome::NotShown;
@@ -47,6 +48,7 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
         what: entry.what.clone(),
         detail: entry.detail.clone(),
     });
-    let page = TrailPage { title: "Trail", most: MOST, is_cut: found.len() > MOST as usize, entries: shown.collect() };
+    let page =
+        TrailPage { title: words::HISTORY, most: MOST, is_cut: found.len() > MOST as usize, entries: shown.collect() };
     visit.page("courses/grades/trail", page).await
 }

@@ -38,6 +38,11 @@ impl Form {
         Self::new(names.iter().map(value))
     }
 
+    /// Puts something into a field.
+    pub(super) fn fill(&mut self, name: &str, value: String) {
+        self.0.entry(name.to_owned()).or_default().value = value;
+    }
+
     /// What is in a field, without spaces around it.
     pub(super) fn value(&self, name: &str) -> &str {
         self.0.get(name).map_or("", |entry| entry.value.trim())

@@ -25,7 +25,10 @@ struct NewCoursePage {
 /// The form.
 pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let empty = course_form::FIELDS.into_iter().chain(person_form::FIELDS).map(|name| (name, String::new()));
-    with(visit, Form::new(empty.chain([("zone", "UTC".to_owned()), ("decimal", "either".to_owned())]))).await
+    // Whoever makes a course mostly teaches it.
+    let login = visit.visitor.as_ref().map(|own| own.person.login.clone()).unwrap_or_default();
+    let usual = [("zone", "UTC".to_owned()), ("decimal", "either".to_owned()), ("login", login)];
+    with(visit, Form::new(empty.chain(usual))).await
 }
 
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
@@ -68,5 +71,7 @@ pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
         Some(_) => None,
         None => Some(link(visit, &person).await?),
     };
-    LinkPage::new(visit, "Course made", &person, link, visit.address("/people")).reply(visit).await
+    let is_own = visit.visitor.as_ref().is_some_and(|own| own.person.key == person.key);
+    let on = if is_own { format!("/courses/{key}") } else { "/people".to_owned() };
+    LinkPage::new(visit, "Course created", &person, link, visit.address(&on)).reply(visit).await
 }

@@ -16,6 +16,7 @@ use momentous_render as render;
 use momentous_render::Press;
 use momentous_render::{Format, KeyRow, Page, Renderer, SheetPart};
 use momentous_store::{AssignmentWithItems, Membership};
+use momentous_web::words;
 
 use super::super::items;
 use super::super::outcome::NotShown;
@@ -96,7 +97,7 @@ pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment::of(visit).await?;
     let students = students(visit).await?.len();
     let page = PrintPage {
-        title: "Print",
+        title: words::PRINT,
         students,
         sheets: students * counted(&whole).count(),
         pinned: whole.assignment.pinned.is_some(),

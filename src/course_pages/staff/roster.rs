@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use momentous_course::{Course, Role, RosterChange, RosterRow, roster_changes, roster_records};
 use momentous_store::Membership;
+use momentous_web::words;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -98,7 +99,7 @@ pub(super) async fn with(
     let members: Vec<Listed> = class.members.iter().map(listed).collect();
     let is_wrong = !faults.is_empty() || staff.is_wrong();
     let page = RosterPage {
-        title: "Roster",
+        title: words::ROSTER,
         students: members.iter().filter(|own| !own.is_staff && !own.left).count(),
         unlinked: class.unlinked().count(),
         only_here: visit.leads_here_only(),
@@ -166,7 +167,7 @@ pub(crate) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
         Ok(changes) => {
             let shown = seal(&text, &changes);
             let changes = changes.iter().map(|change| class.shown(change)).collect();
-            visit.page("courses/staff/preview", PreviewPage { title: "Roster", changes, text, shown }).await
+            visit.page("courses/staff/preview", PreviewPage { title: words::ROSTER, changes, text, shown }).await
         }
     }
 }

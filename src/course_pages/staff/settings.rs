@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use momentous_course::Course;
+use momentous_web::words;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -27,7 +28,7 @@ pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     let is_wrong = form.is_wrong();
     let saved = !is_wrong && visit.fields.get("saved").is_some();
-    let page = SettingsPage { title: "Settings", form, decimals: course_form::decimals(), saved };
+    let page = SettingsPage { title: words::SETTINGS, form, decimals: course_form::decimals(), saved };
     let page = visit.page("courses/staff/settings", page).await?;
     Ok(if is_wrong { page.wrong() } else { page })
 }

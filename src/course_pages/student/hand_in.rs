@@ -64,7 +64,7 @@ pub(crate) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
         }
     }
     Err(NotShown::Conflict(
-        "other answers to this problem were handed in at the same time, and these were not kept".to_owned(),
+        "other answers to this problem were submitted at the same time, and these were not saved".to_owned(),
     ))
 }
 

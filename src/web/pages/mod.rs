@@ -16,8 +16,9 @@ pub(super) use start::start;
 
 use serde::Serialize;
 
-use momentous_exercise::Exercise;
 use momentous_exercise::calls::{Refused, RefusedKind, VariantRequest};
+use momentous_exercise::{Exercise, FormLabel};
+use momentous_render::Fragment;
 
 /// Which variant a page shows, and its neighbours.
 #[derive(Serialize)]
@@ -31,7 +32,7 @@ pub(super) struct Place {
     /// The seed of the next numbers.
     next_seed: u64,
     /// The forms of the problem that have names; none where the values are the reader's own, which may not fit another form.
-    forms: Vec<String>,
+    forms: Vec<FormLink>,
     /// The part of an address that names the variant: `form=forward&seed=1`.
     query: String,
     /// The same as the fields of a form.
@@ -40,10 +41,18 @@ pub(super) struct Place {
     variant: String,
 }
 
+/// A form of the problem, and what it asks.
+#[derive(Serialize)]
+pub(super) struct FormLink {
+    name: String,
+    label: Fragment,
+}
+
 impl Place {
     fn of(exercise: &Exercise, variant: &VariantRequest) -> Result<Self, Refused> {
-        let names = exercise.problem().forms().iter().filter_map(|form| form.question.name.clone());
-        let forms: Vec<String> = names.filter(|_| !variant.is_typed()).collect();
+        let labels = if variant.is_typed() { Vec::new() } else { exercise.form_labels() };
+        let link = |own: FormLabel| FormLink { label: Fragment::inline(&own.label), name: own.name };
+        let forms: Vec<FormLink> = labels.into_iter().map(link).collect();
         let form = exercise.worked().form.question.name.clone();
         let mut fields: Vec<(String, String)> = form.iter().map(|form| ("form".to_owned(), form.clone())).collect();
         let seed = exercise.variant().seed();

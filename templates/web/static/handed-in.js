@@ -47,7 +47,7 @@ function live(form) {
     fields.set("do", "script");
     const said = await send(`${here}/draft`, fields).catch(() => undefined);
     if (!(saved instanceof HTMLElement)) return;
-    saved.textContent = said ? `Saved, not handed in: ${said.saved}` : "Not saved: the time for answers is over, or the server cannot be reached.";
+    saved.textContent = said ? `Saved, not submitted: ${said.saved}` : "Not saved: the time for answers is over, or the server cannot be reached.";
     saved.dataset.state = said ? "saved" : "lost";
   };
   form.addEventListener("input", () => {

@@ -265,13 +265,13 @@ impl<'u> Class<'u> {
                 let told = released(student, self.hours).then_some(points[&(student, *item)]).flatten();
                 assert!(is_same(cell.split(" of").next().unwrap().parse().ok(), told), "{student} {item}: {cell}");
             }
-            let together = between(&list, "Together</th><td></td><td>", " of").map(|own| own.parse().unwrap());
+            let together = between(&list, "Total</th><td></td><td>", " of").map(|own| own.parse().unwrap());
             let told = released(student, self.hours).then(|| sums[student]);
             assert!(is_same(together, told), "{student}: {together:?} beside {told:?}");
         }
         for item in items {
             let all: Vec<f64> = STUDENTS.into_iter().filter_map(|own| points[&(own, item)]).collect();
-            let row = between(&statistics, &format!("<tr><th scope=\"row\">{} im", item + 1), "</tr>");
+            let row = between(&statistics, &format!("<tr><th scope=\"row\">{}. ", item + 1), "</tr>");
             let said = row.and_then(|row| row.rsplit("<td>").next()?.split(" of").next()?.parse().ok());
             #[expect(clippy::cast_precision_loss, reason = "two students")]
             let mean = (!all.is_empty()).then(|| all.iter().sum::<f64>() / all.len() as f64);

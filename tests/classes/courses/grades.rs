@@ -10,7 +10,7 @@ fn a_gradebook_says_what_each_has_and_what_is_missing() {
     let handed = Handed::new();
     let mut ann = handed.university.browser_of("ann");
     let page = ann.get(&handed.assignment("/gradebook")).text(200);
-    assert!(page.contains("1 of 2 students have handed in something"), "{page}");
+    assert!(page.contains("1 of 2 students have submitted something"), "{page}");
     assert!(page.contains("ada &lt;script&gt;") && !page.contains("ada <script>"));
     assert!(page.contains(">4</a>") && page.contains("<span class=\"aside\">missing</span>"), "{page}");
     let table = ann.get(&handed.assignment("/gradebook.csv"));

@@ -113,9 +113,9 @@ fn what_is_wrong_with_a_homework_is_said_where_it_stands() {
     assert!(page.contains("did you mean `points`?") && page.contains("homework.yaml:6"), "{page}");
     assert!(page.contains("date: due 14 October"), "the file stays in its field");
     for (from, to, said) in [
-        ("impulse/softball-hit", "impulse/softball", "There is no problem `impulse/softball`."),
-        ("form: forward\n    points", "form: forwards\n    points", "It has no form `forwards`."),
-        ("v_B2: 1", "v_C2: 1", "It does not ask for `v_C2`."),
+        ("impulse/softball-hit", "impulse/softball", "There is no problem <code>impulse/softball</code>."),
+        ("form: forward\n    points", "form: forwards\n    points", "It has no form <code>forwards</code>."),
+        ("v_B2: 1", "v_C2: 1", "It does not ask for <code>v_C2</code>."),
         ("v_A2: 3, v_B2: 1, T_lost: 1", "v_A2: 0, v_B2: 0, T_lost: 0", "All its parts weigh nothing."),
     ] {
         let page = filled_in(&university, &mut ida, &FILE.replace(from, to), 422);

@@ -46,7 +46,7 @@ fn a_problem_is_seen_by_instructors_of_its_course_and_offered_once_published() {
     let page = draft(&university, &mut ida);
     let shown = ida.get(&page).text(200);
     assert_eq!(shown.matches("<h2>Seed ").count(), 3);
-    assert!(shown.contains("a draft"));
+    assert!(shown.contains("A draft"));
     let escaped = file()
         .replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -70,7 +70,7 @@ fn a_problem_is_seen_by_instructors_of_its_course_and_offered_once_published() {
     assert_eq!(ida.get(&elsewhere).status, 404);
     // The same text again is the same version, which stays published.
     assert_eq!(draft(&university, &mut ida), page);
-    assert!(ida.get(&page).text(200).contains("published"));
+    assert!(ida.get(&page).text(200).contains("Published"));
 }
 
 #[test]

@@ -74,8 +74,8 @@ fn faults_of_a_course_stand_beside_their_fields() {
         [("title", "T"), ("zone", "UTC"), ("decimal", "point"), ("retention", ""), ("login", "zoe"), ("name", "Z")];
     for (field, value, said) in [
         ("title", "", "A course has a title."),
-        ("zone", "Berlin", "`Berlin` is no time zone. Write its IANA name"),
-        ("zone", "<b>", "`&lt;b&gt;` is no time zone."),
+        ("zone", "Berlin", "<code>Berlin</code> is no time zone. Write its IANA name"),
+        ("zone", "<b>", "<code>&lt;b&gt;</code> is no time zone."),
         ("decimal", "dot", "Choose one of the list."),
         ("retention", "0", "Write days, from 1 to 36525"),
         ("retention", "1e9", "Write days, from 1 to 36525"),
@@ -92,7 +92,7 @@ fn faults_of_a_course_stand_beside_their_fields() {
     let bad = ida.post(&university.address("/settings"), &[("title", "New"), ("zone", "x")]).text(422);
     assert!(bad.contains("value=\"New\""));
     let to = ida.post(&university.address("/settings"), &right).to().to_owned();
-    assert!(ida.get(&to).text(200).contains("The settings are kept."));
+    assert!(ida.get(&to).text(200).contains("Saved."));
     let course = university.wait(async |store| store.course(university.course.key).await.unwrap().unwrap());
     assert_eq!((course.title.as_str(), course.secret.as_str()), ("T", university.course.secret.as_str()));
 }
@@ -172,10 +172,10 @@ fn a_table_that_cannot_be_used_stays_with_what_is_wrong() {
     let mut ida = university.browser_of("ida");
     for (table, said) in [
         ("", "It is empty, without even headings."),
-        ("mail\na@b <i>", "There is neither a column `login` nor a column `id`."),
-        ("id\nx\nx", "Line 3: `x` is already in line 2."),
+        ("mail\na@b <i>", "There is neither a column <code>login</code> nor a column <code>id</code>."),
+        ("id\nx\nx", "Line 3: <code>x</code> is already in line 2."),
         ("id,name\nada", "Line 2: the row has 1 cell"),
-        ("id\nida", "`ida` teaches this course."),
+        ("id\nida", "<code>ida</code> teaches this course."),
     ] {
         let page = ida.post(&university.address("/roster/preview"), &[("table", table)]).text(422);
         assert!(page.contains(said), "{table}: {page}");

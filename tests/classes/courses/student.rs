@@ -198,7 +198,7 @@ fn a_draft_is_there_again_and_is_never_handed_in() {
     let saved = ada.post(&format!("{address}/draft"), &[("answer.v_A2", "<3 m/s"), ("do", "script")]).text(200);
     assert_eq!(saved, "{\"saved\":\"Mon, 1 Dec 2025, 09:00\"}");
     let page = ada.get(&address).text(200);
-    assert!(page.contains("value=\"&lt;3 m") && page.contains("Saved, not handed in"), "{page}");
+    assert!(page.contains("value=\"&lt;3 m") && page.contains("Saved, not submitted"), "{page}");
     university.set_clock(3 * DAY + RELEASED);
     let sheets = university.wait(async |store| store.sheets_of(University::member("ada")).await).unwrap();
     assert!(university.wait(async |store| store.attempts(sheets[0].key).await).unwrap().is_empty());

@@ -119,7 +119,7 @@ fn a_sheet_of_typed_values_is_answered_on_its_page() {
     let client = Client::new();
     let address = "/practice/impact/two-carts?set.m_A=3+kg&set.m_B=2+kg&set.v_A1=3+m%2Fs&set.v_B1=-2+m%2Fs&set.e=0.7";
     let page = client.get(address).text(200);
-    assert!(page.contains("own numbers") && !page.contains("seed 1"), "a typed variant has no seed");
+    assert!(page.contains("Own numbers</footer>") && !page.contains("seed 1"), "a typed variant has no seed");
     let hidden = page.match_indices("name=\"set.").count();
     assert_eq!(hidden, 5, "each value goes along with the answers");
     let fields = [

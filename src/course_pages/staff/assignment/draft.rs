@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use momentous_course::{FieldFault, PolicyForm};
+use momentous_course::{FieldFault, Moment, PolicyForm};
 use momentous_store::AssignmentWithItems;
 
 use super::super::super::outcome::NotShown;
@@ -30,11 +30,11 @@ pub(super) const POLICY: [&str; 13] = [
     "solvers",
 ];
 
+/// For how long an assignment is open at first, in milliseconds.
+const WEEK: i64 = 7 * 24 * 60 * 60 * 1000;
+
 /// The most problems of an assignment.
 pub(super) const MOST_ITEMS: usize = 50;
-
-/// What the points of a problem are at first.
-const USUAL_POINTS: &str = "5";
 
 /// An assignment in the fields of its editor.
 pub(super) struct Draft {
@@ -68,9 +68,15 @@ impl Row {
 }
 
 impl Draft {
-    /// The fields of a new assignment.
-    pub(super) fn empty() -> Self {
-        Self::titled(String::new())
+    /// The fields of a new assignment: it opens today, and is due and closes at the end of a day a week later.
+    pub(super) fn empty(now: Moment, zone: &str) -> Self {
+        let mut own = Self::titled(String::new());
+        let day = |moment: Moment| moment.typed(zone).split('T').next().map(str::to_owned).unwrap_or_default();
+        let end = format!("{}T23:59", day(now.after(WEEK)));
+        for (name, value) in [("opens", format!("{}T00:00", day(now))), ("due", end.clone()), ("closes", end)] {
+            own.form.fill(name, value);
+        }
+        own
     }
 
     /// The fields of a new assignment with that title.
@@ -125,12 +131,9 @@ impl Draft {
         let mut rows: Vec<Row> = rows.into_values().collect();
         // What is no number goes last, where it stands already.
         rows.sort_by_key(|row| row.order.trim().parse::<u32>().unwrap_or(u32::MAX));
-        if visit.fields.get("do") == Some("add") {
-            rows.extend(visit.fields.all("add").map(|problem| Row {
-                problem: problem.to_owned(),
-                points: USUAL_POINTS.to_owned(),
-                ..Row::default()
-            }));
+        // What is ticked is not lost by another search.
+        if matches!(visit.fields.get("do"), Some("add" | "search")) {
+            rows.extend(visit.fields.all("add").map(|problem| Row { problem: problem.to_owned(), ..Row::default() }));
         }
         rows.truncate(MOST_ITEMS);
         let revision = visit.fields.text("revision").to_owned();

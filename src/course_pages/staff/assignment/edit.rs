@@ -15,7 +15,7 @@ use super::read::read;
 
 /// The editor for a new assignment.
 pub(crate) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
-    editor::page(visit, Draft::empty(), &Catalogue::of(visit).await?, None).await
+    editor::page(visit, Draft::empty(visit.now, &visit.course()?.zone), &Catalogue::of(visit).await?, None).await
 }
 
 /// Makes it, or shows what its buttons change in the fields.
@@ -53,6 +53,7 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
         };
     }
     let mut draft = Draft::sent(visit)?;
+    with_points(visit, &mut draft).await?;
     if visit.fields.get("do") != Some("save") {
         return editor::page(visit, draft, &catalogue, before.as_ref()).await;
     }
@@ -83,6 +84,17 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
     }
     visit.courses.hidden.forget();
     Ok(Reply::To(visit.in_course(&format!("/assignments/{}/edit?saved=yes", whole.assignment.key))?))
+}
+
+/// Gives problems that were just added the points of their parts.
+async fn with_points(visit: &Visit, draft: &mut Draft) -> Result<(), NotShown> {
+    for row in draft.rows.iter_mut().filter(|row| row.key.is_empty() && row.points.is_empty()) {
+        // Whatever is no problem is told where the row is read.
+        let parts = items::parts(visit, &items::unpinned(&row.problem)).await.ok().flatten();
+        let points = parts.map(|parts| parts.iter().map(|part| part.points).sum::<u32>());
+        row.points = points.map(|points| points.to_string()).unwrap_or_default();
+    }
+    Ok(())
 }
 
 /// What is wrong with the weights of items that students have not seen, by their places.

@@ -67,7 +67,7 @@ pub(super) async fn page(
 
 /// The editor of a new assignment beside a homework that cannot be used.
 pub(super) async fn refused(visit: &Visit, homework: Refused, catalogue: &Catalogue) -> Result<Reply, NotShown> {
-    with(visit, Draft::empty(), catalogue, None, Some(homework)).await
+    with(visit, Draft::empty(visit.now, &visit.course()?.zone), catalogue, None, Some(homework)).await
 }
 
 async fn with(
@@ -143,8 +143,8 @@ fn solutions_said(release: SolutionRelease) -> &'static str {
 
 fn unsubmitted_said(own: Unsubmitted) -> &'static str {
     match own {
-        Unsubmitted::Leave => "does not count",
-        Unsubmitted::HandIn => "is handed in, as it was saved last",
+        Unsubmitted::Leave => "do not count",
+        Unsubmitted::HandIn => "are submitted, as they were saved last",
     }
 }
 

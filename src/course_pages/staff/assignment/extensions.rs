@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use momentous_course::{Extension, ExtensionForm, FieldFault, Role};
 use momentous_store::Membership;
+use momentous_web::words;
 
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
@@ -66,7 +67,7 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     students.sort_by(|one, other| one.name.cmp(&other.name));
     let is_wrong = form.is_wrong();
     let page = ExtensionsPage {
-        title: "More time",
+        title: words::EXTENSIONS,
         assignment: assignment.title,
         key: assignment.key.to_string(),
         due: assignment.policy.due.shown(&course.zone),

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use momentous_web::words;
+
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
@@ -31,5 +33,5 @@ pub(crate) async fn list(visit: &Visit) -> Result<Reply, NotShown> {
         saved: file.saved.shown(&course.zone),
         published: file.published.map(|at| at.shown(&course.zone)),
     });
-    visit.page("courses/staff/problems", ListPage { title: "Problems of the course", files: listed.collect() }).await
+    visit.page("courses/staff/problems", ListPage { title: words::PROBLEMS, files: listed.collect() }).await
 }
