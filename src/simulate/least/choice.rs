@@ -99,7 +99,7 @@ impl Request {
 /// let swing = Classified::integrated("swing");
 /// let all = options(&swing, &Request { accuracy: Some(1e-6), ..Request::default() }).unwrap();
 /// assert!(all[0].cost.as_ref().unwrap().error <= 1e-6);
-/// assert!(all[0].to_string().contains("because no formula here gives the motion of the stage `swing`"));
+/// assert!(all[0].to_string().contains("because the stage `swing` is followed by its equations of motion"));
 /// ```
 ///
 /// # Errors

@@ -61,7 +61,7 @@ impl Classified {
     /// A stage of this kind, which no world of spheres and walls describes.
     #[must_use]
     pub fn integrated(stage: &str) -> Self {
-        let reason = format!("no formula here gives the motion of the stage `{stage}`");
+        let reason = format!("the stage `{stage}` is followed by its equations of motion, whatever formula they have");
         Self { only: Some(MethodKind::RungeKutta), ..Self::new(Class::OdeNeeded, reason) }
     }
 }

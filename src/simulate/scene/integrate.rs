@@ -79,13 +79,14 @@ impl Integrator {
         let mut size = state.map(f64::abs);
         let mut length = self.longest / 8.0;
         let mut before = stop(time, &state);
+        let mut first = slope(time, &state);
         for _ in 0..MOST_STEPS {
             if time >= end {
                 return Ok(End { time, state, stopped: false, largest: size });
             }
             let last = length.min(self.longest) >= end - time;
             let tried = if last { end - time } else { length.min(self.longest) };
-            let (next, error) = step(slope, time, &state, tried, &size);
+            let Step { next, error, last: last_slope } = step(slope, time, (&state, &first), tried, &size);
             let wrong = error / self.tolerance;
             let factor = 0.9 * libm::pow(wrong, -0.2);
             length = tried * factor.clamp(0.2, 5.0);
@@ -96,33 +97,44 @@ impl Integrator {
             let after = stop(time + tried, &next);
             if before > 0.0 && after <= 0.0 {
                 let part = located(
-                    &|part| stop(time + part, &step(slope, time, &state, part, &size).0),
+                    &|part| stop(time + part, &step(slope, time, (&state, &first), part, &size).next),
                     tried,
                     [before, after],
                 );
-                let state = step(slope, time, &state, part, &size).0;
+                let state = step(slope, time, (&state, &first), part, &size).next;
                 return Ok(End { time: time + part, state, stopped: true, largest: size });
             }
             for (size, value) in size.iter_mut().zip(&next) {
                 *size = size.max(value.abs());
             }
-            (time, state, before) = (if last { end } else { time + tried }, next, after);
+            (time, state, before, first) = (if last { end } else { time + tried }, next, after, last_slope);
         }
         Err(NothingToSimulate::NoMethod)
     }
 }
 
-/// One step of the pair of Dormand and Prince, with its largest error relative to the sizes.
+/// A step that may be taken.
+struct Step<const N: usize> {
+    /// The state at its end.
+    next: [f64; N],
+    /// The largest error relative to the sizes.
+    error: f64,
+    /// The slope at its end, with which the next one begins.
+    last: [f64; N],
+}
+
+/// One step of the pair of Dormand and Prince from a state with its slope.
 fn step<const N: usize>(
     slope: Slope<'_, N>,
     time: f64,
-    state: &[f64; N],
+    (state, first): (&[f64; N], &[f64; N]),
     length: f64,
     size: &[f64; N],
-) -> ([f64; N], f64) {
+) -> Step<N> {
     let mut slopes = [[0.0; N]; 7];
+    slopes[0] = *first;
     let mut next = *state;
-    for (stage, (node, weights)) in NODES.iter().zip(STAGES).enumerate() {
+    for (stage, (node, weights)) in NODES.iter().zip(STAGES).enumerate().skip(1) {
         for (place, value) in next.iter_mut().enumerate() {
             let change: f64 = weights.iter().zip(&slopes).map(|(weight, slope)| weight * slope[place]).sum();
             *value = state[place] + length * change;
@@ -139,7 +151,7 @@ fn step<const N: usize>(
             worst = if part.is_nan() { f64::NAN } else { worst.max(part) };
         }
     }
-    (next, worst)
+    Step { next, error: worst, last: slopes[6] }
 }
 
 /// Where a function of a part of the step crosses zero: false position with halved ends (the Illinois method).
