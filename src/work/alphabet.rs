@@ -12,6 +12,7 @@ use momentous_model::Name;
 use momentous_model::QuantityKind;
 use momentous_model::VectorName;
 use momentous_problem::Worked;
+use momentous_solve::Statement;
 
 use super::ground::Ground;
 use super::vectors::Vectors;
@@ -20,6 +21,9 @@ use super::written::Alphabet;
 /// Letters of functions that are integrated, by the law that integrates them.
 const FUNCTIONS: [(&Law, &str); 4] =
     [(&force::IMPULSE, "F"), (&energy::WORK, "F"), (&angular::MOMENT_IMPULSE, "M"), (&motion::DISPLACEMENT, "v")];
+
+/// So many members of a sequence have names.
+const MOST_MEMBERS: i64 = 12;
 
 /// Letters under which kinetic energies are written.
 const KINETIC_ENERGY: [&str; 5] = ["T", "K", "KE", "E_k", "E_kin"];
@@ -47,6 +51,8 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
     numbered(worked, &mut alphabet);
     once(worked, &mut alphabet);
     across(worked, &mut alphabet);
+    components(worked, ground, &mut alphabet);
+    members(worked, ground, &mut alphabet);
     alone(worked, ground, &mut alphabet);
     alphabet
 }
@@ -206,6 +212,50 @@ fn once(worked: Worked<'_>, alphabet: &mut Alphabet) {
             if alike.count() == 1 {
                 alphabet.shorten(&short.to_string(), symbol.into());
             }
+        }
+    }
+}
+
+/// Components with the axis in the index: `v_Ax1`, and where they tell nothing apart without body or instant, `v_y1`, `v_x`.
+fn components(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    let mut spellings: BTreeMap<String, Vec<Symbol>> = BTreeMap::new();
+    for (symbol, entry) in model.symbols.iter() {
+        let name = model.name(symbol);
+        let (Some(axis), Some(Instant::Number(instant)), None) = (&name.component, &name.instant, &name.stage) else {
+            continue;
+        };
+        let Some((letter, _)) = entry.name.split_once('_') else { continue };
+        let body = &name.subject;
+        for index in [format!("{body}{axis}{instant}"), format!("{axis}{instant}"), format!("{instant}{axis}")] {
+            spellings.entry(format!("{letter}_{index}")).or_default().push(symbol);
+        }
+        if !ground.told.contains(&symbol) {
+            spellings.entry(format!("{letter}_{axis}")).or_default().push(symbol);
+        }
+    }
+    for (name, symbols) in spellings {
+        if let [only] = symbols.as_slice() {
+            alphabet.shorten(&name, (*only).into());
+        }
+    }
+}
+
+/// Members of a sequence of which the last is asked, `h_1` and `h_2` beside `h_n`: their law with another count.
+fn members(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    for own in &ground.system.equations {
+        let Statement::Equal { left: Expr::Symbol(last), right } = &own.statement else { continue };
+        let Some((letter, count)) = model.symbols.entry(*last).name.split_once('_') else { continue };
+        let Some(count) = model.symbols.find(count).filter(|own| right.contains(*own)) else { continue };
+        // What belongs to the last member says nothing of another.
+        let suffix = format!("_{}", model.symbols.entry(count).name);
+        if right.symbols().iter().any(|symbol| model.symbols.entry(*symbol).name.ends_with(&suffix)) {
+            continue;
+        }
+        for member in 1..=MOST_MEMBERS {
+            let term = right.substitute(&|symbol| (symbol == count).then(|| Expr::integer(member)));
+            alphabet.shorten(&format!("{letter}_{member}"), term);
         }
     }
 }

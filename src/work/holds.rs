@@ -2,9 +2,8 @@
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
-use momentous_grade::WrittenNumber;
+use momentous_grade::half_of_last_place;
 use momentous_quantity::Dimension;
-use momentous_quantity::Rational;
 use momentous_quantity::Unit;
 use momentous_quantity::UnitSystem;
 use momentous_quantity::coherent_unit;
@@ -24,9 +23,6 @@ const UNDECIDED: f64 = 1e-6;
 const ROUNDED: f64 = 0.02;
 /// A value that is written as the last side may be off by this share as by the rounding of its figures.
 const RESULT: f64 = 0.006;
-
-/// Numbers have no more decimals than this where their last place counts.
-const MOST_DECIMALS: usize = 6;
 
 /// Whether a line holds, from the best to the worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -103,9 +99,12 @@ impl At<'_> {
             return Holds::Open;
         }
         if rounds && is_result(line, statement) {
-            let last = line.numbers.iter().filter_map(|own| Some((half_of_last_place(own)?, own.unit.as_ref())));
-            let last = last.map(|(half, unit)| half * self.unit_of(unit)).fold(0.0, f64::max);
-            reach = reach.max(RESULT * size / 2.0).max(last);
+            reach = reach.max(RESULT * evaluate(&statement.left, &value).value.abs());
+        }
+        if let Some((half, unit)) =
+            [&statement.left, &statement.right].into_iter().find_map(|side| value_alone(line, side))
+        {
+            reach = reach.max(half * self.unit_of(unit));
         }
         let is_nothing = difference.value.abs() <= difference.error + AGREE * size;
         let is_rounded = rounds && difference.value.abs() <= reach.min(ROUNDED * size);
@@ -165,14 +164,17 @@ impl At<'_> {
     }
 }
 
-/// Half a unit of the last decimal of a number; nothing where it has none.
-fn half_of_last_place(number: &WrittenNumber) -> Option<f64> {
-    let ten = Rational::from(10);
-    let is_last = |decimals: &usize| (number.value.clone() * ten.pow(isize::try_from(*decimals).unwrap_or(0))).is_int();
-    (1..=MOST_DECIMALS).find(is_last).filter(|_| !number.value.is_int()).map(|decimals| {
-        let decimals = i32::try_from(decimals).unwrap_or(0);
-        0.5 * 10_f64.powi(-decimals)
-    })
+/// Half a unit of the last place of the number that a side is, with its unit.
+fn value_alone<'a>(line: &'a Written, side: &Expr) -> Option<(f64, Option<&'a Unit>)> {
+    let number = match side {
+        Expr::Symbol(symbol) => line.number(*symbol)?,
+        Expr::Product(parts) => match parts.as_ref() {
+            [Expr::Number(_), Expr::Symbol(symbol)] => line.number(*symbol)?,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    Some((half_of_last_place(&number.value)?.to_f64().value(), number.unit.as_ref()))
 }
 
 /// The quantities whose values a line gives.

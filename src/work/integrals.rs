@@ -20,6 +20,32 @@ pub(crate) struct WrittenIntegral {
     pub(crate) behind: String,
 }
 
+/// A term between limits, `[t^3/3]_0^T`, as it stands in a side.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct BetweenLimits {
+    /// What stands before it.
+    pub(crate) before: String,
+    /// The term.
+    pub(crate) term: String,
+    /// From where and to where.
+    pub(crate) limits: [String; 2],
+    /// What stands behind it.
+    pub(crate) behind: String,
+}
+
+/// The first term between limits of a side; nothing where there is none.
+pub(crate) fn between_limits(side: &str) -> Option<BetweenLimits> {
+    let close = side.match_indices(']').map(|(at, _)| at).find(|at| side[at + 1..].starts_with(['_', '^']))?;
+    let open = side[..close].rfind('[')?;
+    let (limits, behind) = limits(&side[close + 1..]).ok()?;
+    Some(BetweenLimits {
+        before: side[..open].to_owned(),
+        term: side[open + 1..close].to_owned(),
+        limits: limits?,
+        behind: behind.to_owned(),
+    })
+}
+
 /// What is wrong with an integral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum IntegralFault {
@@ -159,7 +185,7 @@ fn differential(text: &str) -> Option<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{IntegralFault, first};
+    use super::{IntegralFault, between_limits, first};
 
     fn parts(side: &str) -> Option<Result<[String; 6], IntegralFault>> {
         first(side).map(|own| {
@@ -168,6 +194,14 @@ mod tests {
                 [own.before, low, high, own.integrand, own.variable, own.behind].map(|part| part.trim().to_owned())
             })
         })
+    }
+
+    #[test]
+    fn a_term_between_limits_is_taken_apart() {
+        let own = between_limits("k [t^2/2]_0^{t_1} + 3").unwrap();
+        assert_eq!([own.before, own.term, own.behind], ["k ", "t^2/2", " + 3"]);
+        assert_eq!(own.limits, ["0", "t_1"]);
+        assert_eq!(between_limits("J_A[hit] = [3 + 4]"), None);
     }
 
     #[test]

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use momentous_expr::Expr;
-use momentous_expr::Symbol;
+use momentous_expr::{Expr, Leaf, LeafKind, Math, Operator, Symbol};
 use momentous_model::Because;
 use momentous_problem::PartKind;
 use momentous_quantity::round_to_figures;
@@ -115,6 +114,7 @@ impl Judge<'_> {
             principle: format!("Use {}{during}{because}.", instance.law.name),
             equation: text(false),
             numbers: text(true),
+            math: equation.map(|sides| self.math(sides)),
         }
     }
 
@@ -135,7 +135,16 @@ impl Judge<'_> {
             principle: format!("Solve the equations for {name}."),
             equation: String::new(),
             numbers: value.into_iter().collect(),
+            math: None,
         }
+    }
+
+    /// An equation as mathematics in the letters of the sheet.
+    fn math(&self, sides: [&Expr; 2]) -> Math {
+        let problem = self.worked.problem;
+        let letter = |symbol: Symbol| Leaf { math: problem.math_of(symbol), kind: LeafKind::Name };
+        let [left, right] = sides.map(|side| self.resolved(side).layout(&letter));
+        Math::relation(left, Operator::Equals, right)
     }
 
     /// A term as a student would type it, with the values of what is given or without.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use momentous_expr::Math;
 use serde::Serialize;
 
 use super::verdict::Verdict;
@@ -76,6 +77,9 @@ pub struct NextStep {
     pub equation: String,
     /// The equation with the numbers of the sheet.
     pub numbers: String,
+    /// The equation in symbols as mathematics; nothing where `equation` is empty.
+    #[serde(skip)]
+    pub math: Option<Math>,
 }
 
 impl WorkReport {

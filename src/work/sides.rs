@@ -42,7 +42,7 @@ const SIGNS: [(&str, Compared); 20] = [
 ];
 
 /// What stands between two statements of one line: the second follows from the first.
-const ARROWS: [&str; 9] = ["\\Longrightarrow", "\\Rightarrow", "\\implies", "\\to ", "=>", "⇒", "⟹", "→", ";"];
+const ARROWS: [&str; 10] = ["\\Longrightarrow", "\\Rightarrow", "\\implies", "\\to ", "=>", "->", "⇒", "⟹", "→", ";"];
 
 /// What stands between two solutions, of which one holds.
 const ALTERNATIVES: [&str; 3] = [" or ", "\\text{ or }", "\\text{or}"];
@@ -94,6 +94,8 @@ const NEGATIONS: [&str; 3] = ["not", "never", "cannot"];
 const VERBS: [&str; 8] = ["is", "are", "was", "had", "has", "becomes", "equals", "gives"];
 /// A sentence leads up to its equation by no more words.
 const MOST_WORDS: usize = 8;
+/// Words behind which the equation stands that follows from a reason.
+const CONCLUSIONS: [&str; 6] = [" so ", " so that ", " therefore ", " hence ", " thus ", " then "];
 /// Words behind which the reason of an equation stands.
 const JOINTS: [&str; 7] = [" because ", " since ", " as the ", " from the ", " by the ", " according to ", " using "];
 /// Directions that may stand in brackets behind a value.
@@ -285,6 +287,9 @@ fn without_words(text: &str) -> &str {
     {
         rest = behind.trim_start();
     }
+    if let Some(behind) = behind_reason(rest) {
+        rest = behind;
+    }
     loop {
         let word = rest.find([' ', ',']).map_or(rest, |end| &rest[..end]);
         let small = word.to_lowercase();
@@ -297,6 +302,15 @@ fn without_words(text: &str) -> &str {
     }
 }
 
+/// What stands behind a reason in words: `no friction, so T_2 = T_1`.
+fn behind_reason(text: &str) -> Option<&str> {
+    let compared = SIGNS.iter().filter_map(|(sign, _)| text.find(sign)).min()?;
+    let (at, conclusion) =
+        CONCLUSIONS.iter().filter_map(|word| Some((text[..compared].rfind(word)?, *word))).max_by_key(|own| own.0)?;
+    let is_word = |sign: char| sign.is_alphabetic() || matches!(sign, ' ' | ',' | '-' | '\'');
+    text[..at].chars().all(is_word).then(|| text[at + conclusion.len()..].trim_start())
+}
+
 /// Whether words of a sentence lead up to a verb before any sign or number: `the mass is m = ...`.
 fn is_before_verb(text: &str) -> bool {
     let words =
@@ -306,12 +320,13 @@ fn is_before_verb(text: &str) -> bool {
 
 /// A side without a remark behind it: `1.2 m/s (to the right)`, `h_0 because energy is conserved`.
 fn without_remark(side: &str) -> &str {
-    let mut side = side.trim().trim_end_matches([',', '.']).trim_end();
-    for joint in JOINTS {
-        if let Some((before, _)) = side.split_once(joint) {
-            side = before.trim_end();
-        }
-    }
+    let side = without_bracket(side.trim().trim_end_matches([',', '.']).trim_end());
+    let joint = JOINTS.iter().filter_map(|joint| side.find(joint)).min();
+    joint.map_or(side, |at| side[..at].trim_end())
+}
+
+/// A side without words in brackets behind it.
+fn without_bracket(side: &str) -> &str {
     let Some(open) = side.rfind('(').filter(|open| *open > 0 && side.ends_with(')')) else { return side };
     let inner = &side[open + 1..side.len() - 1];
     let is_remark =

@@ -148,7 +148,9 @@ impl Vectors {
         let one = usize::from(self.axes.get(axis) == Some(&place));
         let is_factor =
             before.trim_end().ends_with(|sign: char| sign.is_alphanumeric() || matches!(sign, ')' | '}' | ']'));
-        Some((if is_factor { format!("*{one}") } else { one.to_string() }, length))
+        let (unit, behind) = unit(&rest[length..]);
+        let unit = if unit.is_empty() { unit } else { format!(" {unit}") };
+        Some((if is_factor { format!("{unit}*{one}") } else { format!("{one}{unit}") }, length + behind))
     }
 
     /// `(3, -4) m/s` as its part along an axis, with the unit behind it.
@@ -172,12 +174,8 @@ impl Vectors {
             }
         }
         let (end, part) = (end?, parts.get(axis).filter(|_| parts.len() == self.axes.len())?);
-        let behind = &rest[end..];
-        let unit = behind.find(['+', '-', '=', '(', ')', '*', ',', '·']).map_or(behind, |at| &behind[..at]);
-        let plain = SETTING.iter().fold(unit.to_owned(), |unit, setting| unit.replace(setting, " "));
-        let is_unit = !plain.trim().is_empty() && Unit::parse(plain.trim()).is_ok();
-        let (plain, length) = if is_unit { (plain.trim(), unit.len()) } else { ("", 0) };
-        Some((format!("({} {plain})", part.trim()).replace(" )", ")"), end + length))
+        let (unit, length) = unit(&rest[end..]);
+        Some((format!("({} {unit})", part.trim()).replace(" )", ")"), end + length))
     }
 
     fn name(&self, rest: &str, axis: usize, is_none: &mut bool) -> Option<(String, usize)> {
@@ -209,6 +207,15 @@ fn word(text: &str) -> usize {
         before = sign;
     }
     text.len()
+}
+
+/// The unit that a text begins with, empty where it begins with none, and its length.
+fn unit(text: &str) -> (String, usize) {
+    let written = text.find(['+', '-', '=', '(', ')', '*', ',', '·']).map_or(text, |at| &text[..at]);
+    let plain = SETTING.iter().fold(written.to_owned(), |unit, setting| unit.replace(setting, " "));
+    let plain = plain.trim();
+    let is_unit = !plain.is_empty() && Unit::parse(plain).is_ok();
+    if is_unit { (plain.to_owned(), written.len()) } else { (String::new(), 0) }
 }
 
 /// A name without the brackets of its index: `v_{A1}` as `v_A1`.

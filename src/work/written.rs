@@ -18,7 +18,7 @@ use momentous_grade::read_term;
 use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
-use super::integrals::{self, IntegralFault, WrittenIntegral};
+use super::integrals::{self, BetweenLimits, IntegralFault, WrittenIntegral};
 use super::series;
 use super::sides::{Chain, Compared, sides};
 use super::vectors::{Vectors, with_components};
@@ -270,6 +270,10 @@ impl Reader<'_> {
             let value = self.integral(&integral)?;
             text = format!("{} {} {}", integral.before, self.insert(value), integral.behind);
         }
+        while let Some(own) = integrals::between_limits(&text) {
+            let value = self.between_limits(&own)?;
+            text = format!("{} ({}) {}", own.before, self.insert(value), own.behind);
+        }
         while let Some(series) = series::first(&text) {
             let terms = series.terms.iter().map(|term| self.term(term, variable)).collect::<Result<Vec<_>, _>>()?;
             // A number that stands in several terms is the same in all of them.
@@ -300,6 +304,17 @@ impl Reader<'_> {
         let entry = SymbolEntry { name: name.clone(), dimension, meaning: String::new() };
         self.inserted.push((self.written.symbols.intern(entry), value));
         name
+    }
+
+    /// The difference of a term at two limits: of the variable over which the scene integrates.
+    fn between_limits(&mut self, own: &BetweenLimits) -> Result<Expr, NoLine> {
+        let term = self.term(&own.term, None)?;
+        let [low, high] = [self.term(&own.limits[0], None)?, self.term(&own.limits[1], None)?];
+        let is_variable =
+            |symbol: &Symbol| self.alphabet.limits.contains_key(&self.written.symbols.entry(*symbol).name);
+        let variable = term.symbols().into_iter().find(is_variable).ok_or(NoLine::Integral(IntegralFault::Variable))?;
+        let at = |end: &Expr| term.substitute(&|symbol| (symbol == variable).then(|| end.clone()));
+        Ok(Expr::sum([at(&high), -at(&low)]))
     }
 
     fn integral(&mut self, integral: &WrittenIntegral) -> Result<Expr, NoLine> {

@@ -11,10 +11,10 @@ use momentous::problem::{compile, load};
 use momentous::work::{Judge, Verdict};
 use serde::Deserialize;
 
-/// So many of the lines are judged as the key says; of 368.
-const AGREED: usize = 322;
+/// So many of the lines are judged as the key says; of 440.
+const AGREED: usize = 395;
 /// No more of them cannot be read or decided.
-const OPEN: usize = 36;
+const OPEN: usize = 35;
 
 #[derive(Deserialize)]
 struct Work {

@@ -4,6 +4,8 @@ use serde::Deserialize;
 use serde::Serialize;
 
 use momentous_grade::DecimalMark;
+use momentous_render::Fragment;
+use momentous_work::NextStep;
 use momentous_work::WorkReport;
 
 use super::super::Exercise;
@@ -11,6 +13,8 @@ use super::Engine;
 use super::refused::Refused;
 use super::variant::VariantRequest;
 
+/// The hint for the next step that tells its equation.
+const EQUATION: usize = 2;
 /// The strongest hint for the next step: the equation with numbers.
 const STRONGEST: usize = 3;
 
@@ -40,6 +44,20 @@ pub struct WorkResponse {
     pub next: Option<String>,
     /// Whether it can be asked for more plainly.
     pub more_next: bool,
+    /// The next step with its equation as mathematics, where it is asked for as plainly.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub next_set: Option<NextSet>,
+}
+
+/// The next step, set for a page.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct NextSet {
+    /// Which principle to use, and where.
+    pub principle: String,
+    /// The equation in symbols.
+    pub equation: Fragment,
+    /// The equation with numbers, where it is asked for as plainly as that.
+    pub numbers: Option<String>,
 }
 
 impl Engine<'_> {
@@ -53,6 +71,17 @@ impl Engine<'_> {
     }
 }
 
+impl NextSet {
+    fn of(step: &NextStep, next: usize) -> Option<Self> {
+        let equation = step.math.as_ref().filter(|_| next >= EQUATION)?;
+        Some(Self {
+            principle: step.principle.clone(),
+            equation: Fragment::math(equation),
+            numbers: (next >= STRONGEST).then(|| step.numbers.clone()),
+        })
+    }
+}
+
 impl WorkResponse {
     /// The lines of work on a variant that was drawn, judged.
     #[must_use]
@@ -61,6 +90,7 @@ impl WorkResponse {
         Self {
             report,
             more_next: step.is_some() && next < STRONGEST,
+            next_set: step.as_ref().and_then(|step| NextSet::of(step, next)),
             next: step.filter(|_| next > 0).map(|step| step.strength(next)),
         }
     }

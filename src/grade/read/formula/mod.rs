@@ -25,7 +25,7 @@ use super::numeral::DecimalMark;
 use super::unreadable::{Unreadable, UnreadableKind};
 use grammar::Grammar;
 use names::Names;
-pub use term::{WrittenNumber, WrittenTerm, read_term};
+pub use term::{WrittenNumber, WrittenTerm, half_of_last_place, read_term};
 use token::{Lexeme, Token};
 use vocabulary::Vocabulary;
 pub use vocabulary::{BehindBars, Letters, Manner};

@@ -19,6 +19,8 @@ use super::{MAX_FORMULA, lexer, resolve};
 
 /// A unit has no more words.
 const MAX_WORDS: usize = 6;
+/// Numbers have no more decimals than this where their last place counts.
+const MOST_DECIMALS: isize = 6;
 /// No power of ten behind a number is larger.
 const MAX_POWER_OF_TEN: usize = 40;
 /// A number without decimals stands for what rounds to it within this share, where it has fewer figures than that.
@@ -142,9 +144,12 @@ impl Numbers<'_> {
                     at = end;
                 }
                 Token::Number { value, half } => {
-                    let (factor, behind) = power_of_ten(lexemes, at + 1).unwrap_or((Rational::ONE, at + 1));
-                    let half = half.clone().unwrap_or_else(|| rounding(value));
-                    let (unit, end) = self.unit(lexemes, behind);
+                    let power = power_of_ten(lexemes, at + 1);
+                    // Before a power of ten the figures are those that count: `2.2*10^3`.
+                    let figures = power.as_ref().and_then(|_| half_of_last_place(value));
+                    let (factor, behind) = power.unwrap_or((Rational::ONE, at + 1));
+                    let half = half.clone().or(figures).unwrap_or_else(|| rounding(value));
+                    let (unit, end) = self.unit(lexemes, behind, *value == Rational::from(2));
                     let token = Token::Written { place: self.taken.len(), measured: unit.is_some() };
                     self.taken.push(Number { value: value * &factor, half: half * factor, unit });
                     kept.push(Lexeme { token, ..lexeme.clone() });
@@ -160,7 +165,7 @@ impl Numbers<'_> {
     }
 
     /// The unit that begins at a token, the longest that can be read, and the token behind it.
-    fn unit(&mut self, lexemes: &[Lexeme], from: usize) -> (Option<Unit>, usize) {
+    fn unit(&mut self, lexemes: &[Lexeme], from: usize, is_two: bool) -> (Option<Unit>, usize) {
         let (mut text, mut at, mut words, mut is_name) = (String::new(), from, 0, false);
         let mut longest = (None, from);
         while let Some(lexeme) = lexemes.get(at) {
@@ -168,8 +173,9 @@ impl Numbers<'_> {
                 Token::Word(letters) if words < MAX_WORDS => {
                     is_name |= self.names.whole(letters).is_some();
                     let is_before_word = matches!(lexemes.get(at + 1).map(|own| &own.token), Some(Token::Word(_)));
-                    // `2 g h` is no number of gram hours.
-                    if is_name && (self.letters == Letters::Names || is_before_word && names::text(letters) == "g") {
+                    // `2 g h` is no number of gram hours, and `v^2/(2 g)` holds no mass.
+                    let is_gravity = (is_before_word || is_two) && names::text(letters) == "g";
+                    if is_name && (self.letters == Letters::Names || is_gravity) {
                         break;
                     }
                     if words > 0 && !text.ends_with(['/', '*']) {
@@ -247,6 +253,14 @@ fn power_of_ten(lexemes: &[Lexeme], from: usize) -> Option<(Rational, usize)> {
     let end = behind_exponent(lexemes, from + 3);
     let exponent: isize = whole_exponent(lexemes.get(from + 3..end)?)?.parse().ok()?;
     (exponent.unsigned_abs() <= MAX_POWER_OF_TEN).then(|| (Rational::from(10).pow(exponent), end))
+}
+
+/// Half a unit of the last decimal of a number; nothing where it has none.
+#[must_use]
+pub fn half_of_last_place(value: &Rational) -> Option<Rational> {
+    let ten = Rational::from(10);
+    let decimals = (1..=MOST_DECIMALS).find(|decimals| (value * ten.pow(*decimals)).is_int())?;
+    (!value.is_int()).then(|| Rational::from(1) / (Rational::from(2) * ten.pow(decimals)))
 }
 
 /// How far a number without decimals, or with few figures, may lie from what was rounded to it.
