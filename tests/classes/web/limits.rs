@@ -54,7 +54,7 @@ fn each_bound_holds_and_is_the_faces_own() {
     }
 }
 
-/// A run that has no more steps left says so; so does a method that has no more impacts.
+/// An accuracy for which no steps are left is refused; a method that has no more impacts ends.
 #[test]
 fn a_run_ends_with_its_steps_and_impacts() {
     let renderer = Renderer::new(None).unwrap();
@@ -64,9 +64,11 @@ fn a_run_ends_with_its_steps_and_impacts() {
     };
     let usual = Limits::default();
     let dropped = || json!({ "problem": "impact/two-carts", "method": "symplectic-euler", "accuracy": 0.1 });
-    let ends = |limits| ask(limits, "simulate", dropped())["stages"][0]["ends"].clone();
-    assert_eq!(ends(usual), "at its time");
-    assert_eq!(ends(Limits { scene_steps: 1, ..usual }), "before its time: too many steps");
+    assert_eq!(ask(usual, "simulate", dropped())["stages"][0]["ends"], "at its time");
+    let few = Engine { problems: &BuiltIn, renderer: &renderer, limits: Limits { scene_steps: 1, ..usual } };
+    let refused = few.call("simulate", dropped().to_string().as_bytes()).unwrap_err();
+    assert_eq!(refused.kind, RefusedKind::NotSimulated);
+    assert!(refused.message.contains("no setting of symplectic Euler"), "{}", refused.message);
     let bouncing = || json!({ "method": "event-driven", "values": { "e": 0.9 } });
     let moments = |limits| {
         let shown = ask(limits, "restitution", bouncing());
