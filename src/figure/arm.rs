@@ -23,6 +23,8 @@ const SHORTEST_LINE: f64 = 12.0;
 const ARC_ROOM: f64 = 7.0;
 /// From the arm to a body beside it.
 const BESIDE: f64 = 3.0;
+/// How far an arm goes on beyond what strikes it.
+const OVERHANG: f64 = 26.0;
 /// Angles closer than this, in radians, are one direction.
 const SAME_ANGLE: f64 = 1e-9;
 /// The arcs of turns and moments, from the inside to the outside, and how far they turn.
@@ -134,8 +136,10 @@ impl Arm {
             // The arm goes on beyond what it carries in that direction.
             let carried = self.particles.iter().zip(&placed).filter(|(other, _)| other.is_on_arm_at(own.angle));
             let from = carried.map(|(_, (at, body))| at.length() + body.reach(unit)).fold(0.0, f64::max);
+            // An arm that carries nothing there ends beyond what strikes it.
+            let end = if from > 0.0 || self.disc.is_some() { *foot } else { *foot + unit * OVERHANG };
             if foot.length() > from {
-                canvas.line([unit * from, *foot], Role::Length, false);
+                canvas.line([unit * from, end], Role::Length, false);
             }
         }
         self.draw_disc(canvas, &placed, *distances);

@@ -14,6 +14,9 @@ const LARGEST_RADIUS: f64 = 20.0;
 const BLOCK_HEIGHT: f64 = 20.0;
 const BLOCK_WIDTH: f64 = 26.0;
 const PADDING: f64 = 4.0;
+/// A belt with its rollers, which are inside of it.
+const BELT: Point = Point { x: 104.0, y: 16.0 };
+const ROLLER: f64 = 5.5;
 /// Arrows closer in direction than this (cosine) get lanes beside each other.
 const SAME_DIRECTION: f64 = 0.93;
 const LANE: f64 = 7.0;
@@ -34,6 +37,8 @@ pub(super) struct Body {
     taken: Vec<Point>,
     /// What it consists of, where it is several bodies in one.
     parts: Vec<Body>,
+    /// Whether it has rollers at its ends.
+    has_rollers: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -58,13 +63,24 @@ impl Body {
         let radius = (libm::hypot(size.width, height) / 2.0 + 1.0).max(SMALLEST_RADIUS);
         let outline = if form == Form::Disc && radius <= LARGEST_RADIUS {
             Outline::Disc(radius)
+        } else if form == Form::Belt {
+            Outline::Block(Point::new(BELT.x.max(size.width + BELT.x / 2.0), BELT.y.max(height + PADDING)))
         } else {
             Outline::Block(Point::new(
                 (size.width + 2.0 * PADDING).max(BLOCK_WIDTH),
                 (height + 2.0 * PADDING).max(BLOCK_HEIGHT),
             ))
         };
-        Self { name: name.clone(), outline, centre, angle: 0.0, is_deck: false, taken: Vec::new(), parts: Vec::new() }
+        Self {
+            name: name.clone(),
+            outline,
+            centre,
+            angle: 0.0,
+            is_deck: false,
+            taken: Vec::new(),
+            parts: Vec::new(),
+            has_rollers: form == Form::Belt,
+        }
     }
 
     /// Several bodies in one, each touching the next, with one floor under them.
@@ -81,7 +97,7 @@ impl Body {
         }
         let outline = Outline::Block(Point::new(2.0 * width, 2.0 * height));
         let (name, centre) = (name.clone(), Point::ORIGIN);
-        Self { name, outline, centre, angle: 0.0, is_deck: false, taken: Vec::new(), parts }
+        Self { name, outline, centre, angle: 0.0, is_deck: false, taken: Vec::new(), parts, has_rollers: false }
     }
 
     /// A block of that size at least.
@@ -166,6 +182,12 @@ impl Body {
             Outline::Disc(radius) => Shape::Circle { centre, radius, role },
             Outline::Block(size) => Shape::Rectangle { centre, size, angle: self.angle, role },
         });
+        if let (true, Outline::Block(size)) = (self.has_rollers, self.outline) {
+            for side in [-1.0, 1.0] {
+                let at = Point::new(side * (size.x / 2.0 - ROLLER - 2.0), 0.0).rotated(self.angle);
+                canvas.draw(Shape::Circle { centre: centre + at, radius: ROLLER, role });
+            }
+        }
         canvas.fixed_label(centre, &self.name, role);
     }
 

@@ -76,6 +76,8 @@ pub enum Form {
     Disc,
     /// A block: a cart, a crate.
     Block,
+    /// A belt on its rollers.
+    Belt,
 }
 
 /// A direction with a name: the axis x, to the right.

@@ -13,7 +13,12 @@ type Draw = fn(&mut Dice) -> Drawing;
 fn gallery() -> Vec<(String, Drawing)> {
     let mut all = Vec::new();
     all.extend(scenes::momentum_diagrams().into_iter().map(|(name, it)| (format!("momentum {name}"), it.drawing())));
-    all.extend(scenes::situations().into_iter().map(|(name, it)| (format!("situation {name}"), it.drawing())));
+    all.extend(
+        scenes::situations()
+            .into_iter()
+            .chain(scenes::surroundings())
+            .map(|(name, it)| (format!("situation {name}"), it.drawing())),
+    );
     all.extend(scenes::angular_diagrams().into_iter().map(|(name, it)| (format!("angular {name}"), it.drawing())));
     all.extend(scenes::force_plots().into_iter().map(|(name, it)| (format!("force {name}"), it.drawing())));
     all.extend(scenes::mass_centres().into_iter().map(|(name, it)| (format!("centre {name}"), it.drawing())));

@@ -28,6 +28,8 @@ use momentous::render::Fragment;
 use momentous::scene::Stage;
 use rayon::prelude::*;
 
+mod drawn;
+
 use crate::problems;
 
 const SEEDS: u64 = 200;
@@ -194,53 +196,6 @@ fn every_stage_has_its_diagram() {
     });
 }
 
-/// Where a force is asked that holds a body on its way, its free-body diagram is drawn.
-#[test]
-fn a_force_that_is_asked_is_seen_with_the_others() {
-    let asked = [
-        ("chains/crate-on-a-track", ["N_A2", "m_A g"]),
-        ("chains/ballistic-pendulum", ["F_T,C2", "(m_A + m_B) g"]),
-        ("conservation/lamp-under-a-trolley", ["F_T,A2", "m g"]),
-        ("angular-momentum/lasso", ["F_T,A2", "W_A"]),
-        ("angular-momentum/plane-on-a-line", ["F_T,A2", "m a_n"]),
-        ("streams/grain-belt", ["F_hold,B", "F_B"]),
-        ("strings/mooring-rope", ["N_V", "F_V"]),
-    ];
-    for (id, forces) in asked {
-        let problem = bank().iter().find(|problem| problem.id() == id).expect("a problem");
-        let forms = (0..problem.forms().len()).map(|form| {
-            let variant = Sampler::new(problem, form).expect("a form").variant(1).expect("a variant");
-            drawings_of_solution(Worked::new(problem, &variant).expect("its own problem"))
-        });
-        let mut diagrams = forms.flatten().filter(|drawing| drawing.title.starts_with("Free-body diagram"));
-        let drawing = diagrams.next().unwrap_or_else(|| panic!("{id}: no free-body diagram"));
-        let labels: Vec<String> = labels(&drawing).into_iter().map(Math::plain).collect();
-        for force in forces {
-            assert!(labels.iter().any(|label| label == force), "{id}: {force} is not among {labels:?}");
-        }
-    }
-}
-
-/// A solution by work and energy or by forces shows these, and no momentum.
-#[test]
-fn the_figure_is_that_of_the_principle_which_the_solution_uses() {
-    let titles = [
-        ("impulse/arrow-in-straw", vec!["Free-body diagram of the arrow", "Graph of F against x"]),
-        ("impulse/bungee-tow", vec!["Free-body diagram of the sledge", "Graph of F against x"]),
-        ("impulse/skydiver", vec!["Free-body diagram of the skydiver"]),
-        ("impulse/tram-stops", vec!["Graph of v against t"]),
-        ("impulse/bullet-in-gel", vec!["Graph of v against x", "Impulse-momentum diagram of the motion"]),
-        ("impact/dropped-basketball", vec!["The fall of the ball", "Impulse-momentum diagram of the impact"]),
-    ];
-    for (id, expected) in titles {
-        let problem = bank().iter().find(|problem| problem.id() == id).expect("a problem");
-        let variant = Sampler::new(problem, 0).expect("a form").variant(1).expect("a variant");
-        let drawings = drawings_of_solution(Worked::new(problem, &variant).expect("its own problem"));
-        let titles: Vec<&str> = drawings.iter().map(|drawing| drawing.title.as_str()).collect();
-        assert_eq!(titles, expected, "{id}");
-    }
-}
-
 /// The names that a label may stand for: a quantity, and its vector where it is a component or a speed.
 fn spellings(name: &str) -> BTreeSet<String> {
     let vector = name.split('.').next().unwrap_or(name);
@@ -312,22 +267,6 @@ fn the_sheet_shows_what_is_asked_of_its_instant() {
         let labels: Vec<String> = labels(&drawing).into_iter().map(Math::plain).collect();
         assert!(labels.contains(&expected), "{id}: {expected} is not among {labels:?}");
     }
-}
-
-/// Bodies that come apart are one body before, and each of them is seen in it.
-#[test]
-fn what_parts_is_drawn_together_before() {
-    let is_parting =
-        |problem: &&Problem| matches!(problem.loaded().draft.scene.stages.first(), Some(Stage::Separate(_)));
-    assert!(bank().iter().filter(is_parting).count() > 5);
-    each_variant(1, |at, worked| {
-        let Some(Stage::Separate(own)) = worked.problem.loaded().draft.scene.stages.first() else { return };
-        let Some(drawing) = explain::situation(worked) else { return };
-        let labels: Vec<String> = labels(&drawing).into_iter().map(Math::plain).collect();
-        for body in own.into.iter().chain(&own.from) {
-            assert!(labels.contains(body), "{at}: {body} is not among {labels:?}");
-        }
-    });
 }
 
 /// A moment acts for a time that the solution names after its stage; the diagram has that name.

@@ -55,12 +55,14 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
         }
         Some(Stage::Slide(slide)) if slide.is_ramp() => Some(sheet::ramp::drawing(quantities, compass, 0, slide)),
         Some(Stage::Taut(taut)) if taut.over.is_some() => Some(sheet::pulley::taut(quantities, 0, taut)),
+        Some(Stage::Blow(blow)) => {
+            sheet::contact::cushion(quantities, compass, blow).or_else(|| sheet::line::drawing(quantities, compass, 0))
+        }
         Some(
             Stage::Slide(_)
             | Stage::Spring(_)
             | Stage::Taut(_)
             | Stage::Tow(_)
-            | Stage::Blow(_)
             | Stage::Motion(_)
             | Stage::Separate(_)
             | Stage::Drift(_),

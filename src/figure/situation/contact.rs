@@ -24,6 +24,8 @@ const OVERHANG: f64 = 40.0;
 /// The length of the face of a wedge, and the part of it above the contact.
 const FACE: f64 = 120.0;
 const PLACE: f64 = 0.45;
+/// Directions are at right angles where their cosine is less.
+const PERPENDICULAR: f64 = 1e-6;
 
 /// A contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +40,9 @@ pub struct Contact {
     pub first: MovingBody,
     /// What it touches.
     pub second: Partner,
+    /// Further walls, which the body strikes later: the direction into each, in radians. One at right angles to a surface that it
+    /// touches now makes a corner with it.
+    pub walls: Vec<f64>,
 }
 
 /// What the first body touches.
@@ -81,6 +86,12 @@ impl Contact {
         } else {
             let (foot, half) = (normal * touch, normal.turned() * SURFACE_HALF);
             draw_surface(canvas, foot - half, foot + half);
+            for wall in self.walls.iter().map(|angle| Point::polar(1.0, *angle)) {
+                // Ahead along the surface that is touched; others lie where nothing tells.
+                if wall.dot(normal).abs() < PERPENDICULAR {
+                    draw_corner(canvas, foot + wall * SURFACE_HALF, normal, wall);
+                }
+            }
         }
         // Angles look out for bodies, so all bodies come before the first vector.
         for (body, outline, into) in bodies {
@@ -104,6 +115,13 @@ impl Contact {
             draw_angle(canvas, &vertices, way, mark);
         }
     }
+}
+
+/// A wall that begins in the corner with another one, whose normal points into it.
+fn draw_corner(canvas: &mut Canvas, corner: Point, normal: Point, wall: Point) {
+    let end = corner - normal * (2.0 * SURFACE_HALF);
+    let free_on_left = (end - corner).turned().dot(wall) < 0.0;
+    if free_on_left { draw_surface(canvas, corner, end) } else { draw_surface(canvas, end, corner) }
 }
 
 /// A wedge on a floor whose face is touched at a point, with its normal into the wedge; the outline that its arrows start from.

@@ -16,6 +16,7 @@ mod ramp;
 mod ride;
 mod space;
 mod swing;
+mod vane;
 
 pub use angle::AngleMark;
 pub use bowl::{Bowl, Wall};
@@ -34,6 +35,7 @@ pub use ramp::Ramp;
 pub use ride::{Face, Ride};
 pub use space::Space;
 pub use swing::{Swing, SwingBy, SwingEnd};
+pub use vane::Vane;
 
 use super::Drawing;
 use super::arm::Arm;
@@ -83,6 +85,8 @@ pub enum Layout {
     Conical(Conical),
     /// A body at a place in space.
     Space(Space),
+    /// A jet that a vane turns.
+    Vane(Vane),
 }
 
 impl Situation {
@@ -118,6 +122,7 @@ impl Situation {
             Layout::Bowl(bowl) => bowl.draw(&mut canvas),
             Layout::Conical(conical) => conical.draw(&mut canvas),
             Layout::Space(space) => space.draw(&mut canvas),
+            Layout::Vane(vane) => vane.draw(&mut canvas),
         }
         // The axes go below everything, labels included.
         let mut canvas = canvas.settled();

@@ -123,6 +123,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             };
             let is_wedge = matches!(second, Partner::Wedge(_));
             Layout::Contact(Contact {
+                walls: Vec::new(),
                 line_of_impact: if is_wedge { dice.between(-2.6, -1.8) } else { dice.angle() },
                 show_line: dice.chance(60),
                 angle,
@@ -307,6 +308,7 @@ pub fn nonsense() -> Vec<Drawing> {
     };
     let moving = body("A").with(Moving::velocity(none).at_angle(f64::NAN, name("b")));
     let contact = Contact {
+        walls: Vec::new(),
         line_of_impact: f64::NAN,
         show_line: true,
         angle: Some(AngleMark { from: f64::INFINITY, label: name("a") }),

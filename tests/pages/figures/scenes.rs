@@ -147,6 +147,36 @@ pub fn speed(body: &str, value: &str) -> Math {
     valued(sub("v", body), value, "m/s")
 }
 
+/// What stands around bodies.
+pub fn surroundings() -> Vec<(&'static str, Situation)> {
+    let figure = |title, layout, axes| Situation { wording: wording(title), layout, axes };
+    let corner = Contact {
+        walls: vec![FRAC_PI_2],
+        line_of_impact: 0.0,
+        show_line: false,
+        angle: None,
+        first: body("A").with(velocity(sub("v", "1"), [8.0, 5.0])),
+        second: Partner::Surface,
+    };
+    let belt =
+        Line { bodies: vec![body("B").shaped(Form::Belt).with(velocity(name("u"), [2.0, 0.0]))], ..Line::default() };
+    let vane = Vane {
+        name: name("V"),
+        directions: [0.0, 2.2],
+        jet: [Some(velocity(name("v"), [9.0, 0.0])), Some(velocity(name("w"), [-3.5, 4.9]))],
+        vectors: vec![
+            velocity(name("u"), [3.0, 0.0]),
+            Moving::force(LabelledVector::known(sub("F", "V"), [5.0, -1.2])),
+        ],
+        angle: Some(AngleMark { from: 0.0, label: name("\u{3b8}") }),
+    };
+    vec![
+        ("corner", figure("A puck in a corner", Layout::Contact(corner), xy())),
+        ("belt", figure("A belt", Layout::Line(belt), vec![AxisMark::new("x", 0.0)])),
+        ("vane", figure("A jet on a vane", Layout::Vane(vane), xy())),
+    ]
+}
+
 pub fn situations() -> Vec<(&'static str, Situation)> {
     let figure = |title, layout, axes| Situation { wording: wording(title), layout, axes };
     let line = Line {
@@ -170,6 +200,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
         ..Line::default()
     };
     let oblique = Contact {
+        walls: Vec::new(),
         line_of_impact: PI / 6.0,
         show_line: true,
         angle: Some(AngleMark { from: 0.0, label: degrees("30") }),
@@ -177,6 +208,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
         second: Partner::Body(body("B").with(velocity(speed("B1", "3.00"), [-1.5, 2.598]).at_angle(PI, degrees("60")))),
     };
     let wall = Contact {
+        walls: Vec::new(),
         line_of_impact: -FRAC_PI_2,
         show_line: true,
         angle: None,
@@ -186,6 +218,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
         second: Partner::Surface,
     };
     let straight_back = Contact {
+        walls: Vec::new(),
         line_of_impact: 0.0,
         show_line: false,
         angle: None,

@@ -10,6 +10,8 @@ use momentous_figure::MovingBody;
 use momentous_figure::Partner;
 use momentous_figure::Situation;
 use momentous_scene::Plane;
+use momentous_scene::Stage;
+use momentous_scene::stage::Blow;
 use momentous_scene::stage::Impact;
 use momentous_scene::stage::Partners;
 
@@ -45,7 +47,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
             let line_of_impact = compass.angle([-x, -y]);
             let show_line = angle.is_some();
             let second = plate(quantities, compass, impact, [x, y]).map_or(Partner::Surface, Partner::Plate);
-            Contact { line_of_impact, show_line, angle, first, second }
+            Contact { line_of_impact, show_line, angle, first, second, walls: walls(quantities, compass) }
         }
         Some(second) => {
             let line = normal.or_else(|| approach(quantities, impact))?;
@@ -55,9 +57,48 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
             let is_wedge = show_line && second.form != Form::Disc && stands_on_floor(quantities, impact, line);
             let partner = if is_wedge { Partner::Wedge } else { Partner::Body };
             let (first, second) = (round(first), partner(round(second)));
-            Contact { line_of_impact: compass.angle(line), show_line, angle, first, second }
+            Contact { line_of_impact: compass.angle(line), show_line, angle, first, second, walls: Vec::new() }
         }
     };
+    Some(Situation { wording, layout: Layout::Contact(contact), axes: compass.marks() }.drawing())
+}
+
+/// The directions into the fixed surfaces that later impacts strike.
+fn walls(quantities: &Quantities<'_>, compass: &Compass) -> Vec<f64> {
+    let scene = quantities.scene();
+    let later = scene.stages.iter().enumerate().skip(1).filter(|(_, stage)| is_fixed(quantities, stage));
+    let frames = later.filter_map(|(index, _)| quantities.model().frames.get(index)?.as_ref());
+    let normals = frames.filter_map(|frame| quantities.direction(&frame.normal));
+    normals.map(|[x, y]| compass.angle([-x, -y])).collect()
+}
+
+fn is_fixed(quantities: &Quantities<'_>, stage: &Stage) -> bool {
+    let Stage::Impact(impact) = stage else { return false };
+    let surface = impact.against.as_ref().and_then(|surface| quantities.scene().surfaces.get(surface));
+    surface.is_some_and(|surface| surface.velocity.is_none())
+}
+
+/// A body that something strikes which an axis leads away from, such as a cushion: the surface at which it rebounds.
+pub(in super::super) fn cushion(quantities: &Quantities<'_>, compass: &Compass, blow: &Blow) -> Option<Drawing> {
+    let away = format!("away from {}", blow.by);
+    let axes = quantities.scene().axes.rectangular();
+    let [_, _] = axes[..] else { return None };
+    let (position, sense) = axes.iter().enumerate().find_map(|(position, (_, senses))| match &away {
+        own if *own == senses.positive => Some((position, 1.0)),
+        own if *own == senses.negative => Some((position, -1.0)),
+        _ => None,
+    })?;
+    let body = &blow.body;
+    let vectors = [1, 2].into_iter().flat_map(|instant| quantities.motion(compass, body, instant)).collect();
+    let first = quantities.body(body, vectors);
+    if !first.is_told() {
+        return None;
+    }
+    let both = format!("{} and {}", quantities.when(1), quantities.when(2));
+    let wording = situation_wording(quantities, &[(body.clone(), first.clone())], &both);
+    let line_of_impact = compass.angle(quantities.along(position, -sense));
+    let contact =
+        Contact { line_of_impact, show_line: false, angle: None, first, second: Partner::Surface, walls: Vec::new() };
     Some(Situation { wording, layout: Layout::Contact(contact), axes: compass.marks() }.drawing())
 }
 

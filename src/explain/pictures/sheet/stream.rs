@@ -12,6 +12,7 @@ use momentous_figure::Line;
 use momentous_figure::Moving;
 use momentous_figure::MovingBody;
 use momentous_figure::Situation;
+use momentous_figure::Vane;
 use momentous_figure::Wording;
 use momentous_model::Direction;
 use momentous_scene::stage::Stream;
@@ -27,6 +28,9 @@ use super::super::words::arrows;
 use super::super::words::sentences;
 use super::super::words::situation_wording;
 
+/// An axis is level where the sine of its angle is less.
+const LEVEL: f64 = 1e-9;
+
 /// The stream before the body, after it, and its force where that may be shown.
 pub(in super::super) fn drawing(
     quantities: &Quantities<'_>,
@@ -36,17 +40,30 @@ pub(in super::super) fn drawing(
 ) -> Option<Drawing> {
     let flowing = quantities.model().flowing_in(index)?;
     let arriving = arrow(quantities, compass, &flowing.speed, &flowing.direction).filter(|_| !flowing.speed.is_zero());
-    let leaving = flowing.leaving.as_ref().and_then(|leaving| arrow(quantities, compass, &flowing.relative, leaving));
+    let departing = flowing.leaving.as_ref().and_then(|leaving| arrow(quantities, compass, &flowing.relative, leaving));
     // The body moves along the stream.
     let moves = stage.moves.as_ref().and_then(|moves| quantities.term(moves)).filter(|moves| !moves.is_zero());
     let moves = moves.and_then(|moves| arrow(quantities, compass, &moves, &flowing.direction));
     let own: Vec<Moving> =
         moves.into_iter().chain(force(quantities, compass, &stage.body).map(Moving::force)).collect();
-    let drawn = |vectors| MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(Form::Block) };
+    // What grain falls on from above, and what moves level, is a belt.
+    let level = libm::sin(compass.axis_angle(0)).abs() < LEVEL && quantities.axes.len() == 1;
+    let form = if flowing.speed.is_zero() && level { Form::Belt } else { Form::Block };
+    let drawn = |vectors| MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(form) };
     let mut wording = body_wording(quantities, index, &stage.body, &drawn(own.clone()));
     let mut vectors = Vec::new();
+    let vane = flowing.leaving.as_ref().and_then(|leaving| {
+        let [first, second] = [&flowing.direction, leaving].map(|own| quantities.direction(own));
+        Some(Vane {
+            name: body_math(&stage.body),
+            directions: [compass.angle(first?), compass.angle(second?)],
+            jet: [arriving.clone(), departing.clone()],
+            vectors: own.clone(),
+            angle: quantities.angle_mark(compass, leaving),
+        })
+    });
     for (does, vector) in
-        [("meets", arriving.map(|own| own.arriving().in_stream())), ("leaves", leaving.map(Moving::in_stream))]
+        [("meets", arriving.map(|own| own.arriving().in_stream())), ("leaves", departing.map(Moving::in_stream))]
     {
         let Some(vector) = vector else { continue };
         let with = list(&arrows(&drawn(vec![vector.clone()]), true));
@@ -66,6 +83,9 @@ pub(in super::super) fn drawing(
         let speed = quantities.symbolic(&flowing.relative).plain();
         let relative = format!("the velocity {speed} is relative to {}", quantities.called(&stage.body));
         tell(&mut wording.caption, relative);
+    }
+    if let Some(vane) = vane {
+        return Some(Situation { wording, layout: Layout::Vane(vane), axes: compass.marks() }.drawing());
     }
     // What has no velocity along the line falls onto the body from above.
     let falls = flowing.speed.is_zero();
