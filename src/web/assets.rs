@@ -48,6 +48,9 @@ const DOCUMENTS: &str = include_str!("../../templates/html/style.css");
 /// The style of the pages.
 const PAGES: &[u8] = include_bytes!("../../templates/web/static/site.css");
 
+/// The tokens of Open Props on which that style builds: sizes, type, greys and the accent.
+const TOKENS: &str = include_str!("../../templates/web/static/open-props.css");
+
 /// The name of the style sheet of all pages.
 const STYLE: &str = "site.css";
 
@@ -89,7 +92,7 @@ impl Assets {
             Some(folder) => overridden(&folder.join(FOLDER).join(name), built_in),
         };
         let pages = own(STYLE, PAGES)?;
-        let style = [DOCUMENTS.as_bytes(), style_sheet().as_bytes(), &pages].join(&b'\n');
+        let style = [TOKENS.as_bytes(), DOCUMENTS.as_bytes(), style_sheet().as_bytes(), &pages].join(&b'\n');
         let mut files = vec![(STYLE, Cow::Owned(style)), (FONT, own(FONT, MATH_FONT)?)];
         for (name, bytes) in BUILT_IN {
             files.push((name, own(name, bytes)?));

@@ -80,7 +80,7 @@ test("an assignment is done by keyboard alone, from the link to the receipts", a
     await reach(page, "a", title ?? "");
     await enter(page);
     const fields = await page.locator(".answers [name^='answer.']").evaluateAll((all) => [
-      ...new Map(all.map((own) => [own.getAttribute("name") ?? "", /** @type {HTMLInputElement} */ (own).type])),
+      ...new Map(all.filter((own) => own.checkVisibility()).map((own) => [own.getAttribute("name") ?? "", /** @type {HTMLInputElement} */ (own).type])),
     ]);
     assert.ok(fields.length > 0, problem);
     for (const [name, kind] of fields) {

@@ -24,7 +24,7 @@ pub(super) struct CourseForm {
 
 /// The decimal marks, each with its name in forms and what it is called.
 const DECIMALS: [(DecimalMark, &str, &str); 3] = [
-    (DecimalMark::Either, "either", "point or comma, as each types it"),
+    (DecimalMark::Either, "either", "point or comma"),
     (DecimalMark::Point, "point", "point: 3.14"),
     (DecimalMark::Comma, "comma", "comma: 3,14"),
 ];

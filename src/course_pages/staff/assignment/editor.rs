@@ -144,7 +144,7 @@ fn solutions_said(release: SolutionRelease) -> &'static str {
 fn unsubmitted_said(own: Unsubmitted) -> &'static str {
     match own {
         Unsubmitted::Leave => "do not count",
-        Unsubmitted::HandIn => "are submitted, as they were saved last",
+        Unsubmitted::HandIn => "are submitted as last saved",
     }
 }
 
