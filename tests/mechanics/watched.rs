@@ -57,8 +57,9 @@ impl Findings {
         }
         self.impacts += usize::from(asked.impacts.is_some());
         let Some(last) = film.record.moments.last() else { return self.wrong.push(format!("{name}: nothing")) };
-        let speeds = film.record.moments.iter().flat_map(|moment| moment.velocities.iter().flatten());
-        let fastest = speeds.fold(0.0_f64, |fastest, speed| fastest.max(speed.abs()));
+        let velocities = film.record.moments.iter().flat_map(|moment| &moment.velocities);
+        let speeds = velocities.map(|velocity| velocity.iter().map(|part| part * part).sum::<f64>().sqrt());
+        let fastest = speeds.fold(0.0_f64, f64::max);
         for (body, component, expected) in &asked.velocities {
             let own = last.velocities[*body][*component];
             self.after += 1;
