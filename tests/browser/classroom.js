@@ -49,10 +49,13 @@ export function cells_of(text) {
  */
 export function key_of(html) {
   const answers = new Map();
-  const row = /<tr><td>[^<]*\((\w+)\)<\/td><td><code>([^<]+)<\/code>[^<]*<\/td><td>[^<]*<\/td><td>[^<]*<\/td><td>(.*?)<\/td><\/tr>/g;
-  for (const [, id, problem, answer] of html.matchAll(row)) {
-    const text = String(answer).replaceAll(/<[^>]+>/g, "").replaceAll("\u00a0", " ").trim();
-    answers.set(`${id} ${problem}`, [...(answers.get(`${id} ${problem}`) ?? []), text]);
+  for (const table of html.split("<section>").slice(1)) {
+    const problem = /<code>([^<]+)<\/code>/.exec(table)?.[1];
+    for (const [, id, cells] of table.matchAll(/<tr><td>[^<]*\((\w+)\)<\/td><td>[^<]*<\/td>(.*?)<\/tr>/g)) {
+      const parts = [...String(cells).matchAll(/<td>(.*?)<\/td>/g)].map(([, part]) => String(part));
+      const texts = parts.map((part) => part.replaceAll(/<[^>]+>/g, "").replaceAll("\u00a0", " ").trim());
+      answers.set(`${id} ${problem}`, texts);
+    }
   }
   return answers;
 }
@@ -134,7 +137,8 @@ export class Visitor {
  * @param {string} page
  */
 export function fields_of(page) {
-  return [...new Set([...page.matchAll(/name="(answer\.[^"]+)"/g)].map(([, name]) => String(name)))];
+  const names = [...page.matchAll(/name="(answer\.[^"]+)"/g)].map(([, name]) => String(name));
+  return [...new Set(names)].filter((name) => name !== "answer.work");
 }
 
 /**
