@@ -11,8 +11,8 @@ use momentous::render::{Format, Page, Solution};
 
 use super::{RENDERER, poppler, print, problems};
 
-/// The sides of the text on a page, in points: A4 with margins of 2.4 cm.
-pub const SIDES: [f64; 2] = [68.0, 595.3 - 68.0];
+/// The sides of the text on a page, in points: A4 with margins of 2 cm.
+pub const SIDES: [f64; 2] = [56.6, 595.3 - 56.6];
 /// What may stand out on either side: a full stop hangs in the margin.
 pub const GROSS: f64 = 4.0;
 
@@ -62,9 +62,12 @@ fn faults(exercise: &Exercise, page: &Page) -> Vec<String> {
         ));
     }
     let mut written = words(&printed).into_iter();
-    if let Some(lost) =
-        words(&text_of(&without_mathematics(&html))).into_iter().find(|word| !written.any(|own| own == *word))
-    {
+    let in_lines = match page {
+        // The figure of a sheet stands beside its text.
+        Page::Sheet(_) => without("figure", &without("svg", &without("math", &html))),
+        _ => without("svg", &without("math", &html)),
+    };
+    if let Some(lost) = words(&text_of(&in_lines)).into_iter().find(|word| !written.any(|own| own == *word)) {
         faults.push(format!("not in its place: {lost}"));
     }
     for (left, right, word) in poppler::boxes(&pdf) {
@@ -143,15 +146,12 @@ fn difference(own: &BTreeMap<char, usize>, other: &BTreeMap<char, usize>) -> Vec
     all.map(|sign| (*sign, of(own, *sign), of(other, *sign))).filter(|(_, own, other)| own != other).collect()
 }
 
-/// The page without its formulas and pictures, of which each format writes the parts in an order of its own.
-fn without_mathematics(html: &str) -> String {
-    let cut = |text: String, name: &str| {
-        let (open, close) = (format!("<{name}"), format!("</{name}>"));
-        let mut parts = text.split(&open);
-        let first = parts.next().unwrap().to_owned();
-        parts.fold(first, |kept, part| kept + part.split_once(&close).unwrap().1)
-    };
-    cut(cut(html.to_owned(), "math"), "svg")
+/// A page in HTML without the elements of that name.
+fn without(name: &str, html: &str) -> String {
+    let (open, close) = (format!("<{name}"), format!("</{name}>"));
+    let mut parts = html.split(&open);
+    let first = parts.next().unwrap().to_owned();
+    parts.fold(first, |kept, part| kept + part.split_once(&close).unwrap().1)
 }
 
 /// Words of four letters and more, and numbers with a point, in their order.
