@@ -132,7 +132,7 @@ impl HandIn<'_> {
         });
         let entries: Vec<Entry> = typed.collect();
         match () {
-            () if entries.contains(&Entry::Typed) || self.new_work().is_some_and(|_| self.has_work_left()) => Ok(()),
+            () if entries.contains(&Entry::Typed) || self.taken_work().is_some() => Ok(()),
             () if entries.is_empty() && self.new_work().is_none() => Err(Refusal::NothingNew),
             () => Err(Refusal::NoAttemptLeft),
         }
@@ -148,21 +148,25 @@ impl HandIn<'_> {
         self.last.and_then(|last| last.work.as_ref())
     }
 
-    /// Whether other work is taken: it has as many attempts as a part.
-    fn has_work_left(&self) -> bool {
-        self.policy.rules().counts(self.work_before().map_or(0, |own| own.made))
+    /// How often work was handed in before.
+    fn work_made(&self) -> u32 {
+        self.work_before().map_or(0, |own| own.made)
+    }
+
+    /// New work, where it is taken: it has as many attempts as a part.
+    fn taken_work(&self) -> Option<&str> {
+        self.new_work().filter(|_| self.policy.rules().counts(self.work_made()))
     }
 
     /// The work that stands after this.
     fn work(&self, late: Option<&Late>) -> Option<StoredWork> {
-        let before = self.work_before();
-        match self.new_work().filter(|_| self.has_work_left()) {
+        match self.taken_work() {
             Some(text) => Some(StoredWork {
                 text: text.to_owned(),
-                made: before.map_or(0, |own| own.made) + 1,
+                made: self.work_made() + 1,
                 factor: late.map_or(Rational::ONE, |late| late.factor.clone()),
             }),
-            None => before.cloned(),
+            None => self.work_before().cloned(),
         }
     }
 

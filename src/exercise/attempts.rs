@@ -14,7 +14,6 @@ use super::Exercise;
 use super::echo::echo;
 use super::marker::Marker;
 use super::marking::Sittings;
-use super::work::{credit, work_among};
 
 /// One sheet that a student hands in: what is typed, and what had been seen by then.
 #[derive(Clone, Debug)]
@@ -77,17 +76,11 @@ impl Marker {
             Typed { text, seen: Seen { hints: own.hints, further }, readable }
         };
         let typed: Vec<Typed<'_>> = worked.form.parts.iter().map(of_part).collect();
-        let work = work_among(worked, &answers);
-        let is_other = |(part, text): &&(&str, &str)| !ids.contains(part) && Some(*text) != work;
-        let not_asked: Vec<(&str, &str)> = answers.iter().filter(is_other).copied().collect();
+        let not_asked: Vec<(&str, &str)> = answers.iter().filter(|(part, _)| !ids.contains(part)).copied().collect();
         history.mark(&typed, &own.factor, &rules, &mut |texts, sittings| {
             let mut sheet: Vec<(&str, &str)> = ids.iter().copied().zip(texts.iter().copied()).collect();
             sheet.extend(&not_asked);
-            let mut report = self.mark_sheet(worked, &sheet, Sittings::Each(sittings));
-            if let Some(work) = work {
-                credit(&mut report, worked, (work, &own.work_factor), self.mark);
-            }
-            report
+            self.mark_sheet(worked, &sheet, Sittings::Each(sittings), &own.work_factor)
         })
     }
 

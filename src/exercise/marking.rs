@@ -53,15 +53,17 @@ impl Marker {
     pub fn mark(&mut self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
         let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
         let answers = self.usual(&ids, answers);
-        self.mark_sheet(worked, &answers, Sittings::All(sitting))
+        self.mark_sheet(worked, &answers, Sittings::All(sitting), &Rational::ONE)
     }
 
-    /// The same for a student who is not in the same position at all parts, which have their names in the file.
+    /// The same for a student who is not in the same position at all parts, which have their names in the file; work among the answers
+    /// counts by the factor.
     pub(super) fn mark_sheet(
         &mut self,
         worked: Worked<'_>,
         answers: &[(&str, &str)],
         sittings: Sittings<'_>,
+        work_factor: &Rational,
     ) -> grade::Report {
         let Self { blanks, rubric, mark, .. } = self;
         let count = blanks.len();
@@ -113,7 +115,7 @@ impl Marker {
             report.recount();
         }
         if let Some(work) = work {
-            work::credit(&mut report, worked, (work, &Rational::ONE), *mark);
+            work::credit(&mut report, worked, (work, work_factor), *mark);
         }
         report
     }

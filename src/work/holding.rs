@@ -102,11 +102,11 @@ impl Judge<'_> {
             (true, true, true) => Verdict::Follows,
             (true, true, false) => Verdict::AsFigures,
         };
-        let is_value = |own: &Statement| is_written_value(line, &own.left) || is_written_value(line, &own.right);
+        let is_value = |own: &Statement| [&own.left, &own.right].iter().any(|side| line.number_alone(side).is_some());
         let shows_laws = is_general
-            || !statements
-                .iter()
-                .all(|own| is_value(own) && (is_letter(line, &own.left) || is_letter(line, &own.right)));
+            || !statements.iter().all(|own| {
+                is_value(own) && [&own.left, &own.right].iter().any(|side| line.letter_alone(side).is_some())
+            });
         let accepted = Accepted { residuals, support: support.clone(), answers, shows_laws };
         Found { support, accepted: Some(accepted), ..Found::of(verdict) }
     }
@@ -157,22 +157,6 @@ pub(crate) fn written_answers(part: &PartKind) -> Vec<Symbol> {
         PartKind::Formula(own) => vec![own.symbol],
         _ => Vec::new(),
     }
-}
-
-/// Whether a side is one number, perhaps with a sign.
-fn is_written_value(line: &Written, side: &Expr) -> bool {
-    match side {
-        Expr::Symbol(symbol) => line.number(*symbol).is_some(),
-        Expr::Product(parts) => {
-            matches!(parts.as_ref(), [Expr::Number(_), Expr::Symbol(symbol)] if line.number(*symbol).is_some())
-        }
-        _ => false,
-    }
-}
-
-/// Whether a side is one quantity.
-fn is_letter(line: &Written, side: &Expr) -> bool {
-    matches!(side, Expr::Symbol(symbol) if line.number(*symbol).is_none())
 }
 
 /// Whether a term has a number as the exponent of another.

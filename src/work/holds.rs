@@ -101,10 +101,9 @@ impl At<'_> {
         if rounds && is_result(line, statement) {
             reach = reach.max(RESULT * evaluate(&statement.left, &value).value.abs());
         }
-        if let Some((half, unit)) =
-            [&statement.left, &statement.right].into_iter().find_map(|side| value_alone(line, side))
-        {
-            reach = reach.max(half * self.unit_of(unit));
+        let alone = [&statement.left, &statement.right].into_iter().find_map(|side| line.number_alone(side));
+        if let Some((number, half)) = alone.and_then(|own| Some((own, half_of_last_place(&own.value)?))) {
+            reach = reach.max(half.to_f64().value() * self.unit_of(number.unit.as_ref()));
         }
         let is_nothing = difference.value.abs() <= difference.error + AGREE * size;
         let is_rounded = rounds && difference.value.abs() <= reach.min(ROUNDED * size);
@@ -164,33 +163,17 @@ impl At<'_> {
     }
 }
 
-/// Half a unit of the last place of the number that a side is, with its unit.
-fn value_alone<'a>(line: &'a Written, side: &Expr) -> Option<(f64, Option<&'a Unit>)> {
-    let number = match side {
-        Expr::Symbol(symbol) => line.number(*symbol)?,
-        Expr::Product(parts) => match parts.as_ref() {
-            [Expr::Number(_), Expr::Symbol(symbol)] => line.number(*symbol)?,
-            _ => return None,
-        },
-        _ => return None,
-    };
-    Some((half_of_last_place(&number.value)?.to_f64().value(), number.unit.as_ref()))
-}
-
 /// The quantities whose values a line gives.
 pub(crate) fn results(line: &Written) -> Vec<Symbol> {
     let statements = line.statements().filter(|statement| is_result(line, statement));
-    statements
-        .flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()))
-        .filter(|own| line.number(*own).is_none())
-        .collect()
+    statements.flat_map(|own| [&own.left, &own.right]).filter_map(|side| line.letter_alone(side)).collect()
 }
 
 /// Whether a statement gives the value of one quantity.
 fn is_result(line: &Written, statement: &Statement) -> bool {
     let is_number = |side: &Expr| side.symbols().iter().all(|symbol| line.number(*symbol).is_some());
-    let is_one = |side: &Expr| matches!(side, Expr::Symbol(symbol) if line.number(*symbol).is_none());
-    is_one(&statement.left) && is_number(&statement.right) || is_one(&statement.right) && is_number(&statement.left)
+    let gives = |letter: &Expr, value: &Expr| line.letter_alone(letter).is_some() && is_number(value);
+    gives(&statement.left, &statement.right) || gives(&statement.right, &statement.left)
 }
 
 /// The size of the coherent unit of a dimension in SI units.

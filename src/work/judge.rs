@@ -14,12 +14,13 @@ use super::found::{Accepted, Found};
 use super::ground::Ground;
 use super::holds::{At, Holds, results};
 use super::meaning::meanings;
+use super::reader::{NoLine, readings, term};
 use super::report::JudgedLine;
 use super::sides::{Compared, sides, statements};
 use super::unread::said;
 use super::verdict::Verdict;
 use super::way::Values;
-use super::written::{Alphabet, NoLine, Written, readings, term};
+use super::written::{Alphabet, Written};
 
 /// The most lines that are judged.
 pub const MOST_LINES: usize = 60;

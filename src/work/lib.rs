@@ -21,6 +21,7 @@ mod meaning;
 mod message;
 mod naming;
 mod progress;
+mod reader;
 mod report;
 mod result;
 mod series;

@@ -20,12 +20,10 @@ impl Judge<'_> {
         let mut results: Vec<(Symbol, Symbol)> = Vec::new();
         for chain in line.stated.iter().flatten() {
             let sides = || chain.iter().flat_map(|own| [&own.left, &own.right]);
-            let letter = sides().find_map(|side| match side {
-                Expr::Symbol(symbol) if line.number(*symbol).is_none() => Some(*symbol),
-                _ => None,
-            });
+            let letter = sides().find_map(|side| line.letter_alone(side));
             let Some(letter) = letter else { continue };
-            results.extend(sides().filter_map(|side| bare_number(line, side)).map(|number| (number, letter)));
+            let bare = sides().filter_map(|side| line.number_alone(side)).filter(|own| own.unit.is_none());
+            results.extend(bare.map(|own| (own.symbol, letter)));
         }
         let place = self.ground.place(&self.base);
         for (number, symbol) in results {
@@ -83,17 +81,4 @@ impl Judge<'_> {
         let usual = self.worked.variant.unit(self.worked.problem, symbol);
         asked.into_iter().chain([usual]).chain(given).filter(|unit| unit.dimension() == dimension).collect()
     }
-}
-
-/// The bare number that a side is, perhaps with a sign.
-fn bare_number(line: &Written, side: &Expr) -> Option<Symbol> {
-    let number = match side {
-        Expr::Symbol(number) => *number,
-        Expr::Product(parts) => match parts.as_ref() {
-            [Expr::Number(_), Expr::Symbol(number)] => *number,
-            _ => return None,
-        },
-        _ => return None,
-    };
-    line.number(number).filter(|own| own.unit.is_none()).map(|_| number)
 }

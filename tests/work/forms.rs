@@ -1,14 +1,12 @@
 //! Lines in the forms of calculus, series and vectors, each with its verdict.
 
 use std::fs;
-use std::sync::Arc;
 
-use momentous::bank::Bank;
-use momentous::exercise::Exercise;
 use momentous::grade::DecimalMark;
-use momentous::problem::{compile, load};
 use momentous::work::Judge;
 use serde::Deserialize;
+
+use super::drawn;
 
 /// The variant on which the lines are judged.
 const SEED: u64 = 1;
@@ -31,9 +29,7 @@ fn integrals_series_and_vectors_are_read() {
     let works: Vec<Work> = serde_yaml::from_str(&fs::read_to_string(path).unwrap()).unwrap();
     let mut apart = Vec::new();
     for work in &works {
-        let source = Bank::built_in().sources().find(|own| own.name.contains(&work.problem)).unwrap().clone();
-        let problem = Arc::new(compile(load(source).unwrap(), None).unwrap());
-        let exercise = Exercise::draw(&problem, 0, SEED).unwrap();
+        let exercise = drawn(&work.problem, SEED);
         let mut judge = Judge::new(exercise.worked(), DecimalMark::Point);
         for line in &work.lines {
             let judged = judge.line(&line.text);

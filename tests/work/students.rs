@@ -2,14 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::sync::Arc;
 
-use momentous::bank::Bank;
-use momentous::exercise::Exercise;
 use momentous::grade::DecimalMark;
-use momentous::problem::{compile, load};
 use momentous::work::{Judge, Verdict};
 use serde::Deserialize;
+
+use super::drawn;
 
 /// So many of the lines are judged as the key says; of 440.
 const AGREED: usize = 395;
@@ -60,9 +58,7 @@ fn lines_are_judged_as_a_tutor_judges_them() {
     let (mut agreed, mut open, mut lines) = (0, Vec::new(), 0);
     let mut apart: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for work in &works {
-        let source = Bank::built_in().sources().find(|own| own.name.contains(&work.problem)).unwrap().clone();
-        let problem = Arc::new(compile(load(source).unwrap(), None).unwrap());
-        let exercise = Exercise::draw(&problem, 0, work.seed).unwrap();
+        let exercise = drawn(&work.problem, work.seed);
         let mut judge = Judge::new(exercise.worked(), DecimalMark::Point);
         for line in &work.lines {
             let judged = judge.line(&line.text);
