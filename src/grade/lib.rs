@@ -37,8 +37,8 @@ pub use marks::Points;
 pub use messages::Message;
 pub use number::Number;
 pub use read::{
-    Answer, BehindBars, DecimalMark, FormulaAnswer, Letters, Manner, Unreadable, UnreadableKind, WrittenNumber,
-    WrittenTerm, half_of_last_place, read, read_several, read_term,
+    Answer, BehindBars, DecimalMark, FormulaAnswer, Letters, MAX_FORMULA, Manner, Unreadable, UnreadableKind,
+    WrittenNumber, WrittenTerm, half_of_last_place, read, read_several, read_term,
 };
 pub use reading::{Reading, Readings};
 pub use report::{Entry, InputFault, PartReport, Report, grade, grade_read, not_right, some_values};

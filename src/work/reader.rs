@@ -6,6 +6,7 @@ use momentous_expr::SymbolEntry;
 use momentous_grade::BehindBars;
 use momentous_grade::DecimalMark;
 use momentous_grade::Letters;
+use momentous_grade::MAX_FORMULA;
 use momentous_grade::Manner;
 use momentous_grade::Unreadable;
 use momentous_grade::UnreadableKind;
@@ -74,6 +75,7 @@ pub(crate) fn readings(
 
 /// A line that is one side only, in its first reading.
 pub(crate) fn term(side: &str, alphabet: &Alphabet, mark: DecimalMark) -> Result<(Expr, Written), NoLine> {
+    within_length(side)?;
     let manner = Manner { letters: Letters::Units, behind_bars: BehindBars::Above };
     let written = Written::blank(alphabet, None);
     let mut reader = Reader { alphabet, manner, mark, before: None, written, inserted: Vec::new(), is_doubtful: false };
@@ -102,6 +104,7 @@ impl Reader<'_> {
     }
 
     fn chain(&mut self, chain: &Chain) -> Result<Vec<Statement>, NoLine> {
+        chain.sides.iter().try_for_each(|side| within_length(side))?;
         let written: Vec<String> = chain.sides.iter().map(|side| with_components(side)).collect();
         let along = self.alphabet.vectors.components(&written);
         let mut statements = Vec::new();
@@ -196,6 +199,14 @@ impl Reader<'_> {
         let integrand = self.term(&integral.integrand, Some(variable))?;
         let whole = integrand.integrate(variable).ok_or(NoLine::Integral(IntegralFault::Formula))?;
         Ok(difference(&whole, variable, [&low, &high]))
+    }
+}
+
+/// Refuses a side that is too long before it is taken apart: what stands in an integral is read within it.
+fn within_length(side: &str) -> Result<(), NoLine> {
+    match side.chars().nth(MAX_FORMULA) {
+        Some(_) => Err(NoLine::Unreadable(Unreadable { at: MAX_FORMULA, kind: UnreadableKind::TooLong(MAX_FORMULA) })),
+        None => Ok(()),
     }
 }
 

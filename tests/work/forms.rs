@@ -3,7 +3,7 @@
 use std::fs;
 
 use momentous::grade::DecimalMark;
-use momentous::work::Judge;
+use momentous::work::{Judge, Verdict};
 use serde::Deserialize;
 
 use super::drawn;
@@ -39,4 +39,19 @@ fn integrals_series_and_vectors_are_read() {
         }
     }
     assert!(apart.is_empty(), "{}", apart.join("\n"));
+}
+
+#[test]
+fn a_side_that_is_too_long_is_not_taken_apart() {
+    let deep = |open: &str, close: &str| format!("{}1{} = 3", open.repeat(5_000), close.repeat(5_000));
+    for line in [deep("∫_0^1 ", " dt"), deep("t]_{[", "]_0^1}^1"), deep("\\vec{", "}"), deep("|", "|")] {
+        let exercise = drawn("impact/two-carts", SEED);
+        let mut judge = Judge::new(exercise.worked(), DecimalMark::Point);
+        // Also where it would say what a letter of one's own stands for.
+        for line in [format!("h = {line}"), line] {
+            let judged = judge.line(&line);
+            assert_eq!(judged.verdict, Verdict::Unreadable);
+            assert!(judged.message.contains("1000 characters"), "{}", judged.message);
+        }
+    }
 }

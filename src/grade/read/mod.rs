@@ -37,7 +37,9 @@ pub use answer::{
     Answer, ChoiceAnswer, EndAnswer, FormulaAnswer, IntervalAnswer, NumberAnswer, Sense, VectorAnswer, Written,
 };
 pub(super) use ending::Endings;
-pub use formula::{BehindBars, Letters, Manner, WrittenNumber, WrittenTerm, half_of_last_place, read_term};
+pub use formula::{
+    BehindBars, Letters, MAX_FORMULA, Manner, WrittenNumber, WrittenTerm, half_of_last_place, read_term,
+};
 pub use numeral::DecimalMark;
 pub use plain::MAX_LENGTH;
 pub use several::read_several;
