@@ -32,7 +32,9 @@ impl Bank {
         Self { is_built_in: true, ..Self::of(sources) }
     }
 
-    pub(super) fn of(sources: Vec<Source>) -> Self {
+    /// The bank of these files.
+    #[must_use]
+    pub fn of(sources: Vec<Source>) -> Self {
         let named = |source: Source| (declared_id(&source).unwrap_or_else(|| source.name.to_string()), source);
         let mut problems: Vec<(String, Source)> = sources.into_iter().map(named).collect();
         problems.sort_by(|left, right| (&left.0, &left.1.name).cmp(&(&right.0, &right.1.name)));

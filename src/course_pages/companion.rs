@@ -65,20 +65,20 @@ impl momentous_web::Visitor for Reader<'_> {
         if self.visitor.is_some() { Lane::SignedIn } else { Lane::Anyone }
     }
 
-    fn withheld(&self) -> Awaited<'_, Result<Box<dyn momentous_web::Withheld>, Unreachable>> {
+    fn withheld(&self) -> Awaited<'_, Result<Box<dyn momentous_pages::Withheld>, Unreachable>> {
         Box::pin(async {
             let withheld = Withheld::from(self.courses, self.app, self.visitor.as_ref())
                 .await
                 .map_err(|fault| unreachable(&fault))?;
-            let withheld: Box<dyn momentous_web::Withheld> = Box::new(withheld);
+            let withheld: Box<dyn momentous_pages::Withheld> = Box::new(withheld);
             Ok(withheld)
         })
     }
 
-    fn withheld_in_simulators(&self) -> Awaited<'_, Box<dyn momentous_web::Withheld>> {
+    fn withheld_in_simulators(&self) -> Awaited<'_, Box<dyn momentous_pages::Withheld>> {
         Box::pin(async {
             let withheld = Withheld::of_simulators(self.courses, self.app, self.visitor.as_ref()).await;
-            let withheld: Box<dyn momentous_web::Withheld> = Box::new(withheld);
+            let withheld: Box<dyn momentous_pages::Withheld> = Box::new(withheld);
             withheld
         })
     }

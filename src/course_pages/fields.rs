@@ -11,8 +11,8 @@ use futures_util::StreamExt;
 use momentous_exercise::calls::{Refused, RefusedKind};
 
 use super::outcome::NotShown;
+use momentous_pages::Parameters;
 use momentous_web::Arrival;
-use momentous_web::Parameters;
 
 /// The bytes of a form that are read in all. Of one that is too long nothing is kept; were its rest not read, its sender would see a
 /// broken connection in place of the reason.

@@ -11,7 +11,7 @@ use momentous_fault::Source;
 use momentous_store::{Store, StoreFault};
 
 use super::library::source;
-use momentous_web::Library;
+use momentous_pages::Library;
 
 /// For so long it is not asked again what is hidden, in ms: pages ask often, and a hurdle may stand a moment late.
 const FRESH: i64 = 5_000;

@@ -95,7 +95,7 @@ pub(super) async fn current(visit: &Visit, problem: &str) -> Result<ProblemFile,
     if let Some(file) = published.max_by_key(|file| file.published) {
         return Ok(file);
     }
-    let source = visit.app.library.source(problem)?;
+    let source = visit.app.pages.library.source(problem)?;
     Ok(ProblemFile {
         digest: digest(&source),
         problem: problem.to_owned(),

@@ -15,8 +15,8 @@ use super::reply::Reply;
 use super::session;
 use super::state::Courses;
 use super::visitor::Visitor;
+use momentous_pages::Parameters;
 use momentous_web::Lane;
-use momentous_web::Parameters;
 use momentous_web::{App, SharedApp};
 
 /// Somebody asks for a page, or sends a form.
@@ -139,7 +139,7 @@ impl Visit {
     pub(super) async fn page(&self, template: &'static str, page: impl Serialize) -> Result<Reply, NotShown> {
         // The header leaves out what is hidden.
         if self.visitor.is_some() {
-            self.courses.hidden.at(&self.app.library, self.store(), self.now).await;
+            self.courses.hidden.at(&self.app.pages.library, self.store(), self.now).await;
         }
         let around = self.around();
         // As a value it may outlive what it was made of.

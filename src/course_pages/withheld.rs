@@ -26,7 +26,7 @@ impl Withheld {
     /// What is withheld from a visitor, or from somebody who is not known.
     pub(super) async fn from(courses: &Courses, app: &App, visitor: Option<&Visitor>) -> Result<Self, StoreFault> {
         let (store, now) = (&courses.store, courses.clock.now());
-        let hidden = courses.hidden.at(&app.library, store, now).await;
+        let hidden = courses.hidden.at(&app.pages.library, store, now).await;
         let open = store.open_assignments(now).await?;
         let taught: BTreeSet<Key<Course>> = match visitor {
             Some(visitor) if !open.is_empty() => {
@@ -46,7 +46,7 @@ impl Withheld {
     /// The same for simulators, which show every scene, without the records, too: what they must not solve.
     pub(super) async fn of_simulators(courses: &Courses, app: &App, visitor: Option<&Visitor>) -> Self {
         // Simulators ask often, and as a rule nothing is hidden.
-        let all = courses.hidden.at(&app.library, &courses.store, courses.clock.now()).await;
+        let all = courses.hidden.at(&app.pages.library, &courses.store, courses.clock.now()).await;
         if all.is_empty() {
             return Self::default();
         }
@@ -76,7 +76,7 @@ impl Withheld {
     }
 }
 
-impl momentous_web::Withheld for Withheld {
+impl momentous_pages::Withheld for Withheld {
     /// Refuses a problem that is withheld.
     fn check(&self, problem: &str) -> Result<(), Refused> {
         if !self.reserved.refuses(problem, false) {

@@ -149,9 +149,9 @@ impl Decimal {
     #[must_use]
     pub fn to_rational(&self) -> Rational {
         if let (Ok(digits), Ok(scale @ 0..=18)) = (i64::try_from(&self.unscaled), u32::try_from(self.scale)) {
-            // Reducing machine words is quicker.
+            // Reducing machine words is quicker; two of them hold 64 bits on every machine.
             let sign = if digits < 0 { Sign::Negative } else { Sign::Positive };
-            return Rational::from_parts_const(sign, digits.unsigned_abs().into(), 10_u128.pow(scale));
+            return Rational::from_parts_const(sign, digits.unsigned_abs().into(), 10_u64.pow(scale).into());
         }
         let power = power_of_ten(self.scale.unsigned_abs() as usize);
         if self.scale > 0 {

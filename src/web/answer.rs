@@ -8,37 +8,18 @@ use axum::http::header;
 use axum::response::Html;
 use axum::response::IntoResponse;
 use axum::response::Response;
-use serde::Serialize;
 
 use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_pages::{Again, Refusal, heading};
 
-use super::again::Again;
 use super::app::{App, SharedApp};
 use super::headers::{A_WHILE, ANEW, OF_PICTURES};
 use super::workers::{Admitted, NotDone};
 
-/// What a page that shows a refusal knows.
-#[derive(Serialize)]
-struct RefusedPage<'a> {
-    title: &'static str,
-    status: u16,
-    refused: &'a Refused,
-    sentences: Vec<String>,
-    /// The form that was refused.
-    again: Option<Again>,
-}
-
-/// What each kind of refusal is: its status, and the title of its page.
+/// The status and the title of the page for a kind of refusal.
 fn kind(kind: RefusedKind) -> (StatusCode, &'static str) {
-    match kind {
-        RefusedKind::Unknown => (StatusCode::NOT_FOUND, "Not found"),
-        RefusedKind::Reserved => (StatusCode::FORBIDDEN, "Part of an assignment"),
-        RefusedKind::Invalid => (StatusCode::BAD_REQUEST, "Not understood"),
-        RefusedKind::TooLarge => (StatusCode::PAYLOAD_TOO_LARGE, "Too large"),
-        RefusedKind::Values => (StatusCode::UNPROCESSABLE_ENTITY, "These values cannot be used"),
-        RefusedKind::NotSimulated => (StatusCode::UNPROCESSABLE_ENTITY, "Nothing to simulate"),
-        RefusedKind::Fault => (StatusCode::INTERNAL_SERVER_ERROR, "A fault in a file"),
-    }
+    let (status, title) = heading(kind);
+    (StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR), title)
 }
 
 const NO_CACHE: [(HeaderName, HeaderValue); 1] = [(header::CACHE_CONTROL, ANEW)];
@@ -117,8 +98,7 @@ fn filled(
     refused: &Refused,
     again: Option<Again>,
 ) -> Result<String, Refused> {
-    let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences(), again };
-    app.page("refused", &page)
+    app.page("refused", &Refusal::new((status.as_u16(), title), refused, again))
 }
 
 /// The page of a refusal, to see whether its template can be filled.

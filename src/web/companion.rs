@@ -8,8 +8,7 @@ use std::sync::Arc;
 use axum::Router;
 use axum::http::HeaderMap;
 
-use momentous_exercise::calls::{Problems, Refused};
-use momentous_problem::Problem;
+use momentous_pages::Withheld;
 
 use super::app::{App, SharedApp};
 use super::workers::Lane;
@@ -63,34 +62,6 @@ pub trait Visitor: Send + Sync {
     fn withheld_in_simulators(&self) -> Awaited<'_, Box<dyn Withheld>>;
 }
 
-/// What is shown and solved nowhere at the moment.
-pub trait Withheld: Send + Sync {
-    /// Refuses a problem that is withheld, by its id.
-    ///
-    /// # Errors
-    /// The problem is withheld: why, and until when.
-    fn check(&self, problem: &str) -> Result<(), Refused>;
-
-    /// Refuses to solve a problem with numbers of whoever asks.
-    ///
-    /// # Errors
-    /// Problems of this kind are not solved: why, and until when.
-    fn check_own_numbers(&self, problem: &Problem) -> Result<(), Refused>;
-}
-
-/// Nothing is withheld: there are no courses.
-pub(super) struct Nothing;
-
-impl Withheld for Nothing {
-    fn check(&self, _: &str) -> Result<(), Refused> {
-        Ok(())
-    }
-
-    fn check_own_numbers(&self, _: &Problem) -> Result<(), Refused> {
-        Ok(())
-    }
-}
-
 /// The records that say what is withheld cannot be reached: the reason for the log.
 #[derive(Debug)]
 pub struct Unreachable(pub String);
@@ -98,24 +69,5 @@ pub struct Unreachable(pub String);
 impl fmt::Display for Unreachable {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(&self.0)
-    }
-}
-
-/// The problems without those that are withheld.
-pub(super) struct Open<'a> {
-    /// All problems.
-    pub(super) problems: &'a dyn Problems,
-    /// Those that are withheld.
-    pub(super) withheld: &'a dyn Withheld,
-}
-
-impl Problems for Open<'_> {
-    fn problem(&self, id: &str) -> Result<Arc<Problem>, Refused> {
-        self.withheld.check(id)?;
-        self.problems.problem(id)
-    }
-
-    fn own_numbers(&self, problem: &Problem) -> Result<(), Refused> {
-        self.withheld.check_own_numbers(problem)
     }
 }

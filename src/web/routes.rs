@@ -24,44 +24,19 @@ use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
 use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_pages::{Again, CALLS_OF_SIMULATORS, Nothing, OfProblem, PROBLEM_PAGES, Parameters, Shown, Withheld};
 
-use super::again::Again;
 use super::answer;
 use super::app::{App, SharedApp};
-use super::companion::{Nothing, Unreachable, Withheld};
+use super::companion::Unreachable;
 use super::explained::explained;
 use super::headers::{BY_TLS, FOR_EVER, HEADERS};
 use super::health::health;
 use super::observed::observed;
-use super::pages;
-use super::parameters::Parameters;
-use super::view::View;
 use super::workers::{Admitted, Lane, NotDone};
 
 /// The fields of an address or of a form.
 type Fields = Vec<(String, String)>;
-
-/// What makes the page of a problem, or of a simulator by its name.
-type OfProblem = fn(&View<'_>, String, &Parameters) -> Result<String, Refused>;
-
-/// Whether pages are refused while an assignment with their problem is open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum While {
-    Refused,
-    Shown,
-}
-
-/// The pages of problems, `/practice/impact/two-carts`, and of simulators, which are always shown.
-const OF_PROBLEMS: [(&str, While, OfProblem); 5] = [
-    ("/play/{*problem}", While::Refused, pages::play),
-    ("/practice/{*problem}", While::Refused, pages::practice),
-    ("/simulators/{*problem}", While::Shown, pages::simulator),
-    ("/solution/{*problem}", While::Refused, pages::solution),
-    ("/solve/{*problem}", While::Refused, pages::solve),
-];
-
-/// The calls of simulators, which are never refused; what they must not solve they leave out.
-const OF_SIMULATORS: [&str; 2] = ["collision", "restitution"];
 
 /// Everything that is served.
 pub fn router(app: Arc<App>) -> Router {
@@ -74,8 +49,8 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/static/{digest}/{name}", get(asset))
         .route("/api/{call}", post(call))
         .fallback(async |State(app): State<SharedApp>| answer::refused(&app, &no_page()));
-    for (path, reserved, make) in OF_PROBLEMS {
-        own = own.route(path, of_problem(reserved, make));
+    for (begin, shown, make) in PROBLEM_PAGES {
+        own = own.route(&format!("{begin}{{*problem}}"), of_problem(shown, make));
     }
     if let Some(companion) = &app.companion {
         own = Arc::clone(companion).add_routes(own);
@@ -97,19 +72,19 @@ pub fn router(app: Arc<App>) -> Router {
 }
 
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
-fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
+fn of_problem(shown: Shown, make: OfProblem) -> MethodRouter<SharedApp> {
     let page = move |app: SharedApp, (headers, uri): (HeaderMap, Uri), problem: String, fields: Fields| async move {
         let own = |withheld: Box<dyn Withheld>, parameters: Parameters| {
             move |app: &App| {
                 withheld.check(&problem)?;
-                make(&View::new(app, withheld.as_ref()), problem, &parameters)
+                make(&app.view(withheld.as_ref()), problem, &parameters)
             }
         };
         let parameters = match Parameters::new(fields, &app.settings.limits) {
             Ok(parameters) => parameters,
             Err(refused) => return answer::refused(&app, &refused),
         };
-        match admitted(&app, &headers, reserved).await {
+        match admitted(&app, &headers, shown).await {
             Ok((place, withheld)) => answer::page(&app, place, own(withheld, parameters)).await,
             Err(NotAdmitted::Busy(reason)) => {
                 answer::not_done(&app, reason, Again::of(&app.settings.base_path, &uri.to_string(), &parameters))
@@ -142,22 +117,22 @@ enum NotAdmitted {
 async fn admitted<'app>(
     app: &'app App,
     headers: &HeaderMap,
-    reserved: While,
+    shown: Shown,
 ) -> Result<(Admitted<'app>, Box<dyn Withheld>), NotAdmitted> {
     let Some(companion) = &app.companion else {
         let place = app.workers.admit(Lane::Anyone).map_err(NotAdmitted::Busy)?;
         return Ok((place, Box::new(Nothing)));
     };
-    let visitor = match (companion.visitor(app, headers).await, reserved) {
+    let visitor = match (companion.visitor(app, headers).await, shown) {
         (Ok(visitor), _) => visitor,
         // What is never withheld is shown without the records, too.
-        (Err(_), While::Shown) => companion.stranger(app),
-        (Err(fault), While::Refused) => return Err(NotAdmitted::Unknown(fault)),
+        (Err(_), Shown::Always) => companion.stranger(app),
+        (Err(fault), Shown::UnlessReserved) => return Err(NotAdmitted::Unknown(fault)),
     };
     let place = app.workers.admit(visitor.lane()).map_err(NotAdmitted::Busy)?;
-    let withheld = match reserved {
-        While::Shown => visitor.withheld_in_simulators().await,
-        While::Refused => visitor.withheld().await.map_err(NotAdmitted::Unknown)?,
+    let withheld = match shown {
+        Shown::Always => visitor.withheld_in_simulators().await,
+        Shown::UnlessReserved => visitor.withheld().await.map_err(NotAdmitted::Unknown)?,
     };
     Ok((place, withheld))
 }
@@ -171,15 +146,15 @@ fn unreachable_records(fault: &Unreachable) -> Response {
 
 /// The gallery says what is withheld; where nobody can say, it is shown without that, and the pages behind it refuse.
 async fn start(State(app): State<SharedApp>, headers: HeaderMap, Query(fields): Query<Fields>) -> Response {
-    let known = match admitted(&app, &headers, While::Refused).await {
-        Err(NotAdmitted::Unknown(_)) => admitted(&app, &headers, While::Shown).await,
+    let known = match admitted(&app, &headers, Shown::UnlessReserved).await {
+        Err(NotAdmitted::Unknown(_)) => admitted(&app, &headers, Shown::Always).await,
         known => known,
     };
     match known {
         Ok((place, withheld)) => {
             let make = move |app: &App| {
                 let fields = Parameters::new(fields, &app.settings.limits)?;
-                pages::start(&View::new(app, withheld.as_ref()), &fields)
+                app.view(withheld.as_ref()).start(&fields)
             };
             answer::page(&app, place, make).await
         }
@@ -190,9 +165,9 @@ async fn start(State(app): State<SharedApp>, headers: HeaderMap, Query(fields): 
 
 /// The figure of a problem in the gallery.
 async fn figure(State(app): State<SharedApp>, headers: HeaderMap, Path(problem): Path<String>) -> Response {
-    match admitted(&app, &headers, While::Refused).await {
+    match admitted(&app, &headers, Shown::UnlessReserved).await {
         Ok((place, withheld)) => {
-            answer::picture(&app, place, move |app| pages::figure(&View::new(app, withheld.as_ref()), &problem)).await
+            answer::picture(&app, place, move |app| app.view(withheld.as_ref()).figure(&problem)).await
         }
         Err(NotAdmitted::Busy(reason)) => answer::no_call(reason),
         Err(NotAdmitted::Unknown(fault)) => unreachable_records(&fault),
@@ -200,25 +175,27 @@ async fn figure(State(app): State<SharedApp>, headers: HeaderMap, Path(problem):
 }
 
 async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path<String>, body: Bytes) -> Response {
-    let reserved = if OF_SIMULATORS.contains(&call.as_str()) { While::Shown } else { While::Refused };
-    let (place, withheld) = match admitted(&app, &headers, reserved).await {
+    let shown = if CALLS_OF_SIMULATORS.contains(&call.as_str()) { Shown::Always } else { Shown::UnlessReserved };
+    let (place, withheld) = match admitted(&app, &headers, shown).await {
         Ok(admitted) => admitted,
         Err(NotAdmitted::Busy(reason)) => return answer::no_call(reason),
         Err(NotAdmitted::Unknown(fault)) => return unreachable_records(&fault),
     };
-    answer::json(&app, place, move |app| View::new(app, withheld.as_ref()).engine().call(&call, &body)).await
+    answer::json(&app, place, move |app| app.view(withheld.as_ref()).engine().call(&call, &body)).await
 }
 
 /// The state of the watched files, for pages that reload themselves.
 async fn watch(State(app): State<SharedApp>) -> Response {
     match app.workers.admit(Lane::Anyone) {
-        Ok(place) => answer::json(&app, place, |app| Ok(app.library.stamp().to_string())).await,
+        Ok(place) => {
+            answer::json(&app, place, |app| Ok(app.pages.library.stamp().unwrap_or_default().to_string())).await
+        }
         Err(reason) => answer::no_call(reason),
     }
 }
 
 async fn asset(State(app): State<SharedApp>, Path((_, name)): Path<(String, String)>) -> Response {
-    match app.assets.find(&name) {
+    match app.pages.assets.find(&name) {
         Some((kind, bytes)) => {
             ([(header::CONTENT_TYPE, kind)], [(header::CACHE_CONTROL, FOR_EVER)], bytes.to_vec()).into_response()
         }

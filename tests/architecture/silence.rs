@@ -107,7 +107,8 @@ const DEFAULTS: &[(&str, &str)] = &[
     ("src/simulate/scene/mod.rs", "a run that moves nothing"),
     ("src/simulate/scene/stage/by_hand.rs", "a test of what moves nothing"),
     ("src/store/", "a hint on the whole sheet; an address without a question mark"),
-    ("src/web/", "a field that is left empty"),
+    ("src/pages/", "a field that is left empty"),
+    ("src/web/", "a header that is not there; nothing that is watched"),
     ("src/course_pages/", "a field that is left empty; a clock before 1970"),
     ("src/witness/trial.rs", "what is no expression has no parts"),
 ];

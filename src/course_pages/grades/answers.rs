@@ -17,7 +17,7 @@ use super::super::reply::Reply;
 use super::super::visit::Visit;
 use super::super::withheld::Withheld;
 use super::class::{member, reports, titles};
-use momentous_web::Withheld as _;
+use momentous_pages::Withheld as _;
 
 #[derive(Serialize)]
 struct AnswersPage {

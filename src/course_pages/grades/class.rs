@@ -31,8 +31,9 @@ pub(super) async fn titles(
     let items: Vec<(Key<Item>, u32, String)> =
         whole.items.iter().map(|item| (item.key, item.position.saturating_add(1), item.problem.clone())).collect();
     let titled = move |app: &App| {
-        let title =
-            |(key, place, problem): &(_, _, String)| Ok((*key, format!("{place}. {}", app.library.title(problem)?)));
+        let title = |(key, place, problem): &(_, _, String)| {
+            Ok((*key, format!("{place}. {}", app.pages.library.title(problem)?)))
+        };
         items.iter().map(title).collect()
     };
     visit.work(titled).await

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use momentous_pages::words;
 use momentous_store::Records;
-use momentous_web::words;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;

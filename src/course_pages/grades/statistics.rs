@@ -67,7 +67,7 @@ pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
         let mut found =
             course::statistics(&accounts, &book, all.iter().map(|own| (&own.sheet, own.reports.as_slice())));
         for part in &mut found.parts.items {
-            part.item.problem = app.library.title(&part.item.problem)?;
+            part.item.problem = app.pages.library.title(&part.item.problem)?;
         }
         Ok(found)
     });

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use momentous_web::words;
+use momentous_pages::words;
 use serde::Serialize;
 
 use super::super::outcome::NotShown;

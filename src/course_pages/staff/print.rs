@@ -10,13 +10,13 @@ use momentous_course::{Item, Key, Member, Role, Sheet};
 use momentous_exercise::Exercise;
 use momentous_exercise::calls::Refused;
 use momentous_fault::Faults;
+use momentous_pages::words;
 use momentous_problem::Problem;
 use momentous_render as render;
 #[cfg(feature = "pdf")]
 use momentous_render::Press;
 use momentous_render::{Format, KeyRow, Page, Renderer, SheetPart};
 use momentous_store::{AssignmentWithItems, Membership};
-use momentous_web::words;
 
 use super::super::items;
 use super::super::outcome::NotShown;
@@ -24,7 +24,7 @@ use super::super::reply::Reply;
 use super::super::visit::Visit;
 use super::super::withheld::Withheld;
 use super::assignment;
-use momentous_web::Withheld as _;
+use momentous_pages::Withheld as _;
 
 #[derive(Serialize)]
 struct PrintPage {

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use momentous_course::{Course, Role, RosterChange, RosterRow, roster_changes, roster_records};
+use momentous_pages::words;
 use momentous_store::Membership;
-use momentous_web::words;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use momentous_course::Course;
-use momentous_web::words;
+use momentous_pages::words;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;

@@ -14,7 +14,7 @@ use super::super::reply::Reply;
 use super::super::visit::Visit;
 use super::super::withheld::Withheld;
 use super::own_sheet::OwnSheet;
-use momentous_web::Withheld as _;
+use momentous_pages::Withheld as _;
 
 #[derive(Serialize)]
 struct SolutionPage {

@@ -37,7 +37,7 @@ impl Catalogue {
                 let loaded = files.iter().filter_map(|file| load_in_course(source(file)).ok());
                 let mut exhibits: Vec<Exhibit> = loaded.map(|loaded| Exhibit::of(&loaded)).collect();
                 let own = exhibits.len();
-                let bank: Arc<Vec<Exhibit>> = app.library.exhibits()?;
+                let bank: Arc<Vec<Exhibit>> = app.pages.library.exhibits()?;
                 let is_own = |id: &str, own: &[Exhibit]| own.iter().any(|mine| mine.card.id == id);
                 let rest: Vec<Exhibit> =
                     bank.iter().filter(|exhibit| !is_own(&exhibit.card.id, &exhibits)).cloned().collect();

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use momentous_course::{Extension, ExtensionForm, FieldFault, Role};
+use momentous_pages::words;
 use momentous_store::Membership;
-use momentous_web::words;
 
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;

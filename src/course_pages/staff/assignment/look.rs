@@ -15,7 +15,7 @@ use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
-use momentous_web::Withheld as _;
+use momentous_pages::Withheld as _;
 
 /// The seeds that are shown.
 const SEEDS: [u64; 3] = [1, 2, 3];

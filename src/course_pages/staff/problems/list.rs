@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use momentous_web::words;
+use momentous_pages::words;
 
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;

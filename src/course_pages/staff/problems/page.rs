@@ -11,7 +11,7 @@ use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
 use super::super::assignment::{Looked, looked};
 use super::check::{Checked, run};
-use momentous_web::Withheld as _;
+use momentous_pages::Withheld as _;
 
 #[derive(Serialize)]
 struct ProblemPage {

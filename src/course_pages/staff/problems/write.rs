@@ -17,7 +17,7 @@ use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
 use super::trial;
 use super::trial::{NAME, Trial};
-use momentous_web::Withheld as _;
+use momentous_pages::Withheld as _;
 
 #[derive(Serialize)]
 struct WritePage {

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use momentous_exercise::calls::{PlayResponse, Refused, RefusedKind, SheetResponse};
 
-use super::super::parameters::Parameters;
-use super::super::view::View;
-use super::Place;
+use super::parameters::Parameters;
+use super::place::Place;
+use super::view::View;
 
 #[derive(Serialize)]
 struct PlayPage {
@@ -19,11 +19,11 @@ struct PlayPage {
 }
 
 /// The scene of a variant, as an animation with plots.
-pub(crate) fn play(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(super) fn play(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let exercise = view.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;
-    let (played, refused) = match PlayResponse::of(&exercise, &view.app.settings.limits) {
+    let (played, refused) = match PlayResponse::of(&exercise, &view.pages.limits) {
         Ok(played) => (Some(played), None),
         // Why there is nothing to play is part of the page.
         Err(refused) if refused.kind == RefusedKind::NotSimulated => (None, Some(refused.sentences())),

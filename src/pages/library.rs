@@ -1,54 +1,77 @@
-//! The problems that a server shows, compiled when they are first wanted.
+//! The problems that pages show, compiled when they are first wanted.
 
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::Mutex;
-use std::sync::MutexGuard;
-use std::sync::PoisonError;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::SystemTime;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use momentous_bank::Bank;
-use momentous_bank::Exhibit;
-use momentous_bank::files_under;
-use momentous_bank::load_in_course;
+use momentous_bank::{Bank, Exhibit, load_in_course};
 use momentous_exercise::calls::{Problems, Refused, RefusedKind};
 use momentous_exercise::titled;
-use momentous_fault::Faults;
-use momentous_fault::Source;
-use momentous_problem::Problem;
-use momentous_problem::compile;
+use momentous_fault::{Faults, Source};
+use momentous_problem::{Course, Loaded, Problem, compile, load};
+
+use super::watched;
 
 /// The problems of a bank, and behind them those that are built in. It holds no more compiled problems than these have files.
 pub struct Library {
     watched: Option<PathBuf>,
+    settings: CourseSettings,
     built_in: Bank,
     shelf: Mutex<Shelf>,
     looked_up: AtomicU64,
 }
 
+/// Where the settings of the course to which a file belongs are.
+enum CourseSettings {
+    /// In the folder of the file, or above it.
+    InFolders,
+    /// At hand, by the names of files.
+    AtHand(BTreeMap<String, Course>),
+}
+
 /// A bank as it was read.
 struct Shelf {
     bank: Arc<Bank>,
-    /// What the watched files looked like.
+    /// A number for the state of the watched files.
     stamp: u64,
     compiled: BTreeMap<String, Arc<Problem>>,
     exhibits: Option<Arc<Vec<Exhibit>>>,
 }
 
+impl Shelf {
+    fn new(bank: Bank, stamp: u64) -> Self {
+        Self { bank: Arc::new(bank), stamp, compiled: BTreeMap::new(), exhibits: None }
+    }
+}
+
 impl Library {
-    /// The bank of the current folder, or of the folder that is watched.
-    pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
-        let stamp = watched.map_or(0, stamp);
-        let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), exhibits: None };
-        Ok(Self {
-            watched: watched.map(Path::to_owned),
+    /// The problems of a bank.
+    #[must_use]
+    pub fn of(bank: Bank) -> Self {
+        Self {
+            watched: None,
+            settings: CourseSettings::InFolders,
             built_in: Bank::built_in(),
-            shelf: Mutex::new(shelf),
+            shelf: Mutex::new(Shelf::new(bank, 0)),
             looked_up: AtomicU64::new(0),
-        })
+        }
+    }
+
+    /// The same without a look at folders: the settings of the courses to which problems belong are these, by the names of files.
+    #[must_use]
+    pub fn in_courses(self, courses: BTreeMap<String, Course>) -> Self {
+        Self { settings: CourseSettings::AtHand(courses), ..self }
+    }
+
+    /// The bank of the current folder, or of the folder that is watched.
+    ///
+    /// # Errors
+    /// The folder cannot be read.
+    pub fn open(folder: Option<&Path>) -> Result<Self, Faults> {
+        let stamp = folder.map_or(0, watched::stamp);
+        let shelf = Mutex::new(Shelf::new(watched::bank(folder)?, stamp));
+        Ok(Self { watched: folder.map(Path::to_owned), shelf, ..Self::of(Bank::built_in()) })
     }
 
     /// How often a problem was looked up.
@@ -56,9 +79,22 @@ impl Library {
         self.looked_up.load(Ordering::Relaxed)
     }
 
-    /// What the watched files look like: it changes whenever one of them is saved.
-    pub fn stamp(&self) -> u64 {
-        self.watched.as_deref().map_or(0, stamp)
+    /// A number that changes with the watched files; nothing where none are watched.
+    pub fn stamp(&self) -> Option<u64> {
+        self.watched.as_deref().map(watched::stamp)
+    }
+
+    fn load(&self, source: &Source) -> Result<Loaded, Faults> {
+        match &self.settings {
+            CourseSettings::InFolders => load_in_course(source.clone()),
+            CourseSettings::AtHand(courses) => {
+                let loaded = load(source.clone())?;
+                Ok(match courses.get(&*source.name) {
+                    Some(course) => loaded.in_course(course),
+                    None => loaded,
+                })
+            }
+        }
     }
 
     /// All problems that load as a gallery shows them, in the order of their identities.
@@ -73,7 +109,7 @@ impl Library {
             }
             Arc::clone(&shelf.bank)
         };
-        let loaded = bank.sources().filter_map(|source| load_in_course(source.clone()).ok());
+        let loaded = bank.sources().filter_map(|source| self.load(source).ok());
         let exhibits = Arc::new(loaded.map(|loaded| Exhibit::of(&loaded)).collect::<Vec<_>>());
         self.shelf()?.exhibits = Some(Arc::clone(&exhibits));
         Ok(exhibits)
@@ -104,12 +140,11 @@ impl Library {
     fn shelf(&self) -> Result<MutexGuard<'_, Shelf>, Refused> {
         // Whoever panicked while holding it left it whole: every change is one assignment.
         let mut shelf = self.shelf.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(folder) = &self.watched {
-            let seen = stamp(folder);
-            if seen != shelf.stamp {
-                let bank = read(Some(folder)).map_err(|faults| Refused::fault(&faults))?;
-                *shelf = Shelf { bank: Arc::new(bank), stamp: seen, compiled: BTreeMap::new(), exhibits: None };
-            }
+        if let Some((folder, stamp)) = self.watched.as_deref().zip(self.stamp())
+            && stamp != shelf.stamp
+        {
+            let bank = watched::bank(Some(folder)).map_err(|faults| Refused::fault(&faults))?;
+            *shelf = Shelf::new(bank, stamp);
         }
         Ok(shelf)
     }
@@ -127,7 +162,7 @@ impl Problems for Library {
             self.source(id)?
         };
         // Others are served while it compiles; where two compile it at once, both have the same.
-        let problem = load_in_course(source).and_then(|loaded| compile(loaded, None));
+        let problem = self.load(&source).and_then(|loaded| compile(loaded, None));
         let problem = Arc::new(problem.map_err(|faults| Refused::fault(&faults))?);
         self.shelf()?.compiled.insert(id.to_owned(), Arc::clone(&problem));
         Ok(problem)
@@ -141,20 +176,4 @@ fn unknown(faults: &Faults) -> Refused {
         Some(help) => refused.help(help),
         None => refused.help("the start page lists every problem"),
     }
-}
-
-fn read(watched: Option<&Path>) -> Result<Bank, Faults> {
-    watched.map_or_else(Bank::here, Bank::in_folder)
-}
-
-/// A number that changes with the names, lengths and times of the files of a folder.
-fn stamp(folder: &Path) -> u64 {
-    use std::hash::{DefaultHasher, Hash, Hasher};
-    let mut hasher = DefaultHasher::new();
-    for path in files_under(folder).unwrap_or_default() {
-        let found = path.metadata();
-        let changed = found.as_ref().ok().and_then(|found| found.modified().ok()).unwrap_or(SystemTime::UNIX_EPOCH);
-        (path, found.map_or(0, |found| found.len()), changed).hash(&mut hasher);
-    }
-    hasher.finish()
 }

@@ -1,18 +1,4 @@
-//! The pages: each takes the fields of its address or form, asks the engine, and fills a template.
-
-mod figure;
-mod play;
-mod practice;
-mod simulator;
-mod solve;
-mod start;
-
-pub(super) use figure::figure;
-pub(super) use play::play;
-pub(super) use practice::practice;
-pub(super) use simulator::simulator;
-pub(super) use solve::{solution, solve};
-pub(super) use start::start;
+//! Which variant a page shows, and its neighbours.
 
 use serde::Serialize;
 
@@ -49,7 +35,7 @@ pub(super) struct FormLink {
 }
 
 impl Place {
-    fn of(exercise: &Exercise, variant: &VariantRequest) -> Result<Self, Refused> {
+    pub(super) fn of(exercise: &Exercise, variant: &VariantRequest) -> Result<Self, Refused> {
         let labels = if variant.is_typed() { Vec::new() } else { exercise.form_labels() };
         let link = |own: FormLabel| FormLink { label: Fragment::inline(&own.label), name: own.name };
         let forms: Vec<FormLink> = labels.into_iter().map(link).collect();

@@ -7,8 +7,8 @@ use momentous_exercise::calls::{
     SimulatorRequest, USUAL_STEP,
 };
 
-use super::super::parameters::Parameters;
-use super::super::view::View;
+use super::parameters::Parameters;
+use super::view::View;
 
 /// Values under a name, as they stand in an address.
 type Preset = (&'static str, &'static str);
@@ -53,7 +53,7 @@ struct ControlField {
 
 /// A simulator by its name, with the values of the address.
 #[expect(clippy::needless_pass_by_value, reason = "every page of the table of routes takes its part of the address so")]
-pub(crate) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> Result<String, Refused> {
+pub(super) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> Result<String, Refused> {
     let engine = view.engine();
     match name.as_str() {
         "collision" => {

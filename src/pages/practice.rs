@@ -12,9 +12,9 @@ use momentous_exercise::{Exercise, Letter};
 use momentous_grade::Sitting;
 use momentous_render::Fragment;
 
-use super::super::parameters::Parameters;
-use super::super::view::View;
-use super::Place;
+use super::parameters::Parameters;
+use super::place::Place;
+use super::view::View;
 
 /// Before the name of a part in the names of fields.
 const ANSWER: &str = "answer.";
@@ -67,12 +67,12 @@ struct Easier {
 }
 
 /// The practice sheet. With answers it is marked; what was typed stays.
-pub(crate) fn practice(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(super) fn practice(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let exercise = view.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;
     let answers = fields.behind(ANSWER);
-    within(answers.len(), view.app.settings.limits.values, "answers can be handed in")?;
+    within(answers.len(), view.pages.limits.values, "answers can be handed in")?;
     let asks = |what: &str| fields.get("do") == Some(what);
     let further = fields.count("further")?.saturating_add(usize::from(asks("further")));
     let shown = fields.count("hints")?.saturating_add(usize::from(asks("hint"))).min(sheet.hints);
@@ -135,7 +135,7 @@ fn read(
 
 /// An easier problem on the same matter that is not withheld from the reader.
 fn easier(view: &View<'_>, id: &str) -> Result<Option<Easier>, Refused> {
-    let exhibits = view.app.library.exhibits()?;
+    let exhibits = view.pages.library.exhibits()?;
     let cards = || exhibits.iter().map(|exhibit| &exhibit.card);
     let Some(own) = cards().find(|card| card.id == id) else { return Ok(None) };
     let is_open = |card: &&Card| view.is_open(&card.id);

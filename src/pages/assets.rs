@@ -7,11 +7,7 @@ use std::path::Path;
 use sha2::Digest;
 use sha2::Sha256;
 
-use momentous_fault::Code;
-use momentous_fault::Fault;
-use momentous_fault::Faults;
-use momentous_fault::Input;
-use momentous_fault::Source;
+use momentous_fault::{Code, Fault, Faults, Input, Source};
 use momentous_figure::style_sheet;
 use momentous_render::MATH_FONT;
 
@@ -75,7 +71,7 @@ const KINDS: [(&str, &str); 4] = [
 ];
 
 /// What pages refer to.
-pub(super) struct Assets {
+pub struct Assets {
     files: Vec<(&'static str, Cow<'static, [u8]>)>,
     /// The digest of all of them: one changes, and every address does, since scripts name each other.
     pub digest: String,
@@ -86,7 +82,7 @@ impl Assets {
     ///
     /// # Errors
     /// Where a file of that folder cannot be read.
-    pub(super) fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
+    pub fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
         let own = |name: &str, built_in: &'static [u8]| match overrides {
             None => Ok(Cow::Borrowed(built_in)),
             Some(folder) => overridden(&folder.join(FOLDER).join(name), built_in),
@@ -112,7 +108,8 @@ impl Assets {
     }
 
     /// A file with its kind.
-    pub(super) fn find(&self, name: &str) -> Option<(&'static str, &[u8])> {
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<(&'static str, &[u8])> {
         let (_, bytes) = self.files.iter().find(|(own, _)| *own == name)?;
         let (_, kind) = KINDS.iter().find(|(ending, _)| name.ends_with(ending))?;
         Some((kind, bytes))

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use momentous_exercise::calls::{Detail, GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
 
-use super::super::parameters::Parameters;
-use super::super::view::View;
-use super::Place;
+use super::parameters::Parameters;
+use super::place::Place;
+use super::view::View;
 
 #[derive(Serialize)]
 struct SolutionPage {
@@ -21,7 +21,7 @@ struct SolutionPage {
 
 /// The worked solution of a variant; `steps` shows so many and leaves the rest to the reader, `detail=full` says all that there is
 /// to say.
-pub(crate) fn solution(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(super) fn solution(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let steps = fields.number("steps")?.map(|steps| usize::try_from(steps).unwrap_or(usize::MAX));
     let engine = view.engine();
@@ -54,7 +54,7 @@ struct GivenField {
 }
 
 /// The solver for values of the reader's own: `set.m_A`, and `find` with names between spaces or commas.
-pub(crate) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
+pub(super) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let engine = view.engine();
     let asked = fields.variant(problem)?;
     let drawn = VariantRequest { set: [].into(), find: Vec::new(), ..asked.clone() };

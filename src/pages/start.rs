@@ -6,8 +6,8 @@ use momentous_bank::{AnswerKind, Exhibit, Query, Section};
 use momentous_exercise::calls::Refused;
 use momentous_render::Fragment;
 
-use super::super::parameters::Parameters;
-use super::super::view::View;
+use super::parameters::Parameters;
+use super::view::View;
 
 /// The levels by their names in addresses, and what they are called.
 const LEVELS: [(&str, &str); 3] = [("intro", "Introductory"), ("core", "Standard"), ("challenge", "Challenging")];
@@ -58,8 +58,8 @@ struct Shown<'a> {
 }
 
 /// The start page; `search`, `topic`, `level` and `answer` narrow the gallery.
-pub(crate) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refused> {
-    let exhibits = view.app.library.exhibits()?;
+pub(super) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refused> {
+    let exhibits = view.pages.library.exhibits()?;
     let mut all: Vec<&Exhibit> = exhibits.iter().collect();
     // Within a section the easier ones come first.
     all.sort_by_key(|own| {
