@@ -101,6 +101,17 @@ pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&st
     Some(Fault::new(Code::Value, message).help(help))
 }
 
+/// The bodies on which a bond goes on acting while a stage lasts that does not name them, each with what acts.
+pub(super) fn acting_on_others<'a>(scene: &'a Scene, index: usize, stage: &Stage) -> Vec<(&'a str, &'static str)> {
+    if !stage.takes_time() {
+        return Vec::new();
+    }
+    let named: Vec<&str> = Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect();
+    let acting = before(scene, index).into_iter().filter_map(|bond| Some((bond.acts_all_the_time()?, bond.bodies)));
+    let others = acting.flat_map(|(acts, bodies)| bodies.into_iter().map(move |body| (body, acts)));
+    others.filter(|(body, _)| !named.contains(body)).collect()
+}
+
 fn called_surface(scene: &Scene, surface: &str) -> String {
     let name = scene.surfaces.get(surface).and_then(|own| own.name.clone());
     name.unwrap_or_else(|| format!("the {surface}"))
@@ -185,17 +196,12 @@ impl<'a> Bond<'a> {
         if let Stage::Separate(own) = stage {
             return self.bodies.iter().all(|body| own.into.iter().any(|part| part == body));
         }
-        let leaves = if let Stage::Flight(own) = stage {
-            own.flying().any(|body| self.bodies.contains(&body))
-        } else if let Stage::Fall(own) = stage {
-            self.bodies.contains(&own.body.as_str())
-        } else {
-            false
-        };
-        let goes_on = || {
-            let named = Description::of(scene, stage).bodies;
-            self.bodies.iter().all(|body| named.iter().any(|(own, _)| own == body))
-        };
+        let named: Vec<&str> = Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect();
+        if !self.bodies.iter().any(|body| named.contains(body)) {
+            return false;
+        }
+        let leaves = matches!(stage, Stage::Flight(_) | Stage::Fall(_));
+        let goes_on = || self.bodies.iter().all(|body| named.contains(body));
         match self.kind {
             Kind::Stuck | Kind::OnSurface(_) | Kind::Coupled => false,
             Kind::OnArm => leaves,
@@ -206,6 +212,18 @@ impl<'a> Bond<'a> {
             Kind::AtAnAngle => matches!(stage, Stage::Swing(_)),
             Kind::Raised => leaves || matches!(stage, Stage::Swing(_) | Stage::Slide(_)) && goes_on(),
             Kind::LiesOn { .. } => leaves || matches!(stage, Stage::Interact(_) | Stage::Walk(_)) && goes_on(),
+        }
+    }
+
+    /// What changes the velocities of its bodies as long as they are bound, where anything does.
+    fn acts_all_the_time(&self) -> Option<&'static str> {
+        match self.kind {
+            Kind::Stuck | Kind::OnSurface(_) | Kind::OnArm | Kind::Coupled | Kind::LiesOn { slides: false } => None,
+            Kind::OnString => Some("the string still pulls"),
+            Kind::Sprung => Some("the spring still presses"),
+            Kind::AtAnAngle => Some("weight still acts, at an angle on its circle,"),
+            Kind::Raised => Some("weight still acts, above its lowest place,"),
+            Kind::LiesOn { slides: true } => Some("friction still acts"),
         }
     }
 

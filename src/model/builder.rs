@@ -47,6 +47,7 @@ use super::name::Meaning;
 use super::stored::Stored;
 use super::timeline::Timeline;
 use super::turned::Turned;
+use super::unheld::Unheld;
 
 /// What using an equation costs a plan.
 pub(super) const LAW_COST: u32 = 10;
@@ -58,8 +59,8 @@ pub struct Builder<'s> {
     pub(super) scene: &'s Scene,
     /// The instant at which the stage begins that is being written.
     pub(super) begins: usize,
-    /// Bodies that a stage leaves unheld, each with the stage.
-    pub(super) unheld: Vec<(usize, String)>,
+    /// Bodies on which something acts in a stage that does not name them.
+    pub(super) unheld: Vec<Unheld>,
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<(Axis, Senses)>,
     pub(super) symbols: SymbolTable,

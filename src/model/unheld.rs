@@ -1,44 +1,91 @@
-//! Bodies that a stage does not name while it lasts and weight acts: nothing holds them, so that they keep their velocity only where they
-//! stand still. That is required where the velocity is used afterwards; a body of which nothing is said any more may fall as it likes.
+//! Bodies that a stage does not name while it lasts and something acts on them. Weight draws them down, so that they keep their velocity
+//! only where they stand still; a pressed spring or a string that an earlier stage left never lets them keep it. Either is looked at where
+//! the velocity is used afterwards: a body of which nothing is said any more may move as it likes.
 
 use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
+use momentous_fault::Path;
 use momentous_scene::Axis;
 use momentous_scene::Stage;
 use momentous_solve::Relation;
 
 use super::Builder;
 use super::Reason;
+use super::bond::acting_on_others;
 use super::stage::Description;
 
+/// A body that a stage does not name while something acts on it.
+pub(super) struct Unheld {
+    stage: usize,
+    body: String,
+    by: Acts,
+}
+
+/// What acts on it.
+enum Acts {
+    /// Its weight.
+    Weight,
+    /// A bond that an earlier stage left, in words.
+    Bond(&'static str),
+}
+
 impl Builder<'_> {
-    /// Notes which bodies a push or a burn does not name.
+    /// Notes which bodies a stage does not name although something acts on them.
     pub(super) fn leaves_others_unheld(&mut self, index: usize, stage: &Stage) {
+        let description = Description::of(self.scene, stage);
+        let bound = acting_on_others(self.scene, index, stage).into_iter();
+        // In a flight or a fall of others the clock of a body stands still.
+        let bound = bound.filter(|(body, _)| !description.leaves(body));
+        self.unheld.extend(bound.map(|(body, acts)| Unheld {
+            stage: index,
+            body: body.to_owned(),
+            by: Acts::Bond(acts),
+        }));
         if !matches!(stage, Stage::Push(_) | Stage::Thrust(_)) {
             return;
         }
-        let named: Vec<&str> = Description::of(self.scene, stage).bodies.iter().map(|(body, _)| *body).collect();
+        let named: Vec<&str> = description.bodies.iter().map(|(body, _)| *body).collect();
         let others = self.timeline.alive(index + 1).into_iter().filter(|body| !named.contains(body));
-        let others: Vec<(usize, String)> = others.map(|body| (index, body.to_owned())).collect();
+        let others: Vec<Unheld> =
+            others.map(|body| Unheld { stage: index, body: body.to_owned(), by: Acts::Weight }).collect();
         self.unheld.extend(others);
     }
 
-    /// What is used of a body at an instant has been so since its last stage only if nothing has drawn it down meanwhile.
+    /// What is used of a body at an instant has been so since its last stage only if nothing has acted on it meanwhile.
     pub(super) fn has_not_fallen(&mut self, body: &str, instant: usize) {
         let since = self.timeline.naming_instant(body, instant);
-        let between = |(stage, own): &mut (usize, String)| own == body && since <= *stage + 1 && *stage + 2 <= instant;
-        let stages: Vec<usize> = self.unheld.extract_if(.., between).map(|(stage, _)| stage).collect();
-        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        for stage in stages {
-            for (position, axis) in axes.iter().enumerate() {
-                if self.downwards(position).is_none() {
-                    continue;
-                }
-                let velocity = self.velocity(body, since, *axis);
-                for relation in [Relation::AtMost, Relation::AtLeast] {
-                    let reason = Reason::Unsupported(self.called(body), self.stage_phrase(stage));
-                    self.require(velocity.clone(), relation, Expr::zero(), reason);
-                }
+        let between = |own: &mut Unheld| own.body == body && since <= own.stage + 1 && own.stage + 2 <= instant;
+        let unheld: Vec<Unheld> = self.unheld.extract_if(.., between).collect();
+        for own in unheld {
+            match own.by {
+                Acts::Weight => self.stands_still_under_weight(body, since, own.stage),
+                Acts::Bond(acts) => self.still_acts(body, acts, own.stage),
             }
         }
+    }
+
+    /// Requires that a body which nothing holds neither rises nor sinks.
+    fn stands_still_under_weight(&mut self, body: &str, since: usize, stage: usize) {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for (position, axis) in axes.into_iter().enumerate() {
+            if self.downwards(position).is_none() {
+                continue;
+            }
+            let velocity = self.velocity(body, since, axis);
+            for relation in [Relation::AtMost, Relation::AtLeast] {
+                let reason = Reason::Unsupported(self.called(body), self.stage_phrase(stage));
+                self.require(velocity.clone(), relation, Expr::zero(), reason);
+            }
+        }
+    }
+
+    /// Refuses to use the velocity of a body that a bond changes in a stage without equations for it.
+    fn still_acts(&mut self, body: &str, acts: &str, stage: usize) {
+        let (body, phrase) = (self.called(body), self.stage_phrase(stage));
+        let message = format!("{acts} on {body} in {phrase}, which does not name it, so that its velocity changes");
+        let help = "end that before with a stage of its own, or ask for nothing of it afterwards";
+        let path = Path::root().key("scene").key("stages").index(stage);
+        self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path));
     }
 }

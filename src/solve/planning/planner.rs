@@ -16,6 +16,9 @@ use super::search::Search;
 use super::stuck::{Reason, Stuck, enough};
 use super::tactics::{Attempts, Block, Refusal, close};
 
+/// At how many places equations are looked at before something is said not to follow from them.
+const PLACES: u32 = 4;
+
 /// Plans how to find `wanted` from `known`.
 ///
 /// Of all sets of equations that determine what is wanted, the one with the least sum of [`super::super::Equation::cost`] is
@@ -60,7 +63,22 @@ impl Planner {
     ///
     /// [`Stuck`], where no set of equations determines what is wanted, or none can be closed.
     pub fn plan(&mut self, system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
-        planned(system, known, wanted, self)
+        let first = planned(system, known, wanted, self);
+        let is_open = |own: &Result<Plan, Stuck>| {
+            matches!(own, Err(Stuck { reason: Reason::Underdetermined { .. }, .. }))
+                && is_counted(system, known, wanted)
+        };
+        if !is_open(&first) {
+            return first;
+        }
+        // At the place where the equations were looked at, some may say the same that say different things elsewhere.
+        let elsewhere = (1..PLACES).find_map(|starts| {
+            let mut other = Self { attempts: std::mem::take(&mut self.attempts), samples: Samples::from(starts) };
+            let plan = planned(system, known, wanted, &mut other);
+            self.attempts = other.attempts;
+            plan.ok()
+        });
+        elsewhere.map_or(first, Ok)
     }
 
     /// Whether the equations leave a quantity no freedom, judged by their derivatives where all of them hold: where counting finds too
@@ -68,7 +86,9 @@ impl Planner {
     #[must_use]
     pub fn is_fixed(&self, system: &System, known: &BTreeSet<Symbol>, symbol: Symbol) -> bool {
         let structure = Structure::new(system, known);
-        structure.column(symbol).is_some_and(|column| Freedom::new(system, &structure).fixes(column, &[]))
+        structure
+            .column(symbol)
+            .is_some_and(|column| Freedom::new(system, &structure, &mut Samples::default()).fixes(column, &[]))
     }
 
     /// The same as [`super::super::audit`].
@@ -76,6 +96,15 @@ impl Planner {
     pub fn audit(&mut self, system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
         extended(system, known, plan, &mut self.attempts)
     }
+}
+
+/// Whether there are equations enough for what is wanted, by counting alone.
+fn is_counted(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> bool {
+    let structure = Structure::new(system, known);
+    let determined = structure.determined(&Bits::empty(structure.unknowns.len()));
+    let is_known = |symbol: &Symbol| known.contains(symbol);
+    let is_found = |symbol: &Symbol| structure.column(*symbol).is_some_and(|column| determined.contains(column));
+    wanted.iter().all(|symbol| is_known(symbol) || is_found(symbol))
 }
 
 fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory: &mut Planner) -> Result<Plan, Stuck> {
@@ -94,7 +123,12 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
     let determined = structure.determined(&Bits::empty(structure.unknowns.len()));
     if !determined.covers(&wanted) {
         let lost: Vec<usize> = wanted.iter().filter(|column| !determined.contains(*column)).collect();
-        return Err(stuck(underdetermined(&structure, &Freedom::new(system, &structure), &wanted, &lost)));
+        return Err(stuck(underdetermined(
+            &structure,
+            &Freedom::new(system, &structure, &mut memory.samples),
+            &wanted,
+            &lost,
+        )));
     }
     let whole = structure.clone();
     structure.prune(&determined, &wanted);
@@ -127,7 +161,7 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
                             avoided.insert(row);
                         }
                         search.forbid(rows);
-                        let freedom = freedom.get_or_insert_with(|| Freedom::new(system, &whole));
+                        let freedom = freedom.get_or_insert_with(|| Freedom::new(system, &whole, &mut memory.samples));
                         let lost: Vec<usize> = wanted.iter().filter(|column| !freedom.fixes(*column, &[])).collect();
                         if !lost.is_empty() {
                             return Err(stuck(underdetermined(&whole, freedom, &wanted, &lost)));
@@ -139,7 +173,7 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
         }
     }
     let reason = obstacle.unwrap_or_else(|| {
-        let freedom = freedom.unwrap_or_else(|| Freedom::new(system, &whole));
+        let freedom = freedom.unwrap_or_else(|| Freedom::new(system, &whole, &mut memory.samples));
         let open = wanted.iter().any(|column| !freedom.fixes(column, &[]));
         let lost: Vec<usize> = wanted.iter().filter(|column| !open || !freedom.fixes(*column, &[])).collect();
         underdetermined(&whole, &freedom, &wanted, &lost)

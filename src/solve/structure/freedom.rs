@@ -14,9 +14,9 @@ pub(crate) struct Freedom(Vec<Vec<f64>>);
 
 impl Freedom {
     /// The null space of the system's Jacobian.
-    pub(crate) fn new(system: &System, structure: &Structure) -> Self {
+    pub(crate) fn new(system: &System, structure: &Structure, samples: &mut Samples) -> Self {
         let width = structure.unknowns.len();
-        let mut rows = gradients(system, structure, &mut Samples::default());
+        let mut rows = gradients(system, structure, samples);
         let mut pivots: Vec<usize> = Vec::new();
         for place in 0..rows.len() {
             let entries = (place..rows.len()).flat_map(|row| (0..width).map(move |column| (row, column)));

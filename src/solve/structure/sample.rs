@@ -19,6 +19,9 @@ const STARTS: u32 = 8;
 /// How many of the places found are compared.
 const COMPARED: usize = 2;
 
+/// The power of a size that sets later starts apart.
+const APART: f64 = 3.0;
+
 /// How many steps are taken from a start.
 const STEPS: usize = 20;
 
@@ -36,18 +39,27 @@ const DAMPING: (f64, f64) = (1e-2, 1e-10);
 
 /// Places at which systems hold in which the same symbols are positive, each found once.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Samples(Vec<(Vec<Statement>, Sample)>);
+pub(crate) struct Samples {
+    /// Which of several sets of starts the search for them begins from.
+    starts: u32,
+    found: Vec<(Vec<Statement>, Sample)>,
+}
 
 impl Samples {
+    /// Other places than those of other `starts`.
+    pub(crate) fn from(starts: u32) -> Self {
+        Self { starts, found: Vec::new() }
+    }
+
     /// The place for the rows of a system.
     pub(super) fn of(&mut self, system: &System, structure: &Structure) -> Sample {
         let stated = stated(system, structure);
-        let known = self.0.iter().find(|(own, _)| own.iter().eq(stated.iter().map(AsRef::as_ref)));
+        let known = self.found.iter().find(|(own, _)| own.iter().eq(stated.iter().map(AsRef::as_ref)));
         if let Some((_, sample)) = known {
             return sample.clone();
         }
-        let sample = Sample::of(system, &stated);
-        self.0.push((stated.into_iter().map(Cow::into_owned).collect(), sample.clone()));
+        let sample = Sample::of(system, &stated, self.starts);
+        self.found.push((stated.into_iter().map(Cow::into_owned).collect(), sample.clone()));
         sample
     }
 }
@@ -59,13 +71,14 @@ pub(super) struct Sample(Vec<f64>);
 impl Sample {
     /// Values at which all of this holds, with as few zeros as can be; where none are found, as with
     /// equations that contradict each other, values in no relation to each other.
-    fn of(system: &System, stated: &[Cow<Statement>]) -> Self {
+    fn of(system: &System, stated: &[Cow<Statement>], starts: u32) -> Self {
         let residuals = Residuals::of(&stated.iter().map(AsRef::as_ref).collect::<Vec<_>>());
         let told = stated.iter().filter(|own| is_zero(own)).count();
         let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
         let start = |salt| residuals.free.iter().map(|symbol| begin(system, *symbol, salt)).collect();
         let positive: Vec<bool> = residuals.free.iter().map(|symbol| system.positive.contains(symbol)).collect();
-        let settled = (0..STARTS).filter_map(|salt| settled(&residuals, &positive, start(salt)));
+        let salts = (0..STARTS).map(|salt| 2 * STARTS * starts + salt);
+        let settled = salts.filter_map(|salt| settled(&residuals, &positive, start(salt)));
         let mut fewest: Option<Self> = None;
         for found in settled.map(|values| Self::read(residuals.symbols(&values))).filter(is_allowed).take(COMPARED) {
             if fewest.as_ref().is_none_or(|least| found.zeros() < least.zeros()) {
@@ -113,6 +126,8 @@ impl Sample {
 /// A value in no relation to that of any other symbol. At every other start all are positive, as most quantities of a scene are.
 fn begin(system: &System, symbol: Symbol, salt: u32) -> f64 {
     let size = generic(symbol.index(), salt);
+    // Where the first starts did not do, the next ones lie farther apart: near one another, values tend to become equal.
+    let size = if salt < 2 * STARTS { size } else { libm::pow(size, APART) };
     let any = salt % 2 == 1 && !system.positive.contains(&symbol);
     if any && generic(symbol.index(), salt + STARTS) < 1.0 { -size } else { size }
 }

@@ -30,7 +30,7 @@ impl StageRun<'_> {
             system.particles.push(Particle { falls, ..Particle::free(&strand.body, mass, moves) });
             system.forces.push(Force::steady(own, times(-friction, ahead)));
             held.push((own, times(-sense * count, ahead)));
-            scale += mass * gravity * steep.abs();
+            scale += mass * gravity * steep.abs() + friction;
         }
         system.constraint = Some(Constraint::Length(held));
         let distance = self.values.known(stage.distance.as_ref());
