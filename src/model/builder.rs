@@ -43,11 +43,11 @@ use super::Reason;
 use super::Slope;
 use super::alternative::Alternative;
 use super::frame::Frame;
+use super::left_alone::LeftAlone;
 use super::name::Meaning;
 use super::stored::Stored;
 use super::timeline::Timeline;
 use super::turned::Turned;
-use super::unheld::Unheld;
 
 /// What using an equation costs a plan.
 pub(super) const LAW_COST: u32 = 10;
@@ -60,7 +60,7 @@ pub struct Builder<'s> {
     /// The instant at which the stage begins that is being written.
     pub(super) begins: usize,
     /// Bodies on which something acts in a stage that does not name them.
-    pub(super) unheld: Vec<Unheld>,
+    pub(super) unheld: Vec<LeftAlone>,
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<(Axis, Senses)>,
     pub(super) symbols: SymbolTable,

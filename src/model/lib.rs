@@ -22,6 +22,7 @@ mod incline;
 mod influence;
 mod instance;
 mod leaving_out;
+mod left_alone;
 mod masses;
 mod mistaken;
 mod name;

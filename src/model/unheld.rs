@@ -13,22 +13,9 @@ use momentous_solve::Relation;
 use super::Builder;
 use super::Reason;
 use super::bond::acting_on_others;
+use super::left_alone::Acts;
+use super::left_alone::LeftAlone;
 use super::stage::Description;
-
-/// A body that a stage does not name while something acts on it.
-pub(super) struct Unheld {
-    stage: usize,
-    body: String,
-    by: Acts,
-}
-
-/// What acts on it.
-enum Acts {
-    /// Its weight.
-    Weight,
-    /// A bond that an earlier stage left, in words.
-    Bond(&'static str),
-}
 
 impl Builder<'_> {
     /// Notes which bodies a stage does not name although something acts on them.
@@ -37,7 +24,7 @@ impl Builder<'_> {
         let bound = acting_on_others(self.scene, index, stage).into_iter();
         // In a flight or a fall of others the clock of a body stands still.
         let bound = bound.filter(|(body, _)| !description.leaves(body));
-        self.unheld.extend(bound.map(|(body, acts)| Unheld {
+        self.unheld.extend(bound.map(|(body, acts)| LeftAlone {
             stage: index,
             body: body.to_owned(),
             by: Acts::Bond(acts),
@@ -47,16 +34,16 @@ impl Builder<'_> {
         }
         let named: Vec<&str> = description.bodies.iter().map(|(body, _)| *body).collect();
         let others = self.timeline.alive(index + 1).into_iter().filter(|body| !named.contains(body));
-        let others: Vec<Unheld> =
-            others.map(|body| Unheld { stage: index, body: body.to_owned(), by: Acts::Weight }).collect();
+        let others: Vec<LeftAlone> =
+            others.map(|body| LeftAlone { stage: index, body: body.to_owned(), by: Acts::Weight }).collect();
         self.unheld.extend(others);
     }
 
     /// What is used of a body at an instant has been so since its last stage only if nothing has acted on it meanwhile.
     pub(super) fn has_not_fallen(&mut self, body: &str, instant: usize) {
         let since = self.timeline.naming_instant(body, instant);
-        let between = |own: &mut Unheld| own.body == body && since <= own.stage + 1 && own.stage + 2 <= instant;
-        let unheld: Vec<Unheld> = self.unheld.extract_if(.., between).collect();
+        let between = |own: &mut LeftAlone| own.body == body && since <= own.stage + 1 && own.stage + 2 <= instant;
+        let unheld: Vec<LeftAlone> = self.unheld.extract_if(.., between).collect();
         for own in unheld {
             match own.by {
                 Acts::Weight => self.stands_still_under_weight(body, since, own.stage),
