@@ -127,6 +127,17 @@ pub const TOGETHER: Law = Law {
     wrong: &[],
 };
 
+/// A path that stays straight.
+pub const STRAIGHT: Law = Law {
+    id: "straight-path",
+    name: "the condition that the path is straight",
+    statement: "Where every force along the plane of motion acts along the velocity, the direction of the velocity stays the same: each component changes as the speed does.",
+    signs: "As for the velocities; a speed is never negative.",
+    when: "Nothing acts across the motion, and the body does not turn back.",
+    source: "The principle of impulse and momentum across the motion.",
+    wrong: &[],
+};
+
 /// A string over movable pulleys.
 pub const STRANDS: Law = Law {
     id: "string-over-movable-pulleys",
@@ -172,6 +183,7 @@ pub const LAWS: &[&Law] = &[
     &UNTIL,
     &REST,
     &TOGETHER,
+    &STRAIGHT,
     &STRANDS,
     &DISPLACED,
     &COUNT,

@@ -92,6 +92,8 @@ pub struct Builder<'s> {
     pub(super) directions: BTreeMap<Symbol, [Expr; 2]>,
     pub(super) defined: BTreeSet<String>,
     pub(super) free: BTreeSet<Symbol>,
+    /// Numbers of something, which are whole.
+    pub(super) counts: BTreeSet<Symbol>,
     pub(super) given: BTreeSet<String>,
     pub(super) expressions: BTreeMap<Symbol, Expr>,
     /// Names that are asked and whose dimension only their place can say.
@@ -154,6 +156,7 @@ impl<'s> Builder<'s> {
             directions: BTreeMap::new(),
             defined: BTreeSet::new(),
             free: BTreeSet::new(),
+            counts: BTreeSet::new(),
             given: BTreeSet::new(),
             expressions: BTreeMap::new(),
             unmeasured: BTreeSet::new(),

@@ -160,6 +160,12 @@ impl<'s> Builder<'s> {
         self.system.positive.contains(&symbol)
     }
 
+    /// Whether a quantity is a number of something.
+    #[must_use]
+    pub fn is_count(&self, symbol: Symbol) -> bool {
+        self.counts.contains(&symbol)
+    }
+
     /// A name of the author's own that stands for a term: its dimension is the term's.
     pub fn declare(&mut self, name: &str, text: &str, meaning: &str, path: &Path) {
         let term = self.read_any(text, path);

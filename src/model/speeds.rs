@@ -14,6 +14,7 @@ use super::Builder;
 use super::Name;
 use super::QuantityKind;
 use super::Reason;
+use super::builder::SECOND_COST;
 
 /// The speeds of a body along its motion, and which way that is.
 pub(super) struct Speeds {
@@ -55,6 +56,19 @@ impl Builder<'_> {
         let [before, after] = [start, end].map(|velocity| Expr::integer(sign) * velocity);
         self.moves_along(index, body, [&before, &after]);
         Speeds { before, after, energies, sign }
+    }
+
+    /// In a plane, what acts along the velocity leaves its direction as it was.
+    pub(super) fn keeps_its_direction(&mut self, index: usize, body: &str, way: &Speeds) {
+        if self.axes.len() < 2 || way.after.is_zero() {
+            return;
+        }
+        let [start, end] = [index + 1, index + 2].map(|instant| self.velocities(body, instant));
+        for (start, end) in start.into_iter().zip(end) {
+            let because = format!("nothing acts on {} across its motion", self.called(body));
+            let sides = (end * way.before.clone(), start * way.after.clone());
+            self.law_at(SECOND_COST, &kinematics::STRAIGHT, Some(index), because, sides);
+        }
     }
 
     /// The speed of a body.

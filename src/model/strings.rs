@@ -30,6 +30,11 @@ impl Builder<'_> {
             let reason = Reason::StringStretches(self.called(first), self.called(second));
             let [behind, ahead] = [first, second].map(|body| dot(&self.velocities(body, index + 2), &line));
             self.require(behind, Relation::AtLeast, ahead, reason);
+            if let Stage::Taut(_) = stage {
+                let [first, second] = [first, second].map(|body| self.called(body));
+                let what = format!("the string between {first} and {second}, which is taut already");
+                self.neglect(what, "its ends do not move apart in this jerk: it slackens, and does not pull");
+            }
         }
     }
 

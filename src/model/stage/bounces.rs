@@ -7,6 +7,8 @@ use crate::Influence;
 use crate::Name;
 use crate::QuantityKind;
 use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::Law;
 use momentous_laws::bouncing;
@@ -34,6 +36,14 @@ impl Builder<'_> {
             .count
             .as_ref()
             .map(|term| self.read_positive(term, Dimension::NONE, "the number of bounces", &path.key("count")));
+        if let Some(Expr::Symbol(count)) = &count {
+            self.counts.insert(*count);
+        }
+        let written = stage.count.as_ref().and_then(|term| term.0.trim().parse::<f64>().ok());
+        if written.is_some_and(|number| number.fract() != 0.0) {
+            let fault = Fault::new(Code::Unphysical, "bounces are counted by whole numbers");
+            self.faults.push(fault.help("write a whole number").at_path(path.key("count")));
+        }
         // After that many bounces there would be no height and no speed to speak of.
         if let (Expr::Symbol(e), Some(Expr::Symbol(_))) = (&e, &count) {
             self.system.positive.insert(*e);

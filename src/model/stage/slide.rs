@@ -41,6 +41,7 @@ impl Builder<'_> {
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
         if stage.height.is_none() {
             self.stays_on_a_level_floor(index, body);
+            self.keeps_its_direction(index, body, &way);
         }
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {

@@ -313,7 +313,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
                 builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.clone()));
             }
             let unclear = turning::unclear(&builder.name(symbol).kind, name, &origin, unit);
-            if let Some(fault) = unclear.or_else(|| unsound::too_small(builder, name, symbol, &origin)) {
+            if let Some(fault) = unclear.or_else(|| unsound::value(builder, name, symbol, &origin)) {
                 builder.fault(fault.at_path(path.clone()));
             }
             if origin.is_positive() {

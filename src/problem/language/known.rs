@@ -45,6 +45,18 @@ impl Origin {
         }
     }
 
+    /// Whether every value that it can have is a whole number; what may be anything may be one.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        let whole = |value: &Decimal| value.to_rational().denominator().is_one();
+        match self {
+            Self::Drawn(grid @ Domain::Grid(_)) => (0..grid.count().min(2)).all(|index| whole(&grid.value(index))),
+            Self::Drawn(Domain::Choice(values)) => values.iter().all(whole),
+            Self::Fixed(value) => whole(value),
+            Self::Any => true,
+        }
+    }
+
     /// The least and the greatest value, in the unit of the given; some range for what may be anything.
     #[must_use]
     pub fn limits(&self) -> [f64; 2] {

@@ -22,7 +22,7 @@ pub(crate) fn known_in(loaded: &Loaded, question: &Question, known: &[Known], bu
                 let fault = unlike(known, &origin, unit.dimension());
                 let kind = &builder.name(known.symbol).kind;
                 let fault = fault.or_else(|| turning::unclear(kind, name, &origin, &unit));
-                let fault = fault.or_else(|| unsound::too_small(builder, name, known.symbol, &origin));
+                let fault = fault.or_else(|| unsound::value(builder, name, known.symbol, &origin));
                 (known.origin, known.unit) = (origin, unit);
                 fault
             }

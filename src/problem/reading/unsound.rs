@@ -1,4 +1,4 @@
-//! Givens that cannot be meant: those that go in circles, and values below the least that a quantity has.
+//! Givens that cannot be meant: those that go in circles, and values that a quantity cannot have.
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
@@ -39,8 +39,22 @@ pub(crate) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
     }
 }
 
+/// A fault where a quantity has a value, or may be drawn with one, that it cannot have.
+pub(crate) fn value(builder: &Builder<'_>, name: &str, symbol: Symbol, origin: &Origin) -> Option<Fault> {
+    too_small(builder, name, symbol, origin).or_else(|| not_whole(builder, name, symbol, origin))
+}
+
+/// A fault where a number of bounces may lie between two of them.
+fn not_whole(builder: &Builder<'_>, name: &str, symbol: Symbol, origin: &Origin) -> Option<Fault> {
+    if origin.is_whole() || !builder.is_count(symbol) {
+        return None;
+    }
+    let fault = Fault::new(Code::Unphysical, format!("`{name}` counts, and must be a whole number"));
+    Some(fault.help("give it a whole number, or a range of whole numbers with a whole step"))
+}
+
 /// A fault where a mass, a duration or a length may be drawn that is none.
-pub(crate) fn too_small(builder: &Builder<'_>, name: &str, symbol: Symbol, origin: &Origin) -> Option<Fault> {
+fn too_small(builder: &Builder<'_>, name: &str, symbol: Symbol, origin: &Origin) -> Option<Fault> {
     if matches!(origin, Origin::Any) || origin.is_positive() || !builder.is_positive(symbol) {
         return None;
     }
