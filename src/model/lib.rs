@@ -50,6 +50,7 @@ mod turned;
 mod unheld;
 mod unknown;
 mod upright;
+mod weight;
 mod weight_in_contact;
 mod wording;
 

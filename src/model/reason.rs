@@ -307,7 +307,7 @@ impl Reason {
     #[must_use]
     pub fn way_out(&self) -> Option<&'static str> {
         Some(match self {
-            Self::Unsupported(..) => "name it in that stage, too (`bodies`), or ask for nothing of it afterwards",
+            Self::Unsupported(..) => "ask for nothing of it afterwards; a `push` can name it, too (`bodies`)",
             Self::StringStretches(..) => {
                 "let both move on together: one body with the mass of both, or a `tow` with the forces on each; where strings at an angle jerk together, write one `interact` of all bodies, and under `relations` that the ends of each string have one velocity along it"
             }

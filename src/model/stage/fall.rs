@@ -1,8 +1,6 @@
 //! Free fall through a height.
 
 use crate::Builder;
-use crate::Effect;
-use crate::Influence;
 use crate::QuantityKind;
 use crate::Reason;
 use momentous_expr::Expr;
@@ -46,13 +44,8 @@ impl Builder<'_> {
             impulse[position] = self.mass(body) * gained.clone();
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));
         }
-        let mass = self.mass(body);
-        let weight = downwards.iter().map(|down| match down {
-            Some(down) => Expr::integer(*down) * mass.clone() * gravity.clone(),
-            None => Expr::zero(),
-        });
-        let acts = Influence::outside(index, body, "weight").force(weight.collect());
-        self.acts(acts.works(Effect::Open, "weight does work as the height changes"));
+        let weight = self.weight_on(index, body);
+        self.acts(weight);
         self.note_impulse(index, body, "weight", impulse);
         self.neglect("air resistance", "the problem gives none");
     }

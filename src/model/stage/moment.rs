@@ -10,6 +10,7 @@ use momentous_expr::Expr;
 use momentous_fault::Path;
 use momentous_laws::angular;
 use momentous_quantity::Dimension;
+use momentous_scene::Plane;
 use momentous_scene::Strength;
 use momentous_scene::stage::Moment;
 
@@ -76,6 +77,10 @@ impl Builder<'_> {
             self.acts(turning.works(Effect::Of(size), "the moment does work as the system turns"));
             if about != "G" {
                 self.acts(Influence::outside(index, body, format!("what holds {centre}")).workless().through(about));
+            }
+            if self.scene.plane == Plane::Vertical {
+                let weight = self.weight_on(index, body);
+                self.acts(weight);
             }
             let others: Vec<&str> = bodies.iter().filter(|other| *other != body).map(String::as_str).collect();
             if !others.is_empty() {

@@ -105,14 +105,11 @@ impl Builder<'_> {
 
     /// What acts from outside on a body and on what it slides down: weight, and the guide at right angles to its way.
     fn weight_and_guide(&mut self, index: usize, stage: &SlideOff, by: &str, along: &[Expr]) -> Vec<Influence> {
-        let pull = self.mass(&stage.body) * self.gravity();
-        let down =
-            |position| self.downwards(position).map_or_else(Expr::zero, |down| Expr::integer(down) * pull.clone());
-        let weight = Influence::outside(index, &stage.body, "weight").force((0..self.axes.len()).map(down).collect());
+        let weight = self.weight_on(index, &stage.body);
         let held =
             along.iter().map(|part| if part.is_one() { Effect::Of(Expr::zero()) } else { Effect::Open }).collect();
         let guide = Influence::outside(index, &stage.on, by).workless();
-        vec![weight.works(Effect::Open, "weight does work as the height changes"), Influence { force: held, ..guide }]
+        vec![weight, Influence { force: held, ..guide }]
     }
 }
 
