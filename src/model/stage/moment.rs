@@ -79,7 +79,7 @@ impl Builder<'_> {
                 self.acts(Influence::outside(index, body, format!("what holds {centre}")).workless().through(about));
             }
             if self.scene.plane == Plane::Vertical {
-                let weight = self.weight_on(index, body);
+                let weight = self.some_weight_on(index, body);
                 self.acts(weight);
             }
             let others: Vec<&str> = bodies.iter().filter(|other| *other != body).map(String::as_str).collect();
