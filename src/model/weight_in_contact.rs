@@ -5,6 +5,7 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_quantity::Dimension;
+use momentous_scene::Plane;
 use momentous_scene::Term;
 use momentous_scene::stage::Included;
 use momentous_solve::Relation;
@@ -39,7 +40,11 @@ impl Builder<'_> {
         let wrong = if contact.duration.is_none() {
             Some(("the impulse of weight cannot be found without the duration of the contact", "write `duration: dt`"))
         } else if !self.weight_has_a_component() {
-            Some(("weight does not act along the axes of this scene", "write `plane: vertical`, or remove `include`"))
+            let help = match self.scene.plane {
+                Plane::Horizontal => "write `plane: vertical`, or remove `include`",
+                Plane::Vertical => "let an axis point up or down, such as `y: upwards`, or remove `include`",
+            };
+            Some(("weight does not act along the axes of this scene", help))
         } else if self.guided(body).is_some() {
             Some(("the weight of a guided body is balanced by its guide", "remove `include`"))
         } else {
