@@ -87,9 +87,15 @@ impl Regimes {
                 Ok(planned) => planned,
                 Err(stuck) => {
                     stuck_at.get_or_insert_with(|| {
-                        let ways = ways_out(planner, model, &system, &stuck, wanted);
                         let is_fixed = stuck.remaining.iter().all(|own| planner.is_fixed(&system, told, *own));
-                        fault(model, &system, &stuck, (&ways, is_fixed))
+                        let ways = match open_scale(planner, &system, &stuck, wanted) {
+                            Some(open) => Ways { instead: Vec::new(), is_fixed, open: Some(open) },
+                            None => {
+                                let instead = ways_out(planner, model, &system, &stuck, wanted);
+                                Ways { instead, is_fixed, open: None }
+                            }
+                        };
+                        fault(model, &system, &stuck, &ways)
                     });
                     continue;
                 }
@@ -135,6 +141,34 @@ impl Regimes {
 /// The most ways out that a message names: each costs a plan.
 const MOST_WAYS: usize = 4;
 
+/// What an author may do where a form cannot be solved.
+struct Ways {
+    /// Quantities to be told, each in place of a given.
+    instead: Vec<(Symbol, Symbol)>,
+    /// Whether what is asked is fixed as it is, so that the values of further quantities do not matter.
+    is_fixed: bool,
+    /// A quantity that is open, and on which what is asked does not depend: the size of an orbit of which only the shape is told.
+    open: Option<Symbol>,
+}
+
+/// Where no tactic closes some equations: a quantity that they leave open, with which the rest is found.
+fn open_scale(planner: &mut Planner, system: &System, stuck: &Stuck, wanted: &[Symbol]) -> Option<Symbol> {
+    let Reason::NoTactic { equations, unknowns } = &stuck.reason else { return None };
+    // These equations alone: others, such as that of the time along an orbit, have no derivative at its ends.
+    let block = equations.iter().filter_map(|position| system.equations.get(*position)).cloned().collect();
+    let block = system.with(block);
+    let is_fixed = |planner: &Planner, symbol: &Symbol| planner.is_fixed(&block, &stuck.known, *symbol);
+    if !unknowns.iter().filter(|symbol| wanted.contains(symbol)).all(|symbol| is_fixed(planner, symbol)) {
+        return None;
+    }
+    let lets_find = |symbol: &&Symbol| {
+        let known: BTreeSet<Symbol> = stuck.known.iter().copied().chain([**symbol]).collect();
+        let is_open = !wanted.contains(symbol) && !is_fixed(planner, symbol);
+        is_open && planner.plan(system, &known, wanted).is_ok()
+    };
+    unknowns.iter().rev().find(lets_find).copied()
+}
+
 /// Where no tactic closes some equations: quantities that let the rest be found, each with a given whose place it has to take.
 fn ways_out(
     planner: &mut Planner,
@@ -173,9 +207,12 @@ fn other_case(model: &Model, stuck: &Stuck, enough: &[Vec<Symbol>]) -> String {
     enough.iter().flatten().find_map(alike).unwrap_or_default()
 }
 
-/// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given. Where what is asked
-/// is fixed as it is, the values of further quantities do not matter.
-fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Symbol, Symbol)], bool)) -> Fault {
+/// Why a form cannot be solved, in the author's terms.
+fn fault(model: &Model, system: &System, stuck: &Stuck, own: &Ways) -> Fault {
+    let any = |symbol: &Symbol| {
+        let unit = coherent_unit(model.symbols.entry(*symbol).dimension, UnitSystem::Si);
+        format!("`{}: any {unit}`", model.symbols.entry(*symbol).name)
+    };
     let name = |symbol: &Symbol| format!("`{}`", model.symbols.entry(*symbol).name);
     let names = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(", ");
     let laws = |equations: &[usize]| {
@@ -195,22 +232,21 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, (ways, is_fixed): (&[(Sy
             let help = if ways.is_empty() {
                 format!("the givens are {}; describe the scene further, or give more values", names(&known))
             } else {
-                let any = enough.first().filter(|_| is_fixed).and_then(|first| first.first()).map_or_else(
-                    String::new,
-                    |own| {
-                        let unit = coherent_unit(model.symbols.entry(*own).dimension, UnitSystem::Si);
-                        format!("; its value does not matter: `{}: any {unit}` will do", model.symbols.entry(*own).name)
-                    },
-                );
+                let first = enough.first().filter(|_| own.is_fixed).and_then(|first| first.first());
+                let any = first
+                    .map_or_else(String::new, |first| format!("; its value does not matter: {} will do", any(first)));
                 format!("give also {}{any}{}", ways.join(", or "), other_case(model, stuck, enough))
             };
             Fault::new(Code::UnderDetermined, message).help(help)
         }
         Reason::NoTactic { equations, unknowns } => {
             let message = format!("no known method gives {} from {}", names(unknowns), laws(equations));
-            let help = match ways {
-                [] => "describe the scene by other quantities, or ask for another".to_owned(),
-                ways => {
+            let help = match (&own.open, &own.instead[..]) {
+                (Some(open), _) => {
+                    format!("{} is open, and what is asked does not depend on it: give {}", name(open), any(open))
+                }
+                (None, []) => "describe the scene by other quantities, or ask for another".to_owned(),
+                (None, ways) => {
                     let way = |(own, given): &(Symbol, Symbol)| format!("{} in place of {}", name(own), name(given));
                     format!("give {}", ways.iter().map(way).collect::<Vec<_>>().join(", or "))
                 }
