@@ -1,10 +1,13 @@
 //! Expressions that questions ask for: each is a quantity of its own, with the equation that says what it is.
 
+use momentous_expr::Expr;
+use momentous_expr::Function;
 use momentous_expr::Symbol;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::geometry;
+use momentous_quantity::Rational;
 use momentous_quantity::UnitSystem;
 use momentous_quantity::coherent_unit;
 
@@ -60,5 +63,33 @@ impl Builder<'_> {
                 None
             }
         }
+    }
+
+    /// A name for the answer to a question for a term that the author gave none: by its last operation, and by a letter
+    /// where another term has that name.
+    pub fn name_for(&mut self, text: &str) -> String {
+        let term = self.read_any(text, &Path::root());
+        let kind = operation(&term);
+        let letters = ('b'..='z').map(|letter| format!("{kind}_{letter}"));
+        let mut names = std::iter::once(kind.to_owned()).chain(letters);
+        let is_free = |name: &String| match self.resolve(name) {
+            Some(symbol) => self.expressions.get(&symbol) == Some(&term),
+            None => !check::is_structural(self.scene, name),
+        };
+        names.find(is_free).unwrap_or_else(|| kind.to_owned())
+    }
+}
+
+/// The noun for the result of the last operation of a term.
+fn operation(term: &Expr) -> &'static str {
+    let is_negative = |part: &Expr| matches!(part, Expr::Product(factors) if matches!(factors[0], Expr::Number(ref number) if *number < Rational::ZERO));
+    let is_divisor = |part: &Expr| matches!(part, Expr::Power(power) if matches!(power.1, Expr::Number(ref exponent) if *exponent < Rational::ZERO));
+    match term {
+        Expr::Sum(terms) if terms.iter().any(is_negative) => "difference",
+        Expr::Sum(_) => "sum",
+        Expr::Product(factors) if factors.iter().any(is_divisor) => "ratio",
+        Expr::Product(_) => "product",
+        Expr::Apply(Function::Abs, _) => "magnitude",
+        _ => "value",
     }
 }

@@ -24,7 +24,6 @@ use momentous_scene::Term;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
-use super::name::VectorName;
 use super::name::is_bare_name;
 
 /// Names of what a whole stage does, which need the stage in brackets where there are several.
@@ -143,7 +142,7 @@ impl Builder<'_> {
     }
 
     /// A name that is asked and whose dimension is not said yet; a pure number, unless its place says otherwise.
-    fn unmeasured_symbol(&mut self, name: &str) -> Option<Symbol> {
+    pub fn unmeasured_symbol(&mut self, name: &str) -> Option<Symbol> {
         self.unmeasured.contains(name).then(|| self.symbol_of(Name::written(name), Dimension::NONE, ""))
     }
 
@@ -204,13 +203,6 @@ impl Builder<'_> {
     pub(super) fn unknown_name(&self, name: &str) -> Fault {
         if let Some(fault) = self.about_a_moving_point(name) {
             return fault;
-        }
-        if let (Some(VectorName::Magnitude(vector)), [_]) = (VectorName::parse(name), &self.axes[..])
-            && self.symbols.find(vector).is_some()
-        {
-            let message = format!("`{vector}` has one component here, which is of either sign");
-            let help = format!("write `abs({vector})`; a question for it needs an `id` and a `label`");
-            return Fault::new(Code::UnknownName, message).help(help);
         }
         let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
         let is_stored = |own: &Name| own.kind == QuantityKind::PotentialEnergy && own.instant.is_some();

@@ -76,10 +76,12 @@ pub enum Relation {
     AtLeast,
     /// Different.
     Differs,
+    /// Equal; asked of values that are known, and required of no solution.
+    Equals,
 }
 
 impl Relation {
-    /// What holds where this does not; that two sides differ is its own opposite, since equality is no comparison.
+    /// What holds where this does not.
     #[must_use]
     pub fn opposite(self) -> Self {
         match self {
@@ -87,7 +89,8 @@ impl Relation {
             Self::AtMost => Self::Greater,
             Self::Greater => Self::AtMost,
             Self::AtLeast => Self::Less,
-            Self::Differs => Self::Differs,
+            Self::Differs => Self::Equals,
+            Self::Equals => Self::Differs,
         }
     }
 
@@ -100,6 +103,7 @@ impl Relation {
             Self::Greater => Operator::Greater,
             Self::AtLeast => Operator::AtLeast,
             Self::Differs => Operator::Differs,
+            Self::Equals => Operator::Equals,
         }
     }
 }

@@ -23,6 +23,7 @@ pub(super) fn holds(relation: Relation, left: Seen, right: Seen) -> Option<bool>
         Relation::Less | Relation::AtMost => apart < 0.0,
         Relation::Greater | Relation::AtLeast => apart > 0.0,
         Relation::Differs => true,
+        Relation::Equals => false,
     })
 }
 

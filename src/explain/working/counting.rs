@@ -39,7 +39,7 @@ pub(crate) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, 
             Relation::AtMost => ledger.ordered([left, right], false),
             Relation::Greater => ledger.ordered([right, left], true),
             Relation::AtLeast => ledger.ordered([right, left], false),
-            Relation::Differs => {}
+            Relation::Differs | Relation::Equals => {}
         }
     }
 }

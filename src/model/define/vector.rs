@@ -6,6 +6,7 @@ use momentous_expr::Symbol;
 use momentous_laws::geometry;
 use momentous_quantity::Dimension;
 
+use super::super::Because;
 use super::super::Builder;
 use super::super::Instant;
 use super::super::Name;
@@ -31,11 +32,10 @@ impl Builder<'_> {
     /// The components of a vector by its name, with what it is and its dimension.
     fn components_of(&mut self, name: &str) -> Option<(Vec<Expr>, Meaning, Dimension)> {
         let letters = self.axis_letters();
-        if letters.len() < 2 {
-            return None;
-        }
-        let symbols: Vec<Symbol> =
-            letters.iter().map(|letter| self.resolve(&component_name(name, letter))).collect::<Option<_>>()?;
+        let symbols: Vec<Symbol> = match &letters[..] {
+            [_] => vec![self.resolve(name)?],
+            _ => letters.iter().map(|letter| self.resolve(&component_name(name, letter))).collect::<Option<_>>()?,
+        };
         let first = self.symbols.entry(*symbols.first()?).clone();
         let known = self.vectors.get(symbols.first()?).cloned();
         let meaning = known.unwrap_or(Meaning { noun: "", of: first.meaning });
@@ -54,6 +54,11 @@ impl Builder<'_> {
         let symbol = self.symbol_of(own, dimension, format!("the magnitude of {meaning}"));
         self.system.positive.insert(symbol);
         if self.defined.insert(format!("magnitude {name}")) {
+            if let [only] = &components[..] {
+                let value = Expr::apply(Function::Abs, only.clone());
+                self.law(&geometry::ASKED, None, Because::Definition, (symbol.into(), value));
+                return Some(symbol);
+            }
             let squares = Expr::sum(components.into_iter().map(|component| component.powi(2)));
             let because = "the components of the vector are perpendicular";
             self.law(&geometry::MAGNITUDE, None, because, (symbol.into(), squares.sqrt()));

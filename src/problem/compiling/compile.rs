@@ -35,6 +35,7 @@ use super::super::language::given::Fraction;
 use super::super::language::given::Given;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
+use super::super::language::other_values::is_positive_in_every_form;
 use super::super::language::other_values::known_in;
 use super::super::language::text::Text;
 use super::super::reading::load::Loaded;
@@ -292,7 +293,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
         let path = Path::root().key("given").key(name);
         let place = Path::root().key("given").name(name);
         let mut add = |builder: &mut Builder<'_>, name: &str, origin: Origin, unit: &Unit| {
-            let Some(symbol) = builder.mention(name) else {
+            let Some(symbol) = builder.mention(name).or_else(|| builder.unmeasured_symbol(name)) else {
                 let fault = match given {
                     Given::Any(None) => builder.unknown(name).help(format!("give its unit: `{name}: any kg`")),
                     _ => builder.unknown(name),
@@ -316,7 +317,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             if let Some(fault) = unclear.or_else(|| unsound::value(builder, name, symbol, &origin)) {
                 builder.fault(fault.at_path(path.clone()));
             }
-            if origin.is_positive() {
+            if origin.is_positive() && is_positive_in_every_form(loaded, name) {
                 builder.assume_positive(name, symbol);
             }
             let earlier = known.iter().find(|earlier: &&Known| earlier.symbol == symbol && earlier.name != name);

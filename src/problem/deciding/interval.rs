@@ -71,7 +71,7 @@ fn limits(model: &Model, symbol: Symbol) -> Limits {
             Relation::Greater => limits[0] = Some((bound, false)),
             Relation::AtMost => limits[1] = Some((bound, true)),
             Relation::Less => limits[1] = Some((bound, false)),
-            Relation::Differs => {}
+            Relation::Differs | Relation::Equals => {}
         }
     }
     limits

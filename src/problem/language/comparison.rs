@@ -9,6 +9,8 @@ const RELATIONS: &[(&str, Relation)] = &[
     ("!=", Relation::Differs),
     ("<", Relation::Less),
     (">", Relation::Greater),
+    ("==", Relation::Equals),
+    ("=", Relation::Equals),
 ];
 
 /// The two sides of a comparison and how they compare.

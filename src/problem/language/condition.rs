@@ -10,23 +10,26 @@ use momentous_quantity::UnitSystem;
 use momentous_quantity::coherent_unit;
 use momentous_quantity::dimension_name;
 use momentous_solve::Condition;
+use momentous_solve::Relation;
 
 use super::comparison::split_relation;
 
 /// Reads `v_A1 > v_B1`; a fault is noted where it cannot be read.
 pub(crate) fn condition(builder: &mut Builder<'_>, text: &str, reason: Reason, path: &Path) -> Option<Condition> {
-    let Some((left, relation, right)) = split_relation(text) else {
-        let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
-        let help = match text.split_once('=') {
-            Some((left, right)) => format!(
-                "compare with `<`, `>`, `<=` or `>=`; that two terms are equal is asked as whether they differ: `{} != {}`",
-                left.trim(),
-                right.trim_matches(['=', ' '])
-            ),
-            None => "compare two terms: `v_A1 > v_B1`".to_owned(),
-        };
-        builder.fault(fault.help(help).at_path(path.clone()));
-        return None;
+    let is_asked = matches!(reason, Reason::Asked);
+    let (left, relation, right) = match split_relation(text) {
+        Some(sides) if is_asked || sides.1 != Relation::Equals => sides,
+        written => {
+            let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
+            let help = match written {
+                Some((left, _, right)) => {
+                    format!("compare with `<`, `>`, `<=` or `>=`; that two terms are equal is given: `{left}: {right}`")
+                }
+                None => "compare two terms: `v_A1 > v_B1`".to_owned(),
+            };
+            builder.fault(fault.help(help).at_path(path.clone()));
+            return None;
+        }
     };
     let [left, right] = [left, right].map(|side| builder.term(side, path));
     let comparable = are_comparable(builder, text, [&left, &right], path);

@@ -93,5 +93,6 @@ pub(crate) fn unmeasured(loaded: &Loaded) -> BTreeSet<String> {
     });
     let asked = names.filter(|name| loaded.given.get(name).is_none()).map(String::as_str);
     let open = loaded.given.iter().filter(|(_, given)| matches!(given, Given::Any(None))).map(|(name, _)| name);
-    asked.chain(open).filter(|name| loaded.spoken.is_within_only(name)).map(str::to_owned).collect()
+    let open = open.filter(|name| loaded.spoken.is_within_only(name) || loaded.spoken.is_of_givens_only(name));
+    asked.filter(|name| loaded.spoken.is_within_only(name)).chain(open).map(str::to_owned).collect()
 }

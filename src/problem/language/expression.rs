@@ -1,4 +1,4 @@
-//! An expression of several quantities that is asked under a name of its own: `v_B2 - v_A2` as `gap`.
+//! An expression of several quantities that is asked under a name: `v_B2 - v_A2` as `gap`.
 
 use momentous_expr::Symbol;
 use momentous_fault::Code;
@@ -20,9 +20,8 @@ pub(crate) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Pat
     builder.expression(id, &find.find, find.label.as_deref(), path)
 }
 
-/// The fault of an expression without a name; none where what is asked cannot be read as one.
-pub(crate) fn without_id(find: &Find, builder: &mut Builder<'_>) -> Option<Fault> {
-    let message = format!("`{}` is an expression, which needs a name for its answer", find.find);
-    let help = "add `id: gap`, or another name that the scene does not use; a `label` says in words what it is";
-    builder.is_term(&find.find).then(|| Fault::new(Code::MissingKey, message).help(help))
+/// The question with a name for its answer, where it asks for an expression and gives it none: `difference`, `ratio`.
+pub(crate) fn named(find: &Find, builder: &mut Builder<'_>) -> Option<Find> {
+    let is_nameless = find.id.is_none() && builder.mention(&find.find).is_none() && builder.is_term(&find.find);
+    is_nameless.then(|| Find { id: Some(builder.name_for(&find.find)), ..find.clone() })
 }

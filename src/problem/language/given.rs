@@ -139,17 +139,26 @@ pub(crate) struct Fraction {
 
 impl Fraction {
     pub(crate) fn read(text: &str) -> Option<Self> {
+        Self::with_unit(text, |unit| Unit::parse(unit).ok())
+    }
+
+    /// The same, or a fraction of pure numbers: `1/5`.
+    pub(crate) fn read_any(text: &str) -> Option<Self> {
+        Self::with_unit(text, |unit| if unit.is_empty() { Some(Unit::none()) } else { Unit::parse(unit).ok() })
+    }
+
+    fn with_unit(text: &str, read: impl Fn(&str) -> Option<Unit>) -> Option<Self> {
         let (above, rest) = text.split_once('/')?;
         let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(rest.len());
         let (below, unit) = rest.split_at(end);
         let [above, below] = [above, below].map(|text| Decimal::parse(text.trim()).ok());
-        Some(Self { above: above?, below: below.filter(|own| !own.is_zero())?, unit: Unit::parse(unit.trim()).ok()? })
+        Some(Self { above: above?, below: below.filter(|own| !own.is_zero())?, unit: read(unit.trim())? })
     }
 
     /// Its value, where a decimal gives it exactly.
     pub(crate) fn decimal(&self) -> Option<Decimal> {
         let value = self.above.to_rational() / self.below.to_rational();
-        let digits = f64::try_from(value.clone()).ok()?.to_string();
+        let digits = value.to_f64().value().to_string();
         Decimal::parse(&digits).ok().filter(|decimal| decimal.to_rational() == value)
     }
 

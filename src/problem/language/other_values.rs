@@ -9,6 +9,7 @@ use super::super::reading::load::Loaded;
 use super::super::reading::turning;
 use super::super::reading::unsound;
 use super::form::Question;
+use super::given::Fraction;
 use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
@@ -19,7 +20,7 @@ pub(crate) fn known_in(loaded: &Loaded, question: &Question, known: &[Known], bu
     for (name, given) in question.given.iter() {
         let fault = match (own.iter_mut().find(|known| known.name == name), value(given)) {
             (Some(known), Some((origin, unit))) if loaded.given.get(name).and_then(value).is_some() => {
-                let fault = unlike(known, &origin, unit.dimension());
+                let fault = unlike(known, unit.dimension());
                 let kind = &builder.name(known.symbol).kind;
                 let fault = fault.or_else(|| turning::unclear(kind, name, &origin, &unit));
                 let fault = fault.or_else(|| unsound::value(builder, name, known.symbol, &origin));
@@ -52,19 +53,23 @@ fn value(given: &Given) -> Option<(Origin, momentous_quantity::Unit)> {
             [only] => Some((Origin::Fixed(only.clone()), literal.unit.clone())),
             _ => None,
         },
-        Given::Any(_) | Given::Expression(_) => None,
+        Given::Expression(text) => {
+            let fraction = Fraction::read_any(text.trim())?;
+            Some((Origin::Fixed(fraction.decimal()?), fraction.unit))
+        }
+        Given::Any(_) => None,
     }
 }
 
-/// The fault of a value that is of another kind than the file's own, or may be negative where that is always positive.
-fn unlike(known: &Known, origin: &Origin, dimension: momentous_quantity::Dimension) -> Option<Fault> {
-    let Known { name, unit, .. } = known;
-    if dimension != unit.dimension() {
-        let [expected, found] = [unit.dimension(), dimension].map(dimension_name);
-        let message = format!("`{name}` is {expected}, but its unit here is one of {found}");
-        return Some(Fault::new(Code::Dimension, message).help("change the unit"));
-    }
-    let fault = Fault::new(Code::Value, format!("`{name}` is always positive in the file's `given`"));
-    (known.origin.is_positive() && !origin.is_positive())
-        .then(|| fault.help("give it positive values here, too, or values of either sign there"))
+/// Whether no form gives a quantity a value that is zero or negative.
+pub(crate) fn is_positive_in_every_form(loaded: &Loaded, name: &str) -> bool {
+    let mut own = loaded.questions.iter().filter_map(|question| value(question.given.get(name)?));
+    own.all(|(origin, _)| origin.is_positive())
+}
+
+/// The fault of a value that is of another kind than the file's own.
+fn unlike(Known { name, unit, .. }: &Known, dimension: momentous_quantity::Dimension) -> Option<Fault> {
+    let [expected, found] = [unit.dimension(), dimension].map(dimension_name);
+    let message = format!("`{name}` is {expected}, but its unit here is one of {found}");
+    (dimension != unit.dimension()).then(|| Fault::new(Code::Dimension, message).help("change the unit"))
 }

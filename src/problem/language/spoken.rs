@@ -6,11 +6,13 @@ use super::super::reading::document::Kind;
 use super::super::reading::document::Node;
 use super::text::is_name;
 
-/// The words of a file's scene and relations: those within longer texts, and those that stand alone.
+/// The words of a file's scene and relations: those within longer texts, and those that stand alone; and those of its givens.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spoken {
     within: BTreeSet<String>,
     alone: BTreeSet<String>,
+    /// Those within longer texts under `given`.
+    given: BTreeSet<String>,
 }
 
 impl Spoken {
@@ -20,7 +22,15 @@ impl Spoken {
         for entry in ["scene", "relations"].into_iter().filter_map(|key| root.entry(key)) {
             spoken.listen(&entry.value);
         }
+        let mut given = Self::default();
+        root.entry("given").into_iter().for_each(|entry| given.listen(&entry.value));
+        spoken.given = given.within;
         spoken
+    }
+
+    /// Whether a name is spoken only within terms of other givens: the scene says nothing of it.
+    pub(super) fn is_of_givens_only(&self, name: &str) -> bool {
+        self.given.contains(name) && !self.within.contains(name) && !self.alone.contains(name)
     }
 
     /// Whether a name is spoken only within longer terms. One that stands alone is told by its place.

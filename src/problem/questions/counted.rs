@@ -10,6 +10,7 @@ use momentous_quantity::Decimal;
 use momentous_quantity::Tolerance;
 use momentous_quantity::Unit;
 use momentous_solve::Equation;
+use momentous_solve::Relation;
 
 use super::super::language::ask::Count;
 use super::super::language::comparison::split_relation;
@@ -37,6 +38,7 @@ pub(crate) fn counted(
     let ends = [("first ", End::First), ("last ", End::Last)];
     let end = ends.into_iter().find_map(|(word, end)| Some((end, text.strip_prefix(word)?.split_once(" with ")?)));
     let parts = end.and_then(|(end, (name, condition))| Some((end, name.trim(), split_relation(condition)?)));
+    let parts = parts.filter(|(_, _, (_, relation, _))| *relation != Relation::Equals);
     let Some((end, name, (left, relation, right))) = parts else {
         let fault = Fault::new(Code::Syntax, format!("`{}` does not say what is counted", count.count));
         let help = "write it as `first n with h_n < h_min`, or `last n with x_n < d`";

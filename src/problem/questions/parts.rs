@@ -155,6 +155,8 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
 }
 
 fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
+    let named = expression::named(find, builder);
+    let find = named.as_ref().unwrap_or(find);
     let symbol = match &find.id {
         Some(id) => Some(expression::asked(find, id, builder, path)?),
         None => builder.mention(&find.find),
@@ -170,7 +172,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
             }
             return vector::read(loaded, find, &symbols, builder, path);
         }
-        let fault = expression::without_id(find, builder).unwrap_or_else(|| builder.unknown(&find.find));
+        let fault = builder.unknown(&find.find);
         builder.fault(fault.at_path(path.key("find")));
         return None;
     };

@@ -53,8 +53,8 @@ pub(crate) fn read(
     };
     let number = number_part(loaded, &find, symbol, builder, path)?;
     let (question, claim) = comparing::claim(loaded, &ask.condition, builder, &path.key("where"))?;
-    if claim.relation == Relation::Differs {
-        let fault = Fault::new(Code::Value, "`!=` does not define an interval");
+    if let Relation::Differs | Relation::Equals = claim.relation {
+        let fault = Fault::new(Code::Value, "`=` and `!=` define no interval");
         builder.fault(fault.help("compare with `<`, `<=`, `>` or `>=`").at_path(path.key("where")));
         return None;
     }

@@ -307,5 +307,6 @@ fn verdict<R: Real>(relation: Relation, difference: &R, last: bool) -> Option<bo
         (Relation::Greater, sign) => Some(sign == Sign::Positive),
         (Relation::AtLeast, sign) => Some(sign != Sign::Negative),
         (Relation::Differs, sign) => Some(sign != Sign::Zero),
+        (Relation::Equals, sign) => Some(sign == Sign::Zero),
     }
 }

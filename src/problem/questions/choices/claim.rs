@@ -51,6 +51,7 @@ impl Claim {
             Relation::Greater => order.is_gt(),
             Relation::AtLeast => order.is_ge(),
             Relation::Differs => order.is_ne(),
+            Relation::Equals => order.is_eq(),
         }
     }
 }

@@ -40,6 +40,7 @@ pub(crate) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path
         Relation::Greater => "greater than",
         Relation::AtLeast => "at least",
         Relation::Differs => "different from",
+        Relation::Equals => "equal to",
     };
     let said = format!("{} {than} {}", words[0], words[1]);
     let mut quantities = left.symbols();

@@ -150,7 +150,7 @@ fn limits(conditions: &[Condition]) -> Vec<(Symbol, Bounded)> {
         match condition.relation {
             Relation::AtLeast | Relation::Greater => own[0] = Some(bound),
             Relation::AtMost | Relation::Less => own[1] = Some(bound),
-            Relation::Differs => {}
+            Relation::Differs | Relation::Equals => {}
         }
     }
     let both = |(symbol, [low, high]): (Symbol, [Option<f64>; 2])| Some((symbol, bounded(low?, high?)?));
