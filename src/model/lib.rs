@@ -143,6 +143,11 @@ impl<'s> Builder<'s> {
             return;
         };
         let sides = (self.read_any(left, path), self.read_any(right, path));
+        if let Expr::Symbol(own) = sides.0
+            && !self.unmeasured.contains(&self.symbols.entry(own).name)
+        {
+            self.measure(&sides.1, self.symbols.entry(own).dimension);
+        }
         self.law(&geometry::RELATION, None, Because::written(because), sides);
     }
 

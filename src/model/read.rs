@@ -147,7 +147,7 @@ impl Builder<'_> {
     }
 
     /// Gives a name the dimension that a term of a known one needs, where its dimension is the only one that is not said.
-    fn measure(&mut self, term: &Expr, dimension: Dimension) {
+    pub(super) fn measure(&mut self, term: &Expr, dimension: Dimension) {
         let is_open = |symbol: &Symbol| self.unmeasured.contains(&self.symbols.entry(*symbol).name);
         let [open] = term.symbols().into_iter().filter(is_open).collect::<Vec<_>>()[..] else { return };
         let slope = term.differentiate(open);

@@ -10,9 +10,13 @@ impl Witness<'_> {
     /// The magnitude of a vector by what is found of its components.
     pub(super) fn magnitude(&self, name: &str) -> Option<Seen> {
         let Some(VectorName::Magnitude(vector)) = VectorName::parse(name) else { return None };
-        let axes = self.scene().axes.rectangular();
-        let parts = axes.iter().map(|(axis, _)| self.seen(&component_name(vector, axis.letter())));
-        let parts: Vec<Seen> = parts.collect::<Option<_>>()?;
+        let parts: Vec<Seen> = match &self.scene().axes.rectangular()[..] {
+            [_] => vec![self.seen(vector)?],
+            axes => {
+                let parts = axes.iter().map(|(axis, _)| self.seen(&component_name(vector, axis.letter())));
+                parts.collect::<Option<_>>()?
+            }
+        };
         let value = libm::sqrt(parts.iter().map(|own| own.value * own.value).sum());
         Some(Seen { value, error: parts.iter().map(|own| own.error).sum() })
     }
