@@ -227,6 +227,7 @@ fn holds(relation: Relation, difference: &Long, size: f64) -> bool {
         Relation::Greater => *difference > Long::ZERO,
         Relation::AtLeast => *difference >= Long::ZERO,
         Relation::Differs => *difference != Long::ZERO,
+        Relation::Equals => *difference == Long::ZERO,
     }
 }
 
