@@ -107,12 +107,18 @@ impl Assets {
         Ok(Self { files, digest: digest.chars().take(DIGITS).collect() })
     }
 
+    /// Every file: its name, kind and contents.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, &'static str, &[u8])> {
+        self.files.iter().filter_map(|(name, bytes)| {
+            let (_, kind) = KINDS.iter().find(|(ending, _)| name.ends_with(ending))?;
+            Some((*name, *kind, bytes.as_ref()))
+        })
+    }
+
     /// A file with its kind.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<(&'static str, &[u8])> {
-        let (_, bytes) = self.files.iter().find(|(own, _)| *own == name)?;
-        let (_, kind) = KINDS.iter().find(|(ending, _)| name.ends_with(ending))?;
-        Some((kind, bytes))
+        self.all().find(|(file, ..)| *file == name).map(|(_, kind, bytes)| (kind, bytes))
     }
 }
 

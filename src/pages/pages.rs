@@ -82,8 +82,9 @@ impl Pages {
         Engine { problems: &self.library, renderer: &self.renderer, limits: self.limits }
     }
 
-    /// Where a file of the pages is found: its directory, whose name changes with the contents of any of them.
-    fn directory(&self) -> String {
+    /// The address below which scripts, styles and fonts are found: it changes with the contents of any of them.
+    #[must_use]
+    pub fn directory(&self) -> String {
         format!("{}/static/{}", self.base, self.assets.digest)
     }
 

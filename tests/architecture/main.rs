@@ -28,7 +28,7 @@ const ORDER: &[&[&str]] = &[
     &["exercise"],
     &["bank"],
     &["course", "export", "pages"],
-    &["store", "web"],
+    &["browser", "store", "web"],
     &["course_pages"],
     &["cli"],
     &["python"],
