@@ -7,13 +7,24 @@ use momentous_quantity::coherent_unit;
 use super::meaning::Meanings;
 use super::written::Written;
 
-/// The dimensions that clash in a line in symbols, whatever its numbers stand for.
-pub(crate) fn clash_in_symbols(line: &Written, sets: &[Meanings]) -> Option<String> {
-    if !line.is_in_symbols() {
-        return None;
+/// The sets of meanings in which no dimensions clash. Only in a line in symbols, whose numbers are not computed, is a bare number known to
+/// have none.
+///
+/// # Errors
+/// The clash, in words, where there is one whatever the numbers stand for.
+pub(crate) fn without_clash(line: &Written, sets: &[Meanings]) -> Result<Vec<Meanings>, String> {
+    let is_measured = |set: &Meanings| line.is_in_symbols() && set.is_general(line);
+    let (mut kept, mut first) = (Vec::new(), None);
+    for set in sets {
+        match clash(line, set, &line.symbols).filter(|_| is_measured(set)) {
+            Some(own) => _ = first.get_or_insert(own),
+            None => kept.push(set.clone()),
+        }
     }
-    let clashes = sets.iter().filter(|set| set.is_general(line)).map(|set| clash(line, set, &line.symbols));
-    clashes.collect::<Option<Vec<String>>>()?.into_iter().next()
+    match first {
+        Some(clash) if !kept.iter().any(is_measured) => Err(clash),
+        _ => Ok(kept),
+    }
 }
 
 /// The dimensions that clash in a line, in words.

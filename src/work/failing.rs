@@ -5,11 +5,11 @@ use momentous_quantity::Dimension;
 use momentous_quantity::coherent_unit;
 use momentous_solve::Bounded;
 
-use super::clash::clash_in_symbols;
+use super::clash::without_clash;
 use super::elsewhere::{Elsewhere, elsewhere};
 use super::found::Found;
 use super::ground::Place;
-use super::holds::{At, Holds};
+use super::holds::{At, Holds, is_identity};
 use super::judge::Judge;
 use super::meaning::Meanings;
 use super::verdict::Verdict;
@@ -25,6 +25,9 @@ impl Judge<'_> {
         let missing = line.quantities().into_iter().find(|symbol| place.value(*symbol).is_none());
         if let Some(verdict) = missing.and_then(|variable| self.of_function(line, place, sets, variable)) {
             return Found::of(verdict);
+        }
+        if missing.is_none() && sets.iter().any(|set| set.is_general(line) && is_identity(line, set)) {
+            return Found::of(Verdict::Identity);
         }
         let detail = missing.map_or_else(
             || "its numbers are too close to tell".to_owned(),
@@ -67,7 +70,7 @@ impl Judge<'_> {
 
     /// Why a line does not hold.
     pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> Found {
-        if let Some(clash) = clash_in_symbols(line, sets) {
+        if let Err(clash) = without_clash(line, sets) {
             return Found::of(Verdict::Dimensions).because(clash);
         }
         let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at);

@@ -82,9 +82,14 @@ impl At<'_> {
             return Holds::Open;
         }
         let rough = |symbol: Symbol| value(symbol).value;
+        // A value that is zero as far as its bound shows is as large as what cancelled in it.
+        let amount = |symbol: Symbol| {
+            let own = value(symbol);
+            if own.value.abs() <= own.error { own.error / f64::EPSILON } else { own.value.abs() }
+        };
         let (mut size, mut reach, mut rounds) = (0.0_f64, 0.0_f64, false);
         residual.slopes(&rough, 1.0, &mut |symbol, slope| {
-            let part = (slope * rough(symbol)).abs();
+            let part = slope.abs() * amount(symbol);
             // A size of nothing has no slope.
             size += if part.is_nan() { 0.0 } else { part };
             if let Some(number) = line.number(symbol)

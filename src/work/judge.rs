@@ -9,7 +9,7 @@ use momentous_grade::UnreadableKind;
 use momentous_problem::Worked;
 
 use super::alphabet::alphabet;
-use super::clash::clash_in_symbols;
+use super::clash::without_clash;
 use super::found::{Accepted, Found};
 use super::ground::Ground;
 use super::holds::{At, Holds, results};
@@ -231,9 +231,11 @@ impl<'a> Judge<'a> {
         // Where a bare number may be that of a given, its dimension is not known.
         let has_given =
             sets.iter().any(|set| line.numbers.iter().any(|own| own.unit.is_none() && set.is_given(own.symbol)));
-        if let Some(clash) = clash_in_symbols(line, &sets).filter(|_| !has_given) {
-            return Found::of(Verdict::Dimensions).because(clash);
-        }
+        let sets = match without_clash(line, &sets) {
+            Ok(sets) => sets,
+            Err(_) if has_given => sets,
+            Err(clash) => return Found::of(Verdict::Dimensions).because(clash),
+        };
         let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
         let best = here.iter().copied().min().unwrap_or(Holds::Open);
         match best {
