@@ -83,7 +83,8 @@ impl Desk {
         let answered =
             serde_json::from_slice(request).map_err(|error| invalid(&error)).and_then(|own| self.answered(own));
         let answer = answered.unwrap_or_else(Answer::Refused);
-        serde_json::to_string(&answer).unwrap_or_else(|error| format!("{{\"text\":\"{error}\"}}"))
+        serde_json::to_string(&answer)
+            .unwrap_or_else(|error| serde_json::json!({ "text": error.to_string() }).to_string())
     }
 
     fn answered(&mut self, request: Request) -> Result<Answer, Refused> {

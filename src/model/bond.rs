@@ -101,12 +101,8 @@ pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&st
     Some(Fault::new(Code::Value, message).help(help))
 }
 
-/// The bodies on which a bond goes on acting while a stage lasts that does not name them, each with what acts.
-pub(super) fn acting_on_others<'a>(scene: &'a Scene, index: usize, stage: &Stage) -> Vec<(&'a str, &'static str)> {
-    if !stage.takes_time() {
-        return Vec::new();
-    }
-    let named: Vec<&str> = Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect();
+/// The bodies on which a bond goes on acting while a stage lasts that names others, each with what acts.
+pub(super) fn acting_on_others<'a>(scene: &'a Scene, index: usize, named: &[&str]) -> Vec<(&'a str, &'static str)> {
     let acting = before(scene, index).into_iter().filter_map(|bond| Some((bond.acts_all_the_time()?, bond.bodies)));
     let others = acting.flat_map(|(acts, bodies)| bodies.into_iter().map(move |body| (body, acts)));
     others.filter(|(body, _)| !named.contains(body)).collect()

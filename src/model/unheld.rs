@@ -20,18 +20,17 @@ use super::stage::Description;
 impl Builder<'_> {
     /// Notes which bodies a stage does not name although something acts on them.
     pub(super) fn leaves_others_unheld(&mut self, index: usize, stage: &Stage) {
-        let description = Description::of(self.scene, stage);
         // In a flight or a fall of others the clock of a body stands still.
         if !stage.takes_time() || matches!(stage, Stage::Flight(_) | Stage::Fall(_)) {
             return;
         }
-        let bound = acting_on_others(self.scene, index, stage).into_iter();
+        let named: Vec<&str> = Description::of(self.scene, stage).bodies.into_iter().map(|(body, _)| body).collect();
+        let bound = acting_on_others(self.scene, index, &named).into_iter();
         self.unheld.extend(bound.map(|(body, acts)| LeftAlone {
             stage: index,
             body: body.to_owned(),
             by: Acts::Bond(acts),
         }));
-        let named: Vec<&str> = description.bodies.iter().map(|(body, _)| *body).collect();
         let others = self.timeline.alive(index + 1).into_iter().filter(|body| !named.contains(body));
         let others: Vec<LeftAlone> =
             others.map(|body| LeftAlone { stage: index, body: body.to_owned(), by: Acts::Weight }).collect();

@@ -58,8 +58,8 @@ struct Around<'a, Who, Page> {
     page: &'a Page,
 }
 
-/// The simulators: names in addresses, and titles.
-const SIMULATORS: [(&str, &str); 2] = [("collision", "Collision"), ("restitution", "Restitution")];
+/// The simulators: names in addresses, and titles. The call of the same name is never refused; what it must not solve it leaves out.
+pub const SIMULATORS: [(&str, &str); 2] = [("collision", "Collision"), ("restitution", "Restitution")];
 
 impl Pages {
     /// Everything that pages take; templates are those of a folder, where one is named, and tried before anybody asks for a page.

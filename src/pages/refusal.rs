@@ -25,6 +25,12 @@ impl<'a> Refusal<'a> {
     }
 }
 
+/// An address has no page.
+#[must_use]
+pub fn no_page() -> Refused {
+    Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem")
+}
+
 /// The status of HTTP and the title for a kind of refusal.
 #[must_use]
 pub const fn heading(kind: RefusedKind) -> (u16, &'static str) {

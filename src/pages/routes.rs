@@ -1,9 +1,9 @@
 //! Every page by its address.
 
-use momentous_exercise::calls::{Refused, RefusedKind};
+use momentous_exercise::calls::Refused;
 
 use super::parameters::Parameters;
-use super::refusal::{Refusal, heading};
+use super::refusal::{Refusal, heading, no_page};
 use super::view::View;
 use super::{figure, play, practice, simulator, solve, start};
 
@@ -27,9 +27,6 @@ pub const PROBLEM_PAGES: [(&str, Shown, OfProblem); 5] = [
     ("/solution/", Shown::UnlessReserved, solve::solution),
     ("/solve/", Shown::UnlessReserved, solve::solve),
 ];
-
-/// The calls of simulators, which are never refused; what they must not solve they leave out.
-pub const CALLS_OF_SIMULATORS: [&str; 2] = ["collision", "restitution"];
 
 impl View<'_> {
     /// The start page: a gallery of the problems, which the fields narrow.
@@ -63,9 +60,7 @@ impl View<'_> {
         }
         let found = PROBLEM_PAGES.iter().find_map(|(begin, _, make)| Some((path.strip_prefix(begin)?, make)));
         let Some((problem, make)) = found else {
-            return Err(
-                Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem")
-            );
+            return Err(no_page());
         };
         make(self, problem.to_owned(), fields)
     }

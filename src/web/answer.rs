@@ -10,7 +10,7 @@ use axum::response::IntoResponse;
 use axum::response::Response;
 
 use momentous_exercise::calls::{Refused, RefusedKind};
-use momentous_pages::{Again, Refusal, heading};
+use momentous_pages::{Again, Refusal, heading, no_page};
 
 use super::app::{App, SharedApp};
 use super::headers::{A_WHILE, ANEW, OF_PICTURES};
@@ -103,9 +103,8 @@ fn filled(
 
 /// The page of a refusal, to see whether its template can be filled.
 pub(super) fn tried(app: &App) -> Result<String, Refused> {
-    let refused =
-        Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem");
-    filled(app, (StatusCode::NOT_FOUND, "Not found"), &refused, None)
+    let refused = no_page();
+    filled(app, kind(refused.kind), &refused, None)
 }
 
 /// When to come again.

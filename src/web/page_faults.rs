@@ -1,7 +1,7 @@
 //! The pages, filled once before anybody asks for them.
 
 use momentous_exercise::calls::{Refused, RefusedKind};
-use momentous_pages::{Nothing, PROBLEM_PAGES, Parameters};
+use momentous_pages::{Nothing, PROBLEM_PAGES, Parameters, SIMULATORS, Shown};
 
 use super::answer;
 use super::app::App;
@@ -15,8 +15,11 @@ pub fn page_faults(app: &App) -> Vec<String> {
     };
     let none = Parameters::default();
     let view = app.view(&Nothing);
-    let of_problems = PROBLEM_PAGES.iter().flat_map(|(begin, _, make)| {
-        let names = if *begin == "/simulators/" { vec!["collision", "restitution"] } else { vec![problem.as_str()] };
+    let of_problems = PROBLEM_PAGES.iter().flat_map(|(_, shown, make)| {
+        let names = match shown {
+            Shown::Always => SIMULATORS.map(|(name, _)| name).to_vec(),
+            Shown::UnlessReserved => vec![problem.as_str()],
+        };
         names.into_iter().map(|name| make(&view, name.to_owned(), &none)).collect::<Vec<_>>()
     });
     let pages = [view.start(&none), answer::tried(app)].into_iter().chain(of_problems);

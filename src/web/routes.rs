@@ -23,8 +23,7 @@ use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
-use momentous_exercise::calls::{Refused, RefusedKind};
-use momentous_pages::{Again, CALLS_OF_SIMULATORS, Nothing, OfProblem, PROBLEM_PAGES, Parameters, Shown, Withheld};
+use momentous_pages::{Again, Nothing, OfProblem, PROBLEM_PAGES, Parameters, SIMULATORS, Shown, Withheld, no_page};
 
 use super::answer;
 use super::app::{App, SharedApp};
@@ -175,7 +174,8 @@ async fn figure(State(app): State<SharedApp>, headers: HeaderMap, Path(problem):
 }
 
 async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path<String>, body: Bytes) -> Response {
-    let shown = if CALLS_OF_SIMULATORS.contains(&call.as_str()) { Shown::Always } else { Shown::UnlessReserved };
+    let is_simulator = SIMULATORS.iter().any(|(name, _)| *name == call);
+    let shown = if is_simulator { Shown::Always } else { Shown::UnlessReserved };
     let (place, withheld) = match admitted(&app, &headers, shown).await {
         Ok(admitted) => admitted,
         Err(NotAdmitted::Busy(reason)) => return answer::no_call(reason),
@@ -201,8 +201,4 @@ async fn asset(State(app): State<SharedApp>, Path((_, name)): Path<(String, Stri
         }
         None => StatusCode::NOT_FOUND.into_response(),
     }
-}
-
-fn no_page() -> Refused {
-    Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem")
 }
