@@ -56,6 +56,15 @@ pub fn course_letters(source: &Source) -> Result<CourseSymbols, Faults> {
 
 #[cfg(feature = "files")]
 fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
+    course_file(file)?.as_ref().map(Course::read).transpose()
+}
+
+/// The file with the settings of the course to which a problem file belongs, if there is one.
+///
+/// # Errors
+/// That file cannot be read.
+#[cfg(feature = "files")]
+pub fn course_file(file: &Path) -> Result<Option<Source>, Faults> {
     // A file of the current folder may lie in the bank all the same.
     let file = &std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let folders: Vec<&Path> = file.ancestors().skip(1).collect();
@@ -64,7 +73,7 @@ fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
     let candidates = folders.into_iter().take(searched).map(|folder| folder.join(COURSE_FILE));
     // What cannot be looked for is read, which says why.
     match candidates.into_iter().find(|path| std::fs::exists(path).unwrap_or(true)) {
-        Some(path) => Course::read(&read_file(&path)?).map(Some),
+        Some(path) => read_file(&path).map(Some),
         None => Ok(None),
     }
 }

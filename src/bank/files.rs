@@ -107,9 +107,9 @@ impl Bank {
         let mut sources: Vec<Source> = Vec::new();
         let (mut faults, mut files) = (Vec::new(), Vec::new());
         for name in names {
-            let path = Path::new(name);
-            let found = if self.ids().any(|id| topic_of(id) == name) && !is_path(name) {
-                self.topic(name).map(|sources| sources.into_iter().cloned().collect())
+            let (path, topic) = (Path::new(name), name.trim_end_matches('/'));
+            let found = if self.ids().any(|id| topic_of(id) == topic) && !is_path(name) {
+                self.topic(topic).map(|sources| sources.into_iter().cloned().collect())
             } else if path.is_dir() {
                 Self::gathered(path).map(|(bank, unusable)| {
                     files.extend(unusable);

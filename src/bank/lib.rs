@@ -31,9 +31,9 @@ mod wrong_forms;
 
 pub use audit::{Seeds, audit, unusable};
 pub use collection::Bank;
-#[cfg(feature = "files")]
-pub use course::course_letters;
 pub use course::{COURSE_FILE, FOLDER, load_in_course};
+#[cfg(feature = "files")]
+pub use course::{course_file, course_letters};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use exhibit::{AnswerKind, Exhibit};

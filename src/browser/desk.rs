@@ -12,6 +12,9 @@ use momentous_problem::Course;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
+/// Addresses stand behind it in that of the file.
+const BASE: &str = "#";
+
 /// A request.
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -122,7 +125,7 @@ fn pages(problems: &[File]) -> Result<Pages, Refused> {
     }
     let bank = Bank::of(problems.iter().map(|File { name, text, .. }| Source::new(name, text)).collect());
     let library = Library::of(bank).in_courses(courses);
-    Pages::new(library, "", Limits::default(), None).map_err(|faults| Refused::fault(&faults))
+    Pages::new(library, BASE, Limits::default(), None).map_err(|faults| Refused::fault(&faults))
 }
 
 fn invalid(error: &serde_json::Error) -> Refused {

@@ -35,7 +35,7 @@ use super::output::keep_apart;
 const HELP: &str = "\
 Examples:
   momentous export moodle impact/two-carts --count 50 -o two-carts.xml   a bank of 50 variants
-  momentous export moodle impact --form find-e --seed 100 -o impact.xml  a whole topic
+  momentous export moodle impact --seed 100 -o impact.xml                a whole topic
   momentous export qti3 impact/two-carts --count 20 -o two-carts.zip     a package of QTI 3.0
   momentous export moodle homework/week-3.yaml --count 20 -o week-3.xml   the problems of a homework, in its forms
   momentous export --targets                                             what goes along to each target

@@ -16,6 +16,7 @@ mod list;
 mod new;
 mod open;
 mod output;
+mod page;
 mod pages;
 mod pending;
 mod plot;
@@ -58,11 +59,11 @@ A PROBLEM is an identity from `momentous list`, such as impact/two-carts, or the
 The bank is the folder problem_bank/ here, or above in the same repository; if there is none, the built-in bank.
 
 Examples:
-  momentous list                                          the problems of the bank
-  momentous generate impact/two-carts --seed 7 --solution a sheet and its worked solution
-  momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=0.4 m/s\"
-  momentous new impact/my-carts                           a problem of your own to start from
-  momentous check my-carts.yaml                           whether it keeps every promise
+  momentous list                                            the problems of the bank
+  momentous generate impact/two-carts --seed 7 --solution   a sheet and its worked solution
+  momentous grade --problem impact/two-carts --seed 1 --answer \"v_A2=-0.5 m/s\"
+  momentous new impact/my-carts                             a problem of your own to start from
+  momentous check my-carts.yaml                             whether it keeps every promise
 
 Exit codes:
   0  fine
@@ -84,6 +85,7 @@ enum Command {
     Solve(solve::Solve),
     Grade(grade::Grade),
     New(new::New),
+    Page(page::Page),
     Secret(secret::Secret),
     #[cfg(feature = "serve")]
     Serve(serve::Serve),
@@ -136,6 +138,7 @@ impl Command {
             Self::Solve(solve) => solve.run(),
             Self::Grade(grade) => grade.run(),
             Self::New(new) => new.run(),
+            Self::Page(page) => page.run(),
             Self::Secret(secret) => secret.run(),
             #[cfg(feature = "serve")]
             Self::Serve(serve) => serve.run(),

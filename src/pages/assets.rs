@@ -19,6 +19,7 @@ macro_rules! built_in {
 
 /// Every file of `templates/web/static/`.
 const BUILT_IN: &[(&str, &[u8])] = &built_in![
+    "address.js",
     "announcer.js",
     "clock.js",
     "engine.js",

@@ -5,7 +5,7 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-pub(super) const BUILT_IN: [(&str, &str); 62] = built_in![
+pub(super) const BUILT_IN: [(&str, &str); 63] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -24,6 +24,7 @@ pub(super) const BUILT_IN: [(&str, &str); 62] = built_in![
     "markdown/key.tera",
     "markdown/sheet.tera",
     "markdown/solution.tera",
+    "page/page.tera",
     "typst/blocks.tera",
     "typst/document.tera",
     "typst/key.tera",

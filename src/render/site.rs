@@ -26,6 +26,14 @@ impl Site {
         Ok(Self { templates: Templates::load_folder("web", Format::Html, overrides)? })
     }
 
+    /// The template of the file that holds pages and engine, so that no server is needed.
+    ///
+    /// # Errors
+    /// Where the template is not well formed.
+    pub fn practice_page() -> Result<Self, Faults> {
+        Ok(Self { templates: Templates::load_folder("page", Format::Html, None)? })
+    }
+
     /// A page: the template of that name with these values. Strings are escaped; a [`super::Fragment`] is written with
     /// `| safe`.
     ///

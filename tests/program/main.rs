@@ -13,6 +13,7 @@ mod found;
 mod fuzz;
 mod grade_files;
 mod hand;
+mod help_examples;
 mod homework;
 mod issued_numbers;
 mod readme;
@@ -23,5 +24,3 @@ mod trust;
 mod trusted_tables;
 #[cfg(all(feature = "serve", not(feature = "courses")))]
 mod without_courses;
-#[path = "../support/works.rs"]
-mod works;

@@ -1,13 +1,20 @@
-//! The README keeps its word: its example works, its commands run, and what it shows is what they print.
+//! The README and the pages for a first hour keep their word: commands run, and print what is shown.
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
 use crate::blocks::{Block, blocks};
-use crate::works;
 
 const README: &str = include_str!("../../README.md");
+
+/// Pages whose commands run, each in a folder of its own, with the files that the page shows and calls by these names.
+const PAGES: [(&str, &str, &[&str]); 4] = [
+    ("README.md", README, &[]),
+    ("docs/first_hour.md", include_str!("../../docs/first_hour.md"), &["class.csv", "submissions.csv"]),
+    ("docs/marking.md", include_str!("../../docs/marking.md"), &[]),
+    ("docs/students.md", include_str!("../../docs/students.md"), &[]),
+];
 
 /// Runs commands in a folder by a shell that finds the program.
 fn shell(folder: &Path, commands: &str) -> Output {
@@ -20,9 +27,9 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// The block that the README calls by a file's name: the first after the name.
-fn file<'a>(all: &'a [Block], name: &str) -> &'a str {
-    let called = README.lines().position(|line| line.contains(&format!("`{name}`"))).unwrap();
+/// The block that a page calls by a file's name: the first after the name.
+fn file<'a>(page: &str, all: &'a [Block], name: &str) -> &'a str {
+    let called = page.lines().position(|line| line.contains(&format!("`{name}`"))).unwrap();
     &all.iter().find(|block| block.line > called).unwrap().text
 }
 
@@ -48,21 +55,22 @@ fn is_shown(shown: &str, printed: &str) -> bool {
     printed.next().is_none()
 }
 
-#[test]
-fn the_example_is_a_problem() {
-    let all = blocks(README);
-    works::works("penalty-kick.yaml", file(&all, "penalty-kick.yaml"));
-}
-
-/// Every `sh` block runs in one folder, from the top to the end. A line exits with 0, or with what `# exits with` says. A
-/// `text` block right after a `sh` block is what its last line prints.
+/// Every `sh` block of a page runs in one folder, from the top to the end. A line exits with 0, or with what `# exits with` says.
+/// A `text` block right after a `sh` block is what its last line prints.
 #[cfg(unix)]
 #[test]
 fn commands_run_and_print_what_is_shown() {
-    let all = blocks(README);
+    let commands: usize = PAGES.iter().map(|(name, page, files)| run(name, page, files)).sum();
+    assert!(commands > 14, "only {commands} commands were found");
+}
+
+/// Runs the commands of a page; how many there are.
+#[cfg(unix)]
+fn run(name: &str, page: &str, files: &[&str]) -> usize {
+    let all = blocks(page);
     let folder = tempfile::tempdir().unwrap();
-    for name in ["class.csv", "submissions.csv", "penalty-kick.yaml"] {
-        fs::write(folder.path().join(name), file(&all, name)).unwrap();
+    for file_name in files {
+        fs::write(folder.path().join(file_name), file(page, &all, file_name)).unwrap();
     }
     let mut commands = 0;
     for (index, block) in all.iter().enumerate().filter(|(_, block)| block.language == "sh") {
@@ -71,22 +79,22 @@ fn commands_run_and_print_what_is_shown() {
             let expected = line.split_once("# exits with ").map_or(0, |(_, code)| code.trim().parse().unwrap());
             let output = shell(folder.path(), line);
             let (out, err) = (text(&output.stdout), text(&output.stderr));
-            assert_eq!(output.status.code(), Some(expected), "README.md:{}: {line}\n{out}{err}", block.line);
+            assert_eq!(output.status.code(), Some(expected), "{name}:{}: {line}\n{out}{err}", block.line);
             printed = out;
             commands += usize::from(line.starts_with("momentous "));
         }
         let end = block.line + block.text.lines().count() + 1;
         let shown = all.get(index + 1).filter(|next| next.language == "text" && next.line == end + 2);
         if let Some(shown) = shown {
-            assert!(is_shown(&shown.text, &printed), "README.md:{} shows something else than\n{printed}", shown.line);
+            assert!(is_shown(&shown.text, &printed), "{name}:{} shows something else than\n{printed}", shown.line);
         }
     }
-    assert!(commands > 10, "only {commands} commands were found");
+    commands
 }
 
 #[test]
 fn the_message_for_a_mistake_is_the_one_shown() {
-    let all = blocks(README);
+    let all = blocks(include_str!("../../docs/first_hour.md"));
     let shown = &all.iter().find(|block| block.text.starts_with("error: ")).unwrap().text;
     let folder = tempfile::tempdir().unwrap();
     shell(folder.path(), "momentous new impact/my-carts");
@@ -96,7 +104,7 @@ fn the_message_for_a_mistake_is_the_one_shown() {
     let output = shell(folder.path(), "momentous generate my-carts.yaml");
     assert!(
         text(&output.stderr).contains(shown.as_str()),
-        "README.md shows something else than\n{}",
+        "docs/first_hour.md shows something else than\n{}",
         text(&output.stderr)
     );
 }

@@ -29,7 +29,7 @@ const HELP: &str = "\
 Examples:
   momentous simulate impact/two-carts --seed 7                   the impacts as a table, and which method found them
   momentous simulate bouncing/rubber-ball --format svg -o ball.svg
-  momentous simulate impact/two-carts --method penalty --accuracy 1e-3
+  momentous simulate impact/two-carts --method penalty
   momentous simulate my-problem.yaml --format json | jq '.stages[0].impacts'
 
 Each stage is run with the simplest suitable model: a formula, else formulas between impacts, else time steps. --accuracy and --budget choose from a table of costs (docs/methods.md). Times are measured from the start of the stage, in an impact from the impact.";

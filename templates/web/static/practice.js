@@ -1,6 +1,7 @@
 // @ts-check
 // A practice sheet: what is typed is read by the engine.
 
+import { keep } from "./address.js";
 import { call, Refused } from "./engine.js";
 import { read_live } from "./reading.js";
 
@@ -11,7 +12,7 @@ function live(form) {
   const variant = JSON.parse(form.dataset.variant ?? "{}");
   // Whoever keeps the address keeps the numbers.
   const address = form.dataset.address;
-  if (address && !location.search) history.replaceState(history.state, "", address + location.hash);
+  if (address && !location.search) keep(address);
   read_live(form, async (part, text, signal) => {
     const decimal = /** @type {HTMLSelectElement} */ (form.elements.namedItem("decimal")).value || "either";
     try {

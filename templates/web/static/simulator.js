@@ -1,6 +1,7 @@
 // @ts-check
 // What both simulators share: controls, the engine's answer in its places, and time.
 
+import { keep } from "./address.js";
 import { Announcer } from "./announcer.js";
 import { call, Refused } from "./engine.js";
 import { Clock } from "./clock.js";
@@ -243,7 +244,7 @@ export class Simulator {
     }
     if (this.#again) return;
     clearTimeout(this.#addressed);
-    this.#addressed = setTimeout(() => history.replaceState(null, "", `${location.pathname}?${fields}`), ADDRESSED);
+    this.#addressed = setTimeout(() => keep(`?${fields}`), ADDRESSED);
     this.#root.dataset.shown = String(fields);
     this.#root.dataset.state = state;
   }
@@ -295,7 +296,7 @@ export class Simulator {
     one(this.#root, "[data-no-problem]", HTMLElement).hidden = !problem.reason;
     const own = new URLSearchParams(problem.set.map(([name, text]) => [`set.${name}`, text]));
     for (const link of this.#root.querySelectorAll("a[data-with]")) {
-      if (link instanceof HTMLAnchorElement) link.search = String(own);
+      link.setAttribute("href", `${link.getAttribute("data-with")}?${own}`);
     }
   }
 
