@@ -61,7 +61,7 @@ The bank is the folder problem_bank/ here, or above in the same repository; if t
 Examples:
   momentous list                                            the problems of the bank
   momentous generate impact/two-carts --seed 7 --solution   a sheet and its worked solution
-  momentous grade --problem impact/two-carts --seed 1 --answer \"v_A2=-0.5 m/s\"
+  momentous grade --problem impact/two-carts --seed 1 --answer \"v_A2=-0.500 m/s\"
   momentous new impact/my-carts                             a problem of your own to start from
   momentous check my-carts.yaml                             whether it keeps every promise
 

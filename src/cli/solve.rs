@@ -24,7 +24,7 @@ Examples:
   momentous solve impact/two-carts --seed 7
   momentous solve impact/two-carts --set \"m_A=3 kg\" --set \"m_B=2 kg\" --set \"v_A1=3 m/s\" \\
       --set \"v_B1=-2 m/s\" --set e=0.7 --find v_A2 --find T_lost --format json
-  momentous solve my-problem.yaml --form find-e --instructor
+  momentous solve my-problem.yaml --form backward --instructor
 
 What --set does not give is drawn from the seed.";
 

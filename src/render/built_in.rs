@@ -1,11 +1,11 @@
 //! The templates that are built into the program.
 
 macro_rules! built_in {
-    ($($path:literal),* $(,)?) => { [$(($path, include_str!(concat!("../../templates/", $path)))),*] };
+    ($($path:literal),* $(,)?) => { &[$(($path, include_str!(concat!("../../templates/", $path)))),*] };
 }
 
-/// Every built-in file by its path below `templates/`.
-pub(super) const BUILT_IN: [(&str, &str); 63] = built_in![
+/// Built-in files by their paths below `templates/`.
+const EVERYWHERE: &[(&str, &str)] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -31,6 +31,21 @@ pub(super) const BUILT_IN: [(&str, &str); 63] = built_in![
     "typst/sheet.tera",
     "typst/solution.tera",
     "web/collision.tera",
+    "web/field.tera",
+    "web/layout.tera",
+    "web/play.tera",
+    "web/practice.tera",
+    "web/refused.tera",
+    "web/restitution.tera",
+    "web/simulator.tera",
+    "web/solution.tera",
+    "web/solve.tera",
+    "web/start.tera",
+];
+
+/// Those of the pages of courses.
+#[cfg(feature = "courses")]
+const COURSES: &[(&str, &str)] = built_in![
     "web/courses/assignment.tera",
     "web/courses/course.tera",
     "web/courses/courses.tera",
@@ -59,22 +74,14 @@ pub(super) const BUILT_IN: [(&str, &str); 63] = built_in![
     "web/courses/staff/roster.tera",
     "web/courses/staff/settings.tera",
     "web/courses/staff/write.tera",
-    "web/field.tera",
-    "web/layout.tera",
-    "web/play.tera",
-    "web/practice.tera",
-    "web/refused.tera",
-    "web/restitution.tera",
-    "web/simulator.tera",
-    "web/solution.tera",
-    "web/solve.tera",
-    "web/start.tera",
 ];
+#[cfg(not(feature = "courses"))]
+const COURSES: &[(&str, &str)] = &[];
 
 /// The style sheet's path, which is not a template.
 pub(super) const STYLE: &str = "html/style.css";
 
 /// Every built-in template and style sheet, by its path below `templates/`.
 pub fn built_in_templates() -> impl Iterator<Item = (&'static str, &'static str)> {
-    BUILT_IN.into_iter()
+    EVERYWHERE.iter().chain(COURSES).copied()
 }

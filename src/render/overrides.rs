@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use momentous_fault::{Code, Fault, Faults, Input, Source, did_you_mean};
 
-use super::built_in::{BUILT_IN, STYLE};
+use super::built_in::{STYLE, built_in_templates};
 
 /// The longest template that is read, in bytes.
 const LARGEST: u64 = 1 << 20;
@@ -65,7 +65,7 @@ fn folder_name(path: &Path) -> String {
 }
 
 fn built_in_folders() -> impl Iterator<Item = &'static str> {
-    BUILT_IN.iter().filter_map(|(path, _)| path.split('/').next())
+    built_in_templates().filter_map(|(path, _)| path.split('/').next())
 }
 
 fn is_template(path: &Path) -> bool {

@@ -11,7 +11,7 @@ use momentous_fault::Faults;
 use momentous_fault::Source;
 use momentous_fault::Span;
 
-use super::built_in::{BUILT_IN, STYLE};
+use super::built_in::{STYLE, built_in_templates};
 use super::document::Format;
 use super::html;
 use super::latex_text;
@@ -39,7 +39,7 @@ impl Templates {
     /// Loads the templates of a folder, which are written in that format.
     pub fn load_folder(folder: &'static str, format: Format, overrides: Option<&Path>) -> Result<Self, Faults> {
         let mut sources = BTreeMap::new();
-        for (path, text) in BUILT_IN {
+        for (path, text) in built_in_templates() {
             if path.split('/').next() == Some(folder) {
                 sources.insert(path.to_owned(), Source::new(&format!("templates/{path}"), text));
             }

@@ -33,10 +33,12 @@ class Engine {
   /** The module that stands in this file, or beside it in a folder. */
   static async unpacked() {
     const beside = document.getElementById("engine")?.dataset.beside;
-    const packed = beside ? (await fetch(beside)).body : new Blob([bytes_of(text_in("engine"))]).stream();
-    if (!packed) throw new Error("the engine is not there");
-    const unpacked = packed.pipeThrough(new DecompressionStream("gzip"));
-    return new Engine(await WebAssembly.compile(await new Response(unpacked).arrayBuffer()));
+    const found = beside ? await (await fetch(beside)).blob() : new Blob([bytes_of(text_in("engine"))]);
+    const [first, second] = new Uint8Array(await found.slice(0, 2).arrayBuffer());
+    // Some servers unpack what they send.
+    const is_packed = first === 0x1f && second === 0x8b;
+    const stream = is_packed ? found.stream().pipeThrough(new DecompressionStream("gzip")) : found.stream();
+    return new Engine(await WebAssembly.compile(await new Response(stream).arrayBuffer()));
   }
 
   /** Starts it; again where it stopped. */

@@ -8,7 +8,9 @@ const { memory, reserve, answer, answered_at } = instance.exports;
 
 for await (const line of createInterface({ input: process.stdin })) {
   const request = new TextEncoder().encode(line);
-  new Uint8Array(memory.buffer, reserve(request.length), request.length).set(request);
+  // The memory may grow, and then its buffer is another.
+  const place = reserve(request.length);
+  new Uint8Array(memory.buffer, place, request.length).set(request);
   const length = answer();
   process.stdout.write(new TextDecoder().decode(new Uint8Array(memory.buffer, answered_at(), length)) + "\n");
 }

@@ -42,9 +42,9 @@ use sink::MarksFormat;
 
 const HELP: &str = "\
 Examples:
-  momentous grade --problem impact/two-carts --seed 1 --answer \"v_A2=-0.5 m/s\" --answer \"v_B2=4.0 m/s\"
+  momentous grade --problem impact/two-carts --seed 1 --answer \"v_A2=-0.500 m/s\" --answer \"v_B2=4.00 m/s\"
   momentous grade --problem impact/two-carts --seed 7 --work lines.txt --hints 1
-  momentous grade --problem impact/two-carts --seed 1 --decimal comma --answer \"v_A2=-0,5 m/s\" --format json
+  momentous grade --problem impact/two-carts --seed 1 --decimal comma --answer \"v_A2=-0,500 m/s\" --format json
   momentous grade submissions.csv -o marks.csv
   momentous grade submissions.csv --sheets seeds.csv --secret secret.txt -o marks.csv
   momentous grade submissions.csv --problem my-carts.yaml --roster class.csv --secret secret.txt -o marks.csv

@@ -122,7 +122,7 @@ impl PracticePage<'_> {
     /// The template is at fault, or nothing can be written.
     pub fn scorm(&self, out: impl Write, reported: Reported) -> Result<(), NotWritten> {
         let mut package = Package::new(out);
-        package.put("imsmanifest.xml", &scorm::manifest(&self.title, &self.key()))?;
+        package.put("imsmanifest.xml", &scorm::manifest(&self.title, &self.key(), PAGE_FILE, ENGINE_FILE))?;
         package.put(PAGE_FILE, &self.filled(EnginePlace::Beside, Some(reported))?)?;
         package.begin(ENGINE_FILE)?;
         package.write_all(self.engine)?;

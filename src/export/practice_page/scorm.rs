@@ -2,15 +2,13 @@
 
 use crate::element::{VERBATIM, element};
 
-use super::{ENGINE_FILE, PAGE_FILE};
-
 /// The names of the package's only organization, item and resource.
 const ORGANIZATION: &str = "organization";
 const ITEM: &str = "item";
 const RESOURCE: &str = "page";
 
-/// The manifest of a page with that title; `identifier` tells it from others of the platform.
-pub(super) fn manifest(title: &str, identifier: &str) -> String {
+/// The manifest of a page with that title, and of the file beside it; `identifier` tells it from others of the platform.
+pub(super) fn manifest(title: &str, identifier: &str, page: &str, beside: &str) -> String {
     let file = |name: &str| element("file").with("href", name);
     let metadata =
         element("metadata").holding(element("schema").text("ADL SCORM")).holding(element("schemaversion").text("1.2"));
@@ -22,8 +20,8 @@ pub(super) fn manifest(title: &str, identifier: &str) -> String {
         .with("identifier", RESOURCE)
         .with("type", "webcontent")
         .with("adlcp:scormtype", "sco")
-        .with("href", PAGE_FILE)
-        .holding_all([PAGE_FILE, ENGINE_FILE].map(file));
+        .with("href", page)
+        .holding_all([page, beside].map(file));
     element("manifest")
         .with("identifier", identifier)
         .with("version", "1.0")
