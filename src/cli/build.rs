@@ -1,4 +1,4 @@
-//! Puts the engine for browsers into the program, where MOMENTOUS_ENGINE says where `src/browser/build` left it.
+//! Puts the engine for browsers into the program, where `MOMENTOUS_ENGINE` says where `src/browser/build` left it.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};

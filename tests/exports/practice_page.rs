@@ -7,8 +7,7 @@ use momentous::export::{ENGINE_FILE, PAGE_FILE, PageProblem, PracticePage, Repor
 /// A page whose title and problem try to end the elements in which they stand.
 fn page() -> PracticePage<'static> {
     let text = "title: </script><script>alert(1)</script>\n".to_owned();
-    let problem =
-        PageProblem { name: "impact/evil.yaml".to_owned(), text, course: None, id: "impact/evil".to_owned() };
+    let problem = PageProblem { name: "impact/evil.yaml".to_owned(), text, course: None, id: "impact/evil".to_owned() };
     PracticePage { title: "<b>\"Carts\" & balls".to_owned(), problems: vec![problem], engine: b"the engine" }
 }
 

@@ -5,7 +5,7 @@ mod scorm;
 use std::io::Write;
 
 use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
+use base64::engine::general_purpose::{STANDARD, URL_SAFE_NO_PAD};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
@@ -155,9 +155,9 @@ impl PracticePage<'_> {
 
     /// A name that changes with the problems.
     fn key(&self) -> String {
-        let texts = self.problems.iter().map(|problem| problem.text.as_bytes());
-        let digest = texts.fold(Sha256::new(), |hasher, text| hasher.chain_update(text)).finalize();
-        format!("momentous-{}", digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect::<String>())
+        let hashed = |hasher: Sha256, problem: &PageProblem| hasher.chain_update(&problem.text);
+        let digest = self.problems.iter().fold(Sha256::new(), hashed).finalize();
+        format!("momentous-{}", URL_SAFE_NO_PAD.encode(digest))
     }
 }
 
