@@ -93,12 +93,12 @@ impl Gradebook {
 }
 
 /// A cell as it stands between commas.
-fn quoted(cell: &str) -> String {
+pub(super) fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\r', '\n']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.to_owned() }
 }
 
 /// A fraction as a decimal number, rounded where it is none of few digits.
-fn decimal(points: &Rational) -> String {
+pub(super) fn decimal(points: &Rational) -> String {
     let scale = 10_u32.pow(DECIMALS);
     let scaled = (points * Rational::from(scale)).round();
     let text = momentous_quantity::Decimal::from_scaled(scaled, DECIMALS).to_string();

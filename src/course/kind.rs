@@ -22,6 +22,7 @@ impl Kind {
         let axes = scene.axes.rectangular().len();
         let simulator = match stages.as_slice() {
             [Stage::Impact(impact)] if impact.between.is_some() && axes == 1 => Some("collision"),
+            [Stage::Impact(impact)] if impact.between.is_some() && impact.line_of_impact.is_some() => Some("discs"),
             [Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
             [Stage::Fall(_), Stage::Impact(impact)] if impact.against.is_some() => Some("restitution"),
             [Stage::Fall(_), Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
@@ -36,10 +37,20 @@ impl Kind {
         self.simulator
     }
 
+    /// Every simulator that solves such a problem: two discs that meet head on are two carts on a line.
+    #[must_use]
+    pub fn simulators(&self) -> &'static [&'static str] {
+        match self.simulator {
+            Some("collision" | "discs") => &["collision", "discs"],
+            Some("restitution") => &["restitution"],
+            _ => &[],
+        }
+    }
+
     /// Whether who can solve a problem of the one kind with own numbers can solve one of the other.
     #[must_use]
     pub fn is_like(&self, other: &Self) -> bool {
-        let same_scene = self.simulator.is_some() && self.simulator == other.simulator;
+        let same_scene = !self.simulators().is_empty() && self.simulators() == other.simulators();
         same_scene || (self.axes, &self.stages) == (other.axes, &other.stages)
     }
 }

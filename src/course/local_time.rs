@@ -32,6 +32,12 @@ pub enum NoMoment {
     Twice(String, String),
 }
 
+/// The names of all time zones, in alphabetical order.
+#[must_use]
+pub fn zones() -> Vec<String> {
+    jiff::tz::db().available().map(|name| name.to_string()).collect()
+}
+
 /// The time zone of that IANA name.
 ///
 /// # Errors

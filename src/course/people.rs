@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use momentous_grade::DecimalMark;
 
+use super::grading::Grading;
 use super::key::Key;
 use super::moment::Moment;
 
@@ -51,6 +52,9 @@ pub struct Course {
     pub secret: String,
     /// The days for which answers are kept after the last assignment has closed; without end where none are named.
     pub retention_days: Option<u32>,
+    /// How its assignments make the grade.
+    #[serde(default)]
+    pub grading: Grading,
     /// When it was made.
     pub created: Moment,
 }

@@ -77,7 +77,7 @@ impl Hidden {
 
     /// The simulators that solve nothing, as far as was read last: the pages' header does not offer them.
     pub(super) fn simulators(&self) -> Vec<&'static str> {
-        self.read().iter().flat_map(|(_, kinds)| kinds.iter()).filter_map(|own| own.kind.simulator()).collect()
+        self.read().iter().flat_map(|(_, kinds)| kinds.iter()).flat_map(|own| own.kind.simulators()).copied().collect()
     }
 
     /// After a change of an assignment it is read anew.

@@ -23,6 +23,8 @@ pub(crate) enum NotShown {
     TooMany,
     /// The state has changed since the page was made: how.
     Conflict(String),
+    /// It cannot be done as things stand: why.
+    NotPossible(String),
     /// There are no workers free, or work broke off.
     NotDone(NotDone),
     /// The database; the log has the reason.

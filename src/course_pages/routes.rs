@@ -170,6 +170,7 @@ fn not_shown(app: &App, reason: NotShown, does: Does, to: &str, typed: &Paramete
         NotShown::Conflict(message) => {
             said(StatusCode::CONFLICT, "Changed meanwhile", &message, "load the page anew", again)
         }
+        NotShown::NotPossible(message) => said(StatusCode::CONFLICT, "Not possible", &message, "", None),
         NotShown::NotDone(reason) => answer::not_done(app, reason, again),
         NotShown::Store(fault) => {
             eprintln!("momentous serve: {fault}");

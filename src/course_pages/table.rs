@@ -74,6 +74,9 @@ pub(super) const ROWS: &[Row] = rows! {
     Shows   "/courses/{course}/members/{member}" ASSISTANT, grades::member;
     Shows   "/courses/{course}/members/{member}/data" STUDENT, grades::data;
     Changes "/courses/{course}/members/{member}/erase" INSTRUCTOR, grades::erase;
+    Shows   "/courses/{course}/gradebook"    ASSISTANT, grades::course_gradebook;
+    Changes "/courses/{course}/gradebook"    INSTRUCTOR, grades::save_grading;
+    Shows   "/courses/{course}/gradebook.csv" ASSISTANT, grades::course_gradebook_csv;
     Shows   "/courses/{course}/trail"        INSTRUCTOR, grades::trail;
     Shows   "/courses/{course}/retention"    INSTRUCTOR, grades::retention;
     Changes "/courses/{course}/retention"    INSTRUCTOR, grades::forget;

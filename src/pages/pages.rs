@@ -59,7 +59,8 @@ struct Around<'a, Who, Page> {
 }
 
 /// The simulators: names in addresses, and titles. The call of the same name is never refused; what it must not solve it leaves out.
-pub const SIMULATORS: [(&str, &str); 2] = [("collision", "Collision"), ("restitution", "Restitution")];
+pub const SIMULATORS: [(&str, &str); 3] =
+    [("collision", "Collision"), ("discs", "Collision in the plane"), ("restitution", "Restitution")];
 
 impl Pages {
     /// Everything that pages take; templates are those of a folder, where one is named, and tried before anybody asks for a page.

@@ -1,10 +1,10 @@
-//! The two simulators. The page is whole as it is served; its script asks the engine again as controls move.
+//! The simulators. The page is whole as it is served; its script asks the engine again as controls move.
 
 use serde::Serialize;
 
 use momentous_exercise::calls::{
-    COLLISION, CollisionResponse, Control, Offered, RESTITUTION, Refused, RefusedKind, RestitutionResponse,
-    SimulatorRequest, USUAL_STEP,
+    COLLISION, CollisionResponse, Control, DISCS, DiscsResponse, Offered, RESTITUTION, Refused, RefusedKind,
+    RestitutionResponse, SimulatorRequest, USUAL_STEP,
 };
 
 use super::parameters::Parameters;
@@ -22,12 +22,22 @@ const OF_COLLISION: [Preset; 6] = [
     ("B at rest", "v_B=0"),
 ];
 
-const OF_RESTITUTION: [Preset; 5] = [
+const OF_DISCS: [Preset; 6] = [
+    ("Head on", "b=0"),
+    ("B at rest", "v_A=4&v_B=0&e=0.9"),
+    ("Billiards", "m_A=2&m_B=2&v_A=4&v_B=0&b=0.4&e=1"),
+    ("Grazing", "b=0.75"),
+    ("Plastic", "e=0"),
+    ("They miss", "b=0.9"),
+];
+
+const OF_RESTITUTION: [Preset; 6] = [
     ("Steel on steel", "e=0.95"),
     ("Tennis ball", "h=2&e=0.73"),
     ("Clay", "e=0"),
     ("Nothing lost", "e=1"),
     ("In air", "h=10&v_t=12"),
+    ("Two balls", "e=0.85&e_2=0.6"),
 ];
 
 #[derive(Serialize)]
@@ -60,6 +70,12 @@ pub(super) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> R
             let page = page::<CollisionResponse>(("Collision", "collision"), COLLISION, &OF_COLLISION, fields);
             view.page("collision", &page.filled(fields, |request| engine.collision(request))?)
         }
+        "discs" => {
+            let page = page::<DiscsResponse>(("Collision in the plane", "discs"), DISCS, &OF_DISCS, fields);
+            // The methods of the comparison move on a line.
+            let page = SimulatorPage { methods: Vec::new(), ..page };
+            view.page("discs", &page.filled(fields, |request| engine.discs(request))?)
+        }
         "restitution" => {
             let page =
                 page::<RestitutionResponse>(("Restitution", "restitution"), RESTITUTION, &OF_RESTITUTION, fields);
@@ -67,7 +83,7 @@ pub(super) fn simulator(view: &View<'_>, name: String, fields: &Parameters) -> R
         }
         _ => {
             let refused = Refused::new(RefusedKind::Unknown, format!("there is no simulator `{name}`"));
-            Err(refused.help("there are `collision` and `restitution`"))
+            Err(refused.help("there are `collision`, `discs` and `restitution`"))
         }
     }
 }
@@ -82,7 +98,7 @@ fn page<Shown>(
         control,
         value: match fields.get(control.name) {
             Some(value) => value.to_owned(),
-            None if fields.is_empty(control.name) => String::new(),
+            None if control.is_optional || fields.is_empty(control.name) => String::new(),
             None => control.usual.to_string(),
         },
     };
@@ -120,7 +136,8 @@ impl<Shown> SimulatorPage<Shown> {
 fn request(controls: &[ControlField], fields: &Parameters) -> Result<SimulatorRequest, Refused> {
     let mut request =
         SimulatorRequest { method: fields.get("method").map(str::to_owned), ..SimulatorRequest::default() };
-    for ControlField { control, value } in controls {
+    let is_said = |own: &&ControlField| !(own.control.is_optional && own.value.is_empty());
+    for ControlField { control, value } in controls.iter().filter(is_said) {
         request.values.insert(control.name.to_owned(), number((control.name, control.label), value)?);
     }
     let step = fields.get("step").or_else(|| (request.method.is_some() && fields.is_empty("step")).then_some(""));

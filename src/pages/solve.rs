@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use momentous_exercise::Letter;
 use momentous_exercise::calls::{Detail, GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
 
 use super::parameters::Parameters;
@@ -42,6 +43,8 @@ struct SolvePage {
     givens: Vec<GivenField>,
     /// The quantities sought, as they were typed.
     find: String,
+    /// The quantities that have a name here, with what they are.
+    letters: Vec<Letter>,
     solved: Option<SolveResponse>,
     /// Why there is no solution with these values, as sentences.
     refused: Option<Vec<String>>,
@@ -50,6 +53,8 @@ struct SolvePage {
 #[derive(Serialize)]
 struct GivenField {
     given: GivenResponse,
+    /// What it is, in words.
+    meaning: String,
     typed: String,
 }
 
@@ -72,12 +77,21 @@ pub(super) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Re
         Some(Err(refused)) => return Err(refused),
     };
     let given = GivenResponse::all(&exercise).into_iter();
+    let letters = exercise.letters_for_work();
+    let meaning = |name: &str| letters.iter().find(|letter| letter.name == name).map(|letter| letter.meaning.clone());
     let typed = |name: &str| asked.set.get(name).cloned().unwrap_or_default();
     let page = SolvePage {
         title: exercise.problem().title().to_owned(),
         place: Place::of(&exercise, &drawn)?,
-        givens: given.map(|given| GivenField { typed: typed(&given.name), given }).collect(),
+        givens: given
+            .map(|given| GivenField {
+                meaning: meaning(&given.name).unwrap_or_default(),
+                typed: typed(&given.name),
+                given,
+            })
+            .collect(),
         find: fields.text("find").to_owned(),
+        letters,
         solved,
         refused,
     };

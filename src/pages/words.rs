@@ -36,7 +36,7 @@ words! {
     STATISTICS = "statistics": "Statistics";
     /// Marks after a correction.
     REGRADE = "regrade": "Regrade";
-    /// More time for one student.
+    /// More time for one student, or for a section.
     EXTENSIONS = "extensions": "Extensions";
     /// Sheets and key on paper.
     PRINT = "print": "Print";

@@ -45,7 +45,7 @@ pub use methods::{
 };
 pub use newton::direct_impact;
 pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
-pub use record::{Moment, Pivot, Record, Recorded, RecordedImpact, RecordedWall};
+pub use record::{Moment, Pivot, Record, Recorded, RecordedImpact, RecordedWall, Tie};
 pub use refusal::Refusal;
 pub use shown::{End, Shown};
 pub use state::{State, Vector};

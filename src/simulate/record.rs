@@ -25,6 +25,8 @@ pub struct Record {
     pub walls: Vec<RecordedWall>,
     /// What all bodies move about.
     pub pivot: Option<Pivot>,
+    /// How far the last body, a point of an arm seen along the line of what strikes it, is from the arm's pivot, in m.
+    pub lever: Option<f64>,
     /// The common instants in order; that of an impact stands twice, just before and just after.
     pub moments: Vec<Moment>,
     /// The impacts in order.
@@ -47,8 +49,19 @@ pub struct Recorded {
 pub struct Pivot {
     /// Where it is, in m.
     pub at: Vec<f64>,
-    /// Whether a cord goes from it to each body.
-    pub cord: bool,
+    /// What goes from it to the bodies.
+    pub tie: Tie,
+}
+
+/// What goes from a pivot to bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tie {
+    /// Nothing.
+    Nothing,
+    /// A cord to each.
+    Cords,
+    /// An arm to one of them, by its place among the bodies.
+    Arm(usize),
 }
 
 /// A wall of a record.
@@ -161,7 +174,14 @@ impl Record {
             energy_after: impact.energy_after(),
         });
         let walls = walls.collect();
-        Self { bodies, walls, pivot: None, moments: moments(world, run, origin, instants), impacts: impacts.collect() }
+        Self {
+            bodies,
+            walls,
+            pivot: None,
+            lever: None,
+            moments: moments(world, run, origin, instants),
+            impacts: impacts.collect(),
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 //! What is given and what is answered is put in together, and every quantity that both the laws and the simulation know is
 //! compared ([`Portion`]). The same simulations are watched as films ([`shoot`]).
 
+mod brief;
 mod case;
 mod choices;
 mod conserved;

@@ -8,6 +8,7 @@ use momentous_problem::Variant;
 use momentous_scene::Scene;
 use momentous_simulate::Moment;
 use momentous_simulate::RecordedImpact;
+use momentous_simulate::Tie;
 
 use super::film::Film;
 use super::shoot::Shot;
@@ -47,7 +48,13 @@ fn film(film: &Film, scene: &Scene) -> Value {
         json!({ "name": wall.name, "normal": normal, "offset": offset, "velocity": velocity })
     });
     let point = scene.points.values().next().filter(|_| scene.points.len() == 1).map(|point| &point.name);
-    let pivot = film.record.pivot.as_ref().map(|own| json!({ "at": own.at, "cord": own.cord, "name": point }));
+    let pivot = film.record.pivot.as_ref().map(|own| {
+        let mut pivot = json!({ "at": own.at, "cord": own.tie == Tie::Cords, "name": point });
+        if let Tie::Arm(body) = own.tie {
+            pivot["arm"] = body.into();
+        }
+        pivot
+    });
     json!({
         "stage": film.stage,
         "kind": film.kind(scene),

@@ -5,6 +5,7 @@ use momentous_simulate::Record;
 use momentous_simulate::RecordedImpact;
 use momentous_simulate::RecordedWall;
 
+use super::brief::brief;
 use super::film::Film;
 use super::shoot::Shot;
 
@@ -13,7 +14,8 @@ type Instant = (f64, bool);
 
 impl Shot {
     /// The same with one film for each stage wherever its films are parts of one motion: each along an axis of its own, or of
-    /// bodies of its own. A film that another one of the stage goes beyond is left out.
+    /// bodies of its own. A film that another one of the stage goes beyond is left out, and a contact whose duration is not given is an
+    /// instant.
     #[must_use]
     pub fn together(self) -> Self {
         let mut films: Vec<Film> = Vec::new();
@@ -23,10 +25,8 @@ impl Shot {
                 parts.retain(|other| !(is_same(other, film) && end(other) <= end(film)));
                 parts.push(film);
             }
-            match joined(&parts) {
-                Some(film) => films.push(film),
-                None => films.extend(parts.into_iter().cloned()),
-            }
+            let whole = joined(&parts).map_or_else(|| parts.iter().copied().cloned().collect(), |film| vec![film]);
+            films.extend(whole.into_iter().map(|film| brief(&film).unwrap_or(film)));
         }
         Self { films, nothing: self.nothing }
     }
@@ -59,8 +59,14 @@ fn joined(parts: &[&Film]) -> Option<Film> {
         return None;
     }
     let mut whole = Film { axes: Vec::new(), ..first.clone() };
-    whole.record =
-        Record { bodies: Vec::new(), walls: Vec::new(), pivot: None, moments: Vec::new(), impacts: Vec::new() };
+    whole.record = Record {
+        bodies: Vec::new(),
+        walls: Vec::new(),
+        pivot: None,
+        lever: None,
+        moments: Vec::new(),
+        impacts: Vec::new(),
+    };
     for part in parts {
         whole.axes.extend(part.axes.iter().filter(|axis| !whole.axes.contains(axis)).cloned().collect::<Vec<_>>());
         for note in &part.notes {

@@ -51,6 +51,7 @@ const PAGES = [
   ["/courses/{course}/items/{item}", { who: "fresh", at: () => made.items[2] ?? "" }],
   ["/courses/{course}/items/{item}", { who: "student", at: () => made.items[1] ?? "" }],
   ["/courses/{course}/items/{item}/solution", { who: "teacher", at: () => `${made.items[1]}/solution` }],
+  ["/courses/{course}/gradebook", { who: "teacher", at: () => `${made.course}/gradebook` }],
   ["/courses/{course}/assignments/{assignment}/gradebook", { who: "teacher", at: () => `${made.assignment}/gradebook` }],
   ["/courses/{course}/assignments/{assignment}/statistics", { who: "teacher", at: () => `${made.assignment}/statistics` }],
   ["/courses/{course}/assignments/{assignment}/regrade", { who: "teacher", at: () => `${made.assignment}/regrade` }],

@@ -124,7 +124,7 @@ impl Place {
         }
         let member = &self.student.member;
         if member.role != Role::Student {
-            return Err(NotShown::Conflict("only students of the course have points".to_owned()));
+            return Err(NotShown::NotPossible("only students of the course have points".to_owned()));
         }
         let whole = items::pinned_now(visit, self.whole.clone()).await?;
         let item = whole.items.into_iter().find(|own| own.key == self.item.key).unwrap_or_else(|| self.item.clone());

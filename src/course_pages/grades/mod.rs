@@ -4,6 +4,7 @@ mod answers;
 mod by_hand;
 mod class;
 mod correction;
+mod course;
 mod gradebook;
 mod member;
 mod regrade;
@@ -13,6 +14,7 @@ mod trail;
 
 pub(super) use answers::answers;
 pub(super) use by_hand::{redact, set_points};
+pub(super) use course::{course_gradebook, course_gradebook_csv, own_grades, percent, save_grading};
 pub(super) use gradebook::{gradebook, gradebook_csv};
 pub(super) use member::{data, erase, member};
 pub(super) use regrade::{regrade, regrade_apply};

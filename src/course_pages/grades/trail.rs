@@ -3,8 +3,10 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use momentous_pages::words;
 use serde::Serialize;
+
+use momentous_pages::words;
+use momentous_store::Membership;
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -42,13 +44,27 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
             unnamed.insert(person.map_or_else(|| "(unknown)".to_owned(), |person| person.shown().to_owned()));
         }
     }
+    let called = called(visit, &members).await?;
     let shown = found.iter().take(MOST as usize).map(|entry| EntryShown {
         at: entry.at.shown(&course.zone),
         by: entry.by.and_then(|by| names.get(&by).cloned()).unwrap_or_else(|| "the program".to_owned()),
         what: entry.what.clone(),
-        detail: entry.detail.clone(),
+        detail: named(&entry.detail, &called),
     });
     let page =
         TrailPage { title: words::HISTORY, most: MOST, is_cut: found.len() > MOST as usize, entries: shown.collect() };
     visit.page("courses/grades/trail", page).await
+}
+
+/// What people call that which has a key in the trail: members and assignments, by their keys.
+async fn called(visit: &Visit, members: &[Membership]) -> Result<Vec<(String, String)>, NotShown> {
+    let people = members.iter().map(|own| (own.member.key.to_string(), own.person.shown().to_owned()));
+    let assignments = visit.store().assignments(visit.course()?.key).await?;
+    let assignments = assignments.into_iter().map(|own| (own.key.to_string(), own.title));
+    Ok(people.chain(assignments).collect())
+}
+
+/// A detail with names in place of keys.
+fn named(detail: &str, called: &[(String, String)]) -> String {
+    called.iter().fold(detail.to_owned(), |detail, (key, name)| detail.replace(key, name))
 }

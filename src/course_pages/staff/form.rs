@@ -12,7 +12,7 @@ use super::super::visit::Visit;
 /// The fields of a form by their names, as a template shows them.
 #[derive(Clone, Debug, Default, Serialize)]
 #[serde(transparent)]
-pub(super) struct Form(BTreeMap<String, Entry>);
+pub(crate) struct Form(BTreeMap<String, Entry>);
 
 /// A field: what is in it, and what is wrong with that.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -24,7 +24,7 @@ struct Entry {
 
 impl Form {
     /// Fields with what is in them.
-    pub(super) fn new<N: Into<String>>(fields: impl IntoIterator<Item = (N, String)>) -> Self {
+    pub(crate) fn new<N: Into<String>>(fields: impl IntoIterator<Item = (N, String)>) -> Self {
         let entry = |(name, value): (N, String)| {
             let name = name.into();
             (name.clone(), Entry { name, value, fault: None })
@@ -33,23 +33,23 @@ impl Form {
     }
 
     /// These fields, as they were sent.
-    pub(super) fn sent(visit: &Visit, names: &[&str]) -> Self {
+    pub(crate) fn sent(visit: &Visit, names: &[&str]) -> Self {
         let value = |name: &&str| ((*name).to_owned(), visit.fields.text(name).to_owned());
         Self::new(names.iter().map(value))
     }
 
     /// Puts something into a field.
-    pub(super) fn fill(&mut self, name: &str, value: String) {
+    pub(crate) fn fill(&mut self, name: &str, value: String) {
         self.0.entry(name.to_owned()).or_default().value = value;
     }
 
     /// What is in a field, without spaces around it.
-    pub(super) fn value(&self, name: &str) -> &str {
+    pub(crate) fn value(&self, name: &str) -> &str {
         self.0.get(name).map_or("", |entry| entry.value.trim())
     }
 
     /// The same with what is wrong. What belongs to no field is said of the first.
-    pub(super) fn with(mut self, faults: &[FieldFault]) -> Self {
+    pub(crate) fn with(mut self, faults: &[FieldFault]) -> Self {
         for fault in faults {
             self.say(fault.field, &fault.message);
         }
@@ -57,7 +57,7 @@ impl Form {
     }
 
     /// Says what is wrong with a field; a line `help:` says the way out.
-    pub(super) fn say(&mut self, name: &str, message: &str) {
+    pub(crate) fn say(&mut self, name: &str, message: &str) {
         let entry = self.0.entry(name.to_owned()).or_default();
         let said = sentences(message);
         entry.fault = Some(match entry.fault.take() {
@@ -67,7 +67,7 @@ impl Form {
     }
 
     /// Whether something is wrong.
-    pub(super) fn is_wrong(&self) -> bool {
+    pub(crate) fn is_wrong(&self) -> bool {
         self.0.values().any(|entry| entry.fault.is_some())
     }
 }

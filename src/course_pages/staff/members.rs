@@ -65,7 +65,7 @@ pub(crate) async fn remove(visit: &Visit) -> Result<Reply, NotShown> {
     let own = chosen(visit, &class)?;
     if own.member.role == Role::Instructor && !class.is_taught_without(own.member.key) {
         let message = "this is the only instructor of the course; add another first";
-        return Err(NotShown::Conflict(message.to_owned()));
+        return Err(NotShown::NotPossible(message.to_owned()));
     }
     let member = Member { left: Some(visit.now), ..own.member.clone() };
     let entry = visit.entry("member taken out", member.key.to_string());
@@ -79,7 +79,7 @@ pub(crate) async fn member_link(visit: &Visit) -> Result<Reply, NotShown> {
     let own = chosen(visit, &class)?;
     if let Err(reason) = class.may_link(own) {
         let message = format!("{reason}; whoever runs the server makes a new link");
-        return Err(NotShown::Conflict(message));
+        return Err(NotShown::NotPossible(message));
     }
     let link = Some(link(visit, &own.person).await?);
     LinkPage::new(visit, "New link", &own.person, link, visit.in_course("/roster")?).reply(visit).await

@@ -13,3 +13,5 @@ pub(super) mod print;
 pub(super) mod problems;
 pub(super) mod roster;
 pub(super) mod settings;
+
+pub(super) use form::Form;

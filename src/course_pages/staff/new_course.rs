@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use momentous_course::{Course, Member, Role};
+use momentous_course::{Course, Grading, Member, Role, zones};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -20,6 +20,7 @@ struct NewCoursePage {
     title: &'static str,
     form: Form,
     decimals: Vec<Choice>,
+    zones: Vec<String>,
 }
 
 /// The form.
@@ -33,7 +34,7 @@ pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
 
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     let is_wrong = form.is_wrong();
-    let page = NewCoursePage { title: "New course", form, decimals: course_form::decimals() };
+    let page = NewCoursePage { title: "New course", form, decimals: course_form::decimals(), zones: zones() };
     let page = visit.page("courses/staff/new-course", page).await?;
     Ok(if is_wrong { page.wrong() } else { page })
 }
@@ -53,7 +54,8 @@ pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
     let Named { person, is_new } = person_form::named(visit, &form).await?;
     let CourseForm { title, zone, decimal, retention_days } = read;
     let (key, secret, created) = (session::key(), session::secret(), visit.now);
-    let course = Course { key, title, zone, decimal, secret, retention_days, created };
+    let grading = Grading::default();
+    let course = Course { key, title, zone, decimal, secret, retention_days, grading, created };
     let first = Member {
         key: session::key(),
         course: key,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use momentous_course::Course;
+use momentous_course::{Course, zones};
 use momentous_pages::words;
 
 use super::super::outcome::NotShown;
@@ -17,6 +17,7 @@ struct SettingsPage {
     title: &'static str,
     form: Form,
     decimals: Vec<Choice>,
+    zones: Vec<String>,
     saved: bool,
 }
 
@@ -28,7 +29,7 @@ pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     let is_wrong = form.is_wrong();
     let saved = !is_wrong && visit.fields.get("saved").is_some();
-    let page = SettingsPage { title: words::SETTINGS, form, decimals: course_form::decimals(), saved };
+    let page = SettingsPage { title: words::SETTINGS, form, decimals: course_form::decimals(), zones: zones(), saved };
     let page = visit.page("courses/staff/settings", page).await?;
     Ok(if is_wrong { page.wrong() } else { page })
 }

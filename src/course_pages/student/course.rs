@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
-use momentous_course::{Assignment, GradeMark, Item, Phase, Standing, Window};
+use momentous_course::{Assignment, GradeMark, Item, Part, Phase, Standing, Window};
 use momentous_grade::Points;
 
 use super::super::at_close;
+use super::super::grades;
 use super::super::ledger::{Has, Records};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
@@ -15,6 +16,8 @@ use super::super::visit::Visit;
 struct CoursePage {
     title: String,
     assignments: Vec<OwnAssignment>,
+    /// The grade so far, in percent; nothing for those who teach, and as long as nothing counts.
+    grade: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -25,6 +28,8 @@ struct OwnAssignment {
     due: String,
     closes: String,
     phase: &'static str,
+    /// The points, once it is over and verdicts are shown.
+    points: Option<String>,
 }
 
 /// The assignments of a course. Students see those that have opened.
@@ -33,13 +38,24 @@ pub(crate) async fn course(visit: &Visit) -> Result<Reply, NotShown> {
     let all = visit.store().assignments(place.course.key).await?;
     let is_seen = |own: &Assignment| own.policy.opens <= visit.now || place.member.role.is_staff();
     let extensions = visit.store().extensions_of(place.member.key).await?;
+    let book = grades::own_grades(visit, &all, &extensions).await?;
+    let row = book.as_ref().and_then(|book| book.rows.first());
     let mut assignments = Vec::new();
     for own in all.into_iter().filter(is_seen) {
         let extension = extensions.iter().find(|extension| extension.assignment == own.key);
         let window = Window::of(&own.policy, extension, &place.course.zone);
-        assignments.push(OwnAssignment::of(visit, &own, &window)?);
+        let points = || {
+            let place = book.as_ref()?.columns.iter().position(|column| column.assignment == own.key)?;
+            let (column, cell) = (book.as_ref()?.columns.get(place)?, row?.cells.get(place)?);
+            let points =
+                cell.points.as_ref().filter(|_| cell.part != Part::Open && window.shows_verdicts(visit.now))?;
+            let left_out = if cell.part == Part::LeftOut { ", left out" } else { "" };
+            Some(format!("{} of {}{left_out}", Points(points.clone()), column.out_of))
+        };
+        assignments.push(OwnAssignment { points: points(), ..OwnAssignment::of(visit, &own, &window)? });
     }
-    let page = CoursePage { title: place.course.title.clone(), assignments };
+    let grade = row.and_then(|row| row.share.as_ref()).map(grades::percent);
+    let page = CoursePage { title: place.course.title.clone(), assignments, grade };
     visit.page("courses/course", page).await
 }
 
@@ -58,6 +74,7 @@ impl OwnAssignment {
                 Phase::Late(_) => "late",
                 Phase::Over | Phase::Closed => "closed",
             },
+            points: None,
         })
     }
 }

@@ -37,9 +37,9 @@ pub use refused::{Refused, RefusedKind};
 pub use sheet::{FieldResponse, FigureResponse, SheetRequest, SheetResponse};
 pub use simulate::SimulateRequest;
 pub use simulators::{
-    Amount, Balance, Bounce, COLLISION, CollisionBody, CollisionResponse, Compared, Control, Curve, LookedAt,
-    Magnified, Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row, SimulatorRequest, Sums,
-    USUAL_STEP,
+    Amount, Balance, Bars, Bounce, COLLISION, CollisionBody, CollisionResponse, Compared, Control, Curve, DISCS, Disc,
+    DiscsResponse, LookedAt, Magnified, Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row,
+    Second, SimulatorRequest, Sums, USUAL_STEP,
 };
 pub use solve::{SolveRequest, SolveResponse, SolvedPart};
 pub use variant::VariantRequest;
@@ -76,8 +76,9 @@ pub struct Engine<'a> {
 type Call = fn(&Engine<'_>, &[u8]) -> Result<String, Refused>;
 
 /// Every call by its name, as it stands in addresses.
-const CALLS: [(&str, Call); 10] = [
+const CALLS: [(&str, Call); 11] = [
     ("collision", |engine, request| json(request, |request| engine.collision(request))),
+    ("discs", |engine, request| json(request, |request| engine.discs(request))),
     ("givens", |engine, request| json(request, |request| engine.givens(request))),
     ("hint", |engine, request| json(request, |request| engine.hint(request))),
     ("mark", |engine, request| json(request, |request| engine.mark(request))),

@@ -89,7 +89,7 @@ impl Engine<'_> {
 }
 
 /// The answers to all parts.
-fn answers(exercise: &Exercise) -> Vec<SolvedPart> {
+pub(super) fn answers(exercise: &Exercise) -> Vec<SolvedPart> {
     let worked = exercise.worked();
     let solved = worked.form.parts.iter().map(|part| SolvedPart {
         id: part.id.clone(),

@@ -1,6 +1,6 @@
 //! How a motion that is integrated is watched: its bodies at common instants, and what acts on them meanwhile.
 
-use crate::record::{GAUSS, Moment, Pivot, Record, Recorded};
+use crate::record::{GAUSS, Moment, Pivot, Record, Recorded, Tie};
 
 use super::component::Component;
 use super::integrate::{Integrator, Slope};
@@ -45,6 +45,7 @@ impl StageRun<'_> {
                 bodies: Vec::new(),
                 walls: Vec::new(),
                 pivot: None,
+                lever: None,
                 moments: Vec::new(),
                 impacts: Vec::new(),
             },
@@ -59,7 +60,15 @@ impl StageRun<'_> {
     /// Notes what the bodies of the last motion that was watched move about.
     pub(super) fn about(&mut self, at: Vec<f64>, cord: bool) {
         if let Some(motion) = self.motions.as_mut().and_then(|motions| motions.last_mut()) {
-            motion.record.pivot = Some(Pivot { at, cord });
+            let tie = if cord { Tie::Cords } else { Tie::Nothing };
+            motion.record.pivot = Some(Pivot { at, tie });
+        }
+    }
+
+    /// Notes how far the point of an arm that the last motion shows is from the arm's pivot.
+    pub(super) fn lever(&mut self, length: f64) {
+        if let Some(motion) = self.motions.as_mut().and_then(|motions| motions.last_mut()) {
+            motion.record.lever = Some(length);
         }
     }
 

@@ -39,6 +39,7 @@ pub use measure::{Asked, measure};
 pub use nothing::NothingToSimulate;
 pub use recorded_motion::RecordedMotion;
 pub use stage_run::{Observed, Procedure};
+pub use touch::CONTACT_IN_SECONDS;
 pub use vector::Vector;
 pub use watch::watch;
 

@@ -15,6 +15,9 @@ use super::vector::{Vector, dot, less, times};
 /// The longest step beside the time of the contact, which is of the order of a second.
 const LONGEST: f64 = 0.1;
 
+/// What a reader must know of the record of such a contact.
+pub const CONTACT_IN_SECONDS: &str = "The duration of the contact is not given: it is drawn as seconds. Each position is measured from where the bodies meet.";
+
 /// Two bodies at the moment in which they meet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touch<'a> {
@@ -74,7 +77,7 @@ impl<'a> Touch<'a> {
             let left = |state: &State| system.forces[0].deformation(state).unwrap_or(0.0);
             end = bench.go(&system, integrator, &Until::Event(&left))?;
         }
-        bench.remark("The duration of the contact is not given: it is drawn as seconds. Each position is measured from where the bodies meet.");
+        bench.remark(CONTACT_IN_SECONDS);
         let pressing = -nearest.state[IMPULSE];
         let releasing = if e > 0.0 { -end.state[IMPULSE] } else { 0.0 };
         let impulse = times(pressing + releasing, self.normal);

@@ -197,6 +197,7 @@ class Player {
     this.slider.addEventListener("input", () => this.#move(set));
     this.now = make("output", { class: "now" });
     this.paced = make("p", { class: "paced" });
+    this.notes = make("p", { class: "notes" });
     this.values = make("div", { class: "values scroll", tabindex: "0", role: "region", "aria-label": "Values now" });
     this.said = make("p", { class: "said", "aria-live": "polite" });
     this.#voice = new Announcer(this.said);
@@ -204,7 +205,7 @@ class Player {
     const controls = make("div", { class: "controls" }, this.playing, back, step, reset, make("label", {}, "Speed ", this.speed));
     const time = make("div", { class: "time" }, this.slider, this.now);
     if (films.length > 1) home.append(this.stages);
-    home.append(this.picture, time, controls, this.said, this.paced, this.values, this.plots);
+    home.append(this.picture, time, controls, this.said, this.paced, this.notes, this.values, this.plots);
     home.hidden = false;
     this.#clock = new Clock({ end: 0, tick: () => {} });
     this.open(0);
@@ -237,6 +238,7 @@ class Player {
       button.setAttribute("aria-pressed", String(own === place));
     }
     const stage = new Stage(this.picture, film);
+    this.notes.textContent = film.notes.join(" ");
     const drawn = plots(film).map((contents) => {
       const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
       const details = make("details", {}, make("summary", {}, "As a table"));

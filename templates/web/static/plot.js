@@ -14,7 +14,7 @@
 /** @typedef {{ least: number, most: number, step: number, power: number }} Range `power`: the power of ten in the label */
 
 const SVG = "http://www.w3.org/2000/svg";
-/** Sizes in px: a line of text, a letter on average, the end of a curve, the plot between its axes. */
+/** Sizes in px: a line of text, a letter on average, the end of a curve, the plot between its axes where the page does not say. */
 const LINE = 18;
 const LETTER = 6.5;
 const DOT = 3.5;
@@ -161,9 +161,10 @@ export class Plot {
     svg.replaceChildren();
     add("text", { class: "title", x: 0, y: 13 }, svg).textContent = title;
     const top = this.#legend(width) + 2 * LINE;
-    const bottom = top + HEIGHT;
+    const tall = Number(svg.dataset.tall ?? HEIGHT);
+    const bottom = top + tall;
     const values = [0, 1].map((part) => curves.flatMap(({ points }) => points.map((point) => point[part] ?? NaN)));
-    const up = range(values[1] ?? [], HEIGHT / APART.up, true);
+    const up = range(values[1] ?? [], tall / APART.up, true);
     const marks = ticks(up);
     const left = Math.max(...marks.map(([, text]) => text.length), 1) * (LETTER + 0.5) + 8;
     const right = width - 12;
@@ -171,7 +172,7 @@ export class Plot {
     /** @param {number} value */
     const x = (value) => left + ((value - across.least) / (across.most - across.least)) * (right - left);
     /** @param {number} value */
-    const y = (value) => bottom - ((value - up.least) / (up.most - up.least)) * HEIGHT;
+    const y = (value) => bottom - ((value - up.least) / (up.most - up.least)) * tall;
 
     for (const [value, text] of marks) {
       add("line", { class: value === 0 ? "axis" : "grid", x1: left, x2: right, y1: y(value), y2: y(value) }, svg);
@@ -190,7 +191,7 @@ export class Plot {
     svg.setAttribute("viewBox", `0 0 ${width} ${foot + 5}`);
 
     const clip = add("clipPath", { id: `plot-${++count}` }, svg);
-    const past = add("rect", { x: left, y: top - DOT, height: HEIGHT + 2 * DOT }, clip);
+    const past = add("rect", { x: left, y: top - DOT, height: tall + 2 * DOT }, clip);
     const [later, sooner] = ["later", "sooner"].map((name) => add("g", { class: name }, svg));
     sooner?.setAttribute("clip-path", `url(#plot-${count})`);
     for (const { points, role, dashed } of curves) {

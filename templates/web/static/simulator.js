@@ -1,12 +1,16 @@
 // @ts-check
-// What both simulators share: controls, the engine's answer in its places, and time.
+// What all simulators share: controls, the engine's answer in its places, and time.
 
 import { keep } from "./address.js";
 import { Announcer } from "./announcer.js";
+import { Bars } from "./bars.js";
 import { call, Refused } from "./engine.js";
 import { Clock } from "./clock.js";
+import { Controls } from "./controls.js";
+import { grip } from "./drag.js";
 import { Plot, at } from "./plot.js";
 import { reach } from "./reach.js";
+import { fill_screen } from "./scene.js";
 import { table } from "./told.js";
 
 /** @typedef {import("./plot.js").Curve} Curve */
@@ -21,14 +25,14 @@ import { table } from "./told.js";
  * @property {Curve[]} drifts
  */
 /**
- * What the engine says to both.
+ * What the engine says to all.
  * @typedef {object} Shown
  * @property {Phase[]} phases
  * @property {number} end
- * @property {[number, number]} track
  * @property {Curve[]} places
+ * @property {import("./bars.js").Bar[]} bars
  * @property {{ set: [string, string][], solved: { solution: string } | null, reason: string | null }} problem
- * @property {Compared | null} compared
+ * @property {Compared | null} [compared]
  */
 
 /** Milliseconds from the last change to the address: browsers refuse too many addresses. */
@@ -49,7 +53,8 @@ function found(value, path) {
  * @param {number} value
  */
 export function told(value) {
-  return value.toFixed(2).replace("-", "\u2212");
+  const text = value.toFixed(2);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212");
 }
 
 /**
@@ -101,9 +106,11 @@ export class Simulator {
   /** @type {Response | undefined} */
   shown;
   #root;
-  #form;
-  #filled;
-  #moved;
+  #controls;
+  #own;
+  #bars;
+  /** @type {(() => void)[]} what tells the grips their values */
+  #grips;
   /** @type {Clock | undefined} */
   #clock;
   /** @type {Map<string, Plot>} */
@@ -116,32 +123,26 @@ export class Simulator {
 
   /**
    * @param {HTMLElement} root
-   * @param {{ filled: (shown: Response) => void, moved: (shown: Response, time: number) => string }} own
-   *   `filled` writes what this simulator alone has, `moved` draws a time and says what is the case then
+   * @param {object} own
+   * @param {(shown: Response) => void} own.filled writes what this simulator alone has
+   * @param {(shown: Response, time: number) => string} own.moved draws a time and says what is the case then
+   * @param {(name: string, part: Element) => [number, number]} own.scale by how much a control grows for each unit of the scene to the
+   *   right, and downwards
+   * @param {(shown: Response) => Record<string, Curve[]>} [own.curves] the curves of the plots that run with the time
    */
-  constructor(root, { filled, moved }) {
+  constructor(root, own) {
     this.#root = root;
-    this.#filled = filled;
-    this.#moved = moved;
-    this.#form = one(root, "form.controls", HTMLFormElement);
+    this.#own = own;
+    this.#controls = new Controls(one(root, "form.controls", HTMLFormElement), () => void this.#ask());
+    const home = root.querySelector("[data-bars]");
+    this.#bars = home instanceof HTMLElement ? new Bars(home) : undefined;
+    this.#grips = [...root.querySelectorAll("[data-grip]")].flatMap((part) => this.#grip(part));
     this.#listen();
+    fill_screen(root);
     void this.#ask();
   }
 
   #listen() {
-    const form = this.#form;
-    form.dataset.live = "";
-    form.addEventListener("submit", (event) => event.preventDefault());
-    form.addEventListener("input", ({ target }) => {
-      if (target instanceof HTMLInputElement) this.#pair(target);
-      void this.#ask();
-    });
-    for (const link of form.querySelectorAll("a[data-preset]")) {
-      link.addEventListener("click", (event) => {
-        event.preventDefault();
-        this.#choose(link.getAttribute("data-preset") ?? "");
-      });
-    }
     for (const button of this.#root.querySelectorAll("button[data-do]")) {
       button.addEventListener("click", () => {
         const clock = this.#clock;
@@ -160,41 +161,26 @@ export class Simulator {
     });
   }
 
+  /**
+   * Makes a part of the scene movable.
+   * @param {Element} part
+   */
+  #grip(part) {
+    const name = part.getAttribute("data-grip") ?? "";
+    const [control, svg] = [this.#controls.of(name), part.closest("svg")];
+    if (!(part instanceof SVGElement && svg && control)) return [];
+    const scale = () => this.#own.scale(name, part);
+    return [grip({ part, svg, ...control, scale, begin: () => this.#clock?.reset() })];
+  }
+
+  /** Draws the present time again. */
+  redraw() {
+    if (this.#clock) this.#tick(this.#clock.time);
+  }
+
   #rate() {
     const chosen = this.#root.querySelector("select[data-rate]");
     if (this.#clock && chosen instanceof HTMLSelectElement) this.#clock.rate = Number(chosen.value);
-  }
-
-  /**
-   * A slider follows its number, and a number its slider.
-   * @param {HTMLInputElement} moved
-   */
-  #pair(moved) {
-    const slid = moved.dataset.for;
-    const other = slid ? this.#form.elements.namedItem(slid) : this.#form.querySelector(`[data-for="${moved.name}"]`);
-    if (other instanceof HTMLInputElement) other.value = moved.value;
-  }
-
-  /**
-   * Sets what a preset says, and everything else as the page opens.
-   * @param {string} preset
-   */
-  #choose(preset) {
-    const values = new URLSearchParams(preset);
-    for (const slider of this.#form.querySelectorAll("input[data-for]")) {
-      if (!(slider instanceof HTMLInputElement)) continue;
-      slider.value = values.get(slider.dataset.for ?? "") ?? slider.dataset.usual ?? slider.value;
-      this.#pair(slider);
-    }
-    void this.#ask();
-  }
-
-  /** The fields that say something, as they stand in an address. */
-  #fields() {
-    const fields = new URLSearchParams();
-    for (const [name, value] of new FormData(this.#form)) fields.set(name, String(value));
-    if (!fields.get("method")) for (const name of ["method", "step"]) fields.delete(name);
-    return fields;
   }
 
   /** Asks for the values of now. While an answer is under way nothing else is asked; the newest values come next. */
@@ -207,20 +193,9 @@ export class Simulator {
     this.#root.dataset.state = "asking";
     do {
       this.#again = false;
-      await this.#once(this.#fields());
+      await this.#once(this.#controls.fields());
     } while (this.#again);
     this.#asking = false;
-  }
-
-  /**
-   * An empty field is not the usual value, which nobody typed.
-   * @param {URLSearchParams} fields
-   */
-  #refuse_empty(fields) {
-    const empty = [...fields].find(([name, text]) => name !== "method" && text === "")?.[0];
-    if (!empty) return;
-    const label = this.#form.querySelector(`label[for="${empty}"]`)?.firstChild?.textContent;
-    throw new Refused({ kind: "invalid", message: `The field “${label}” holds no number`, help: "type one" });
   }
 
   /** @param {URLSearchParams} fields */
@@ -232,7 +207,7 @@ export class Simulator {
     const refused = one(this.#root, "[data-refused]", HTMLElement);
     let state = "shown";
     try {
-      this.#refuse_empty(fields);
+      this.#controls.refuse_empty(fields);
       const request = { values, method: fields.get("method"), step: step ? Number(step) : null };
       this.#show(await call(this.#root.dataset.simulator ?? "", request));
       refused.hidden = true;
@@ -269,17 +244,21 @@ export class Simulator {
     }
     this.#show_method(shown);
     this.#show_problem(shown);
-    this.#filled(shown);
+    this.#own.filled(shown);
     reach();
     const wrong = shown.compared?.places ?? [];
-    this.#plot("places", [...shown.places, ...wrong]);
+    const curves = this.#own.curves?.(shown) ?? { places: [...shown.places, ...wrong] };
+    for (const [name, drawn] of Object.entries(curves)) this.#plot(name, drawn);
     this.#ghosts(wrong);
+    this.#bars?.set(shown.bars);
+    for (const tell of this.#grips) tell();
     this.#restart(shown);
   }
 
   /** @param {Response} shown */
   #show_method({ compared }) {
-    one(this.#root, "[data-compared]", HTMLElement).hidden = !compared;
+    const home = this.#root.querySelector("[data-compared]");
+    if (home instanceof HTMLElement) home.hidden = !compared;
     if (!compared) return;
     const refused = one(this.#root, "[data-method-refused]", HTMLElement);
     refused.hidden = !compared.refused;
@@ -320,10 +299,13 @@ export class Simulator {
       if (!(copy instanceof SVGElement)) return [];
       delete copy.dataset.at;
       copy.dataset.ghost = String(place);
-      copy.querySelector("text")?.remove();
+      for (const own of copy.querySelectorAll("text, title, .arrow, .tip")) own.remove();
+      for (const own of copy.querySelectorAll("[data-grip]")) {
+        for (const { name } of [...own.attributes]) own.removeAttribute(name);
+      }
       return [copy];
     });
-    one(this.#root, "[data-ghosts]", SVGElement).replaceChildren(...ghosts);
+    this.#root.querySelector("[data-ghosts]")?.replaceChildren(...ghosts);
   }
 
   /** @param {Response} shown */
@@ -342,9 +324,10 @@ export class Simulator {
     if (!shown) return;
     const playing = this.#clock?.playing ?? false;
     for (const plot of this.#plots.values()) plot.show(now);
+    this.#bars?.show(now);
     const words = shown.phases.find(({ until }) => now <= until)?.words ?? shown.phases.at(-1)?.words ?? "";
     one(this.#root, "[data-state-words]", HTMLElement).textContent = words;
-    one(this.#root, "[data-now]", HTMLElement).textContent = this.#moved(shown, now);
+    one(this.#root, "[data-now]", HTMLElement).textContent = this.#own.moved(shown, now);
     const time = one(this.#root, "input[data-time]", HTMLInputElement);
     time.value = String(now);
     time.setAttribute("aria-valuetext", `${told(now)} s`);

@@ -10,7 +10,7 @@ import { add, at } from "./plot.js";
  * @typedef {{ name: string, called: string, mass: number, radius: number }} Body
  * @typedef {{ letter: string, positive: string | null, height: boolean, on_page: [number, number] }} Direction
  * @typedef {{ name: string, normal: number[], offset: number, velocity: number }} Wall
- * @typedef {{ stage: number, kind: string, pivot: { at: number[], cord: boolean, name: string | null } | null, mass_not_told: string[], directions: Direction[], bodies: Body[], walls: Wall[],
+ * @typedef {{ stage: number, kind: string, pivot: { at: number[], cord: boolean, arm?: number, name: string | null } | null, mass_not_told: string[], notes: string[], directions: Direction[], bodies: Body[], walls: Wall[],
  *   impacts: { time: number }[], moments: Moment[] }} Film
  * @typedef {[number, number]} Pair to the right, and upwards or downwards
  */
@@ -195,7 +195,9 @@ export class Stage {
     const cords = [];
     if (pivot) {
       const [px, py] = put(this.#page(pivot.at));
-      for (const _ of pivot.cord ? bodies : []) cords.push(add("line", { class: "cord", x1: px, y1: py }, svg));
+      for (const own of bodies.keys()) {
+        if (pivot.cord || pivot.arm === own) cords[own] = add("line", { class: pivot.cord ? "cord" : "arm", x1: px, y1: py }, svg);
+      }
       add("circle", { class: "pivot", cx: px, cy: py, r: 3 }, svg);
       add("text", { class: "tick", x: px + 8, y: py + 4 }, svg).textContent = pivot.name ?? "";
     }

@@ -113,6 +113,7 @@ fn what_a_student_is_handed_has_no_seed_and_nothing_that_is_not_released() {
         decimal: DecimalMark::Point,
         secret: "very secret".into(),
         retention_days: None,
+        grading: momentous::course::Grading::default(),
         created: at("2026-11-01T10:00"),
     };
     let hidden = momentous::course::PolicyForm { verdicts: "at_close".into(), ..form() };

@@ -172,7 +172,7 @@ fn one_student_gets_more_time() {
     let fields =
         [("member", ada.as_str()), ("due", "2025-12-08T18:00"), ("closes", "2025-12-09T18:00"), ("reason", "<ill>")];
     for (field, value, said) in [
-        ("member", "0", "Choose a student of the list."),
+        ("member", "0", "Choose a student or a section of the list."),
         ("due", "2025-11-01T18:00", "This is before the assignment opens."),
         ("reason", " ", "Say why: it is kept with the marks."),
     ] {
@@ -184,6 +184,14 @@ fn one_student_gets_more_time() {
     assert!(ida.get(&to).text(200).contains("&lt;ill&gt;"));
     let other = format!("/courses/{}/assignments/{}/extensions", university.other.key, whole.assignment.key);
     assert_eq!(ida.get(&other).status, 404);
+    // The dates of the assignment stand in the fields, and a section is chosen as a whole.
+    let empty = ida.get(&more).text(200);
+    let closes = whole.assignment.policy.form("Europe/Berlin").closes;
+    assert!(empty.contains(&format!("name=\"closes\" value=\"{closes}\"")), "{empty}");
+    ida.post(&more, &[("member", "section A"), fields[1], fields[2], ("reason", "snow")]).to();
+    let extensions = university.wait(async |store| store.extensions(whole.assignment.key).await).unwrap();
+    let students = [University::member("ada"), University::member("bob")];
+    assert!(students.iter().all(|own| extensions.iter().any(|had| had.member == *own && had.reason == "snow")));
 }
 
 #[test]

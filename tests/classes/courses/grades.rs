@@ -21,6 +21,43 @@ fn a_gradebook_says_what_each_has_and_what_is_missing() {
     assert_eq!(lines, expected);
 }
 
+/// 4 of 10 points: 40 % once the assignment has closed; with a second one, of which nothing was handed in, 4 of 20, and 40 % again where
+/// the weakest is left out.
+#[test]
+fn the_gradebook_of_a_course_weighs_what_has_closed() {
+    let handed = Handed::new();
+    let (mut ann, mut ida) = (handed.university.browser_of("ann"), handed.university.browser_of("ida"));
+    let page = handed.university.address("/gradebook");
+    let grades = |browser: &mut super::university::Browser<'_>| -> Vec<String> {
+        let table = browser.get(&handed.university.address("/gradebook.csv")).text(200);
+        table.lines().skip(1).map(|line| line.rsplit(',').next().unwrap().to_owned()).collect()
+    };
+    handed.university.set_clock(DAY / 2);
+    assert_eq!(grades(&mut ann), ["", ""], "nothing has closed");
+    assert!(!handed.university.browser_of("ada").get(&handed.university.address("")).text(200).contains("Your grade"));
+    handed.university.set_clock(10 * DAY);
+    assert_eq!(grades(&mut ann), ["40", "0"]);
+    let own = handed.university.browser_of("ada").get(&handed.university.address("")).text(200);
+    assert!(own.contains("<strong>40.0\u{a0}%</strong>") && own.contains("4 of 10"), "{own}");
+    let mut second = handed.whole.clone();
+    second.assignment.key = Key::new([79; 16]);
+    second.items[0].key = Key::new([80; 16]);
+    second.items[0].assignment = second.assignment.key;
+    handed.university.wait(async |store| store.save_assignment(&second, &University::entry(91)).await).unwrap();
+    assert_eq!(grades(&mut ann), ["20", "0"]);
+    let weights = [handed.whole.assignment.key, second.assignment.key].map(|key| format!("weight.{key}"));
+    let [first, second] = &weights;
+    assert_eq!(ann.post(&page, &[("dropped", "1")]).status, 403, "an assistant decides nothing");
+    let wrong = ida.post(&page, &[(first, "much"), (second, ""), ("dropped", "1")]).text(422);
+    assert!(wrong.contains("Write a whole number from 0 to 1000") && wrong.contains("value=\"much\""), "{wrong}");
+    ida.post(&page, &[(first, "3"), (second, "1"), ("dropped", "0")]).to();
+    assert_eq!(grades(&mut ann), ["30", "0"], "three parts of 40 % and one of nothing");
+    ida.post(&page, &[(first, ""), (second, ""), ("dropped", "1")]).to();
+    assert_eq!(grades(&mut ann), ["40", "0"]);
+    let shown = ann.get(&format!("{page}?sort=grade&section=A")).text(200);
+    assert!(shown.contains("left out") && shown.find(">ada").unwrap() < shown.find(">bob").unwrap(), "{shown}");
+}
+
 #[test]
 fn every_attempt_is_shown_with_what_was_typed_and_read() {
     let handed = Handed::new();

@@ -33,6 +33,9 @@ fn is_solved(browser: &mut Browser<'_>) -> bool {
     let answer: serde_json::Value = serde_json::from_str(&answer).unwrap();
     assert!(answer["places"].is_array(), "{answer}");
     let by_call = !answer["problem"]["solved"].is_null();
+    let discs = call(browser, "discs", r#"{"values":{"b":0}}"#).text(200);
+    let discs: serde_json::Value = serde_json::from_str(&discs).unwrap();
+    let by_discs = !discs["problem"]["solved"].is_null();
     let status = |answer: Answer| match answer.status {
         200 => true,
         403 => false,
@@ -44,7 +47,7 @@ fn is_solved(browser: &mut Browser<'_>) -> bool {
     let by_solve = status(call(browser, "solve", &asked));
     let practice = browser.get(&format!("/practice/{ALIKE}")).text(200);
     assert_eq!(practice.contains(">Own numbers</a>"), own, "what is not there is not offered");
-    let all = [!said, by_call, own, typed, by_solve];
+    let all = [!said, by_call, by_discs, own, typed, by_solve];
     assert!(all.iter().all(|is_solved| *is_solved == by_call), "{all:?} {by_simulator}");
     browser.get(&format!("/solve/{OTHER}")).text(200);
     assert!(!browser.get("/simulators/restitution").text(200).contains("not solved with own numbers"));
@@ -77,7 +80,7 @@ fn what_solves_an_open_assignment_is_hidden_where_it_says_so_from_all_but_those_
     hidden.set_clock(3 * DAY + 12 * LATER);
     let mut ada = hidden.browser_of("ada");
     assert!(is_solved(&mut ada), "it has closed");
-    assert_eq!(header(&mut ada, "/courses"), ["collision", "restitution"]);
+    assert_eq!(header(&mut ada, "/courses"), ["collision", "discs", "restitution"]);
 }
 
 #[test]
@@ -85,5 +88,5 @@ fn without_the_switch_nothing_is_hidden() {
     let shown = university(Solvers::Shown);
     let mut ada = shown.browser_of("ada");
     assert!(is_solved(&mut ada));
-    assert_eq!(header(&mut ada, "/courses"), ["collision", "restitution"]);
+    assert_eq!(header(&mut ada, "/courses"), ["collision", "discs", "restitution"]);
 }

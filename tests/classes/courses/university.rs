@@ -84,6 +84,7 @@ impl University {
             decimal: DecimalMark::Either,
             secret: format!("a secret of course {number}"),
             retention_days: None,
+            grading: momentous::course::Grading::default(),
             created: Moment::from_millis(BEGIN),
         });
         let router = router(Arc::new(app));

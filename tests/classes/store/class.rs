@@ -42,6 +42,7 @@ impl Class {
             decimal: DecimalMark::Point,
             secret: "a secret of the course".into(),
             retention_days: None,
+            grading: momentous::course::Grading::default(),
             created: now,
         };
         let people: Vec<Person> = (0..=students).map(person).collect();

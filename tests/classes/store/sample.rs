@@ -48,6 +48,7 @@ impl Sample {
             decimal: DecimalMark::Comma,
             secret: "a secret of the course".into(),
             retention_days: Some(365),
+            grading: momentous::course::Grading::default(),
             created: NOW,
         };
         let member = Member {

@@ -11,7 +11,7 @@ use super::client::{Client, encoded, percent};
 const TRIES: u32 = 150;
 
 /// Every route, with `*` where the hostile text goes.
-const ROUTES: [&str; 14] = [
+const ROUTES: [&str; 15] = [
     "/*",
     "/?search=*&level=*",
     "/practice/*",
@@ -23,7 +23,8 @@ const ROUTES: [&str; 14] = [
     "/solve/impact/two-carts?set.*=1",
     "/simulators/*",
     "/simulators/collision?m_A=*&e=*&method=*&step=*",
-    "/simulators/restitution?h=*&e=*&v_t=*",
+    "/simulators/discs?m_A=*&b=*&e=*",
+    "/simulators/restitution?h=*&e=*&v_t=*&e_2=*",
     "/static/*/*",
     "/watch?*",
 ];
@@ -100,7 +101,7 @@ fn hostile_forms_are_answered() {
 fn hostile_calls_are_answered() {
     let client = Client::new();
     let mut random = ChaCha8Rng::seed_from_u64(22);
-    for call in ["collision", "givens", "hint", "mark", "read", "restitution", "sheet", "simulate", "solve"] {
+    for call in ["collision", "discs", "givens", "hint", "mark", "read", "restitution", "sheet", "simulate", "solve"] {
         for _ in 0..TRIES {
             let mut words = || text(&mut random);
             let request = json!({

@@ -67,7 +67,9 @@ fn a_collision_keeps_momentum_loses_energy_and_returns_e() {
             let reduced = mass_a * mass_b / (mass_a + mass_b);
             let lost = (1.0 - e * e) * reduced * (fast - slow) * (fast - slow) / 2.0;
             assert!(is_near(at(&shown, "/lost/value"), lost, before), "{set}");
-            assert!(is_near(at(&shown, "/meeting/time/value"), 4.0 / (fast - slow), 40.0), "{set}");
+            // The carts start 5 m apart, each with half a length of 0.3 m times the cube root of its mass in kg.
+            let apart = 5.0 - 0.3 * (mass_a.cbrt() + mass_b.cbrt());
+            assert!(is_near(at(&shown, "/meeting/time/value"), apart / (fast - slow), 50.0), "{set}");
             assert!(is_near(at(&shown, "/meeting/impulse/value"), (1.0 + e) * reduced * (fast - slow), size), "{set}");
         } else {
             assert!(shown["meeting"].is_null() && shown["told"].as_str().unwrap().starts_with("No impact"), "{set}");
@@ -185,6 +187,31 @@ fn the_area_of_a_contact_is_its_impulse_and_its_parts_stand_to_each_other_as_e()
     }
 }
 
+/// Equal discs, nothing lost, one at rest: they part at a right angle. The line of impact is 30 degrees above the x-axis, since the
+/// impact parameter is half of the sum of the radii.
+#[test]
+fn equal_discs_part_at_a_right_angle() {
+    let client = Client::new();
+    let values = json!({ "m_A": 2, "m_B": 2, "v_A": 4, "v_B": 0, "b": 0.4, "e": 1 });
+    let shown = shown(&client, "discs", &values, None);
+    assert_eq!(shown["line_of_impact"]["text"], "30.0°");
+    // B takes the component along the line, 4 cos 30°, and A keeps 4 sin 30° across it.
+    let along = 4.0 * (3.0_f64.sqrt() / 2.0);
+    for (pointer, expected) in [
+        ("/bodies/1/after/0/value", along * (3.0_f64.sqrt() / 2.0)),
+        ("/bodies/1/after/1/value", along / 2.0),
+        ("/bodies/0/after/0/value", 1.0),
+        ("/bodies/0/after/1/value", -(3.0_f64.sqrt())),
+        ("/lost/value", 0.0),
+    ] {
+        assert!((at(&shown, pointer) - expected).abs() < 1e-12, "{pointer}: {}", at(&shown, pointer));
+    }
+    let solution = shown["problem"]["solved"]["solution"].as_str().unwrap();
+    assert!(solution.contains("Worked solution"), "the problem's own solution");
+    let missed = self::shown(&client, "discs", &json!({ "b": 0.8 }), None);
+    assert!(missed["meeting"].is_null() && missed["problem"]["solved"].is_null());
+}
+
 #[test]
 fn what_cannot_be_is_refused_with_the_reason() {
     let client = Client::new();
@@ -195,6 +222,10 @@ fn what_cannot_be_is_refused_with_the_reason() {
         ("collision", json!({ "values": { "m_A": 1e300 } }), "`m_A` lies between 0.1 kg and 20 kg here"),
         ("collision", json!({ "values": { "v_A": -1e300 } }), "`v_A` lies between -10 m/s and 10 m/s here"),
         ("collision", json!({ "values": { "v_t": 1 } }), "`v_t` cannot be set here"),
+        ("collision", json!({ "values": { "x_A": 1 } }), "`x_A` lies between -6 m and -1 m here"),
+        ("discs", json!({ "values": { "e": 1.2 } }), "a coefficient of restitution above 1 would create energy"),
+        ("discs", json!({ "values": { "b": 2 } }), "`b` lies between -1 m and 1 m here"),
+        ("restitution", json!({ "values": { "e_2": 1.2 } }), "`e_2` lies between 0 and 1 here"),
         ("collision", json!({ "method": "euler" }), "the methods are"),
         ("collision", json!({ "method": "penalty", "step": -1 }), "a step is a positive time"),
         ("collision", json!({ "method": "penalty", "step": 1e-9 }), "would take more than 20000 steps"),

@@ -25,8 +25,9 @@ impl Problems for Counted {
 fn a_call_looks_its_problem_up_once_and_answers_within_its_size() {
     let renderer = Renderer::new(None).unwrap();
     // Each call with its request and the most bytes of its response.
-    let calls: [(&str, Value, usize); 9] = [
+    let calls: [(&str, Value, usize); 10] = [
         ("collision", json!({ "values": { "e": 0.5 } }), 100_000),
+        ("discs", json!({ "values": { "e": 0.5 } }), 100_000),
         ("givens", json!({ "problem": "impact/two-carts" }), 4_000),
         ("hint", json!({ "problem": "impact/two-carts", "number": 1 }), 1_000),
         ("mark", json!({ "problem": "impact/two-carts", "answers": { "v_A2": "1 m/s" } }), 2_000),
@@ -50,7 +51,7 @@ fn a_call_looks_its_problem_up_once_and_answers_within_its_size() {
 fn a_page_looks_its_problem_up_once_and_stays_within_its_size() {
     let client = Client::new();
     let typed = "set.m_A=3+kg&set.m_B=2+kg&set.v_A1=3+m%2Fs&set.v_B1=-2+m%2Fs&set.e=0.7";
-    let pages: [(&str, &str, u64, usize); 14] = [
+    let pages: [(&str, &str, u64, usize); 16] = [
         ("/", "", 0, 40_000),
         ("/practice/impact/two-carts?seed=7", "", 1, 20_000),
         (
@@ -69,6 +70,8 @@ fn a_page_looks_its_problem_up_once_and_stays_within_its_size() {
         ("/simulators/collision?method=penalty&step=0.001", "", 1, 100_000),
         ("/simulators/restitution?e=0.99&h=20&n=12&v_t=1", "", 1, 100_000),
         ("/simulators/restitution?e=0.99&h=20&n=12&method=explicit-euler&step=0.005", "", 1, 100_000),
+        ("/simulators/restitution?e=0.99&h=20&n=12&e_2=0.99", "", 1, 200_000),
+        ("/simulators/discs", "", 1, 100_000),
         ("/simulators/pendulum", "", 0, 4_000),
     ];
     for (address, form, most_looked_up, most) in pages {

@@ -1,4 +1,6 @@
-//! More time for one student.
+//! More time for one student, or for a section.
+
+use std::collections::BTreeSet;
 
 use serde::Serialize;
 
@@ -14,6 +16,9 @@ use super::super::form::Form;
 /// The fields.
 const FIELDS: [&str; 5] = ["member", "due", "late_until", "closes", "reason"];
 
+/// What stands before the name of a section that is chosen as a whole.
+const SECTION: &str = "section ";
+
 #[derive(Serialize)]
 struct ExtensionsPage {
     title: &'static str,
@@ -23,13 +28,15 @@ struct ExtensionsPage {
     closes: String,
     zone: String,
     form: Form,
-    students: Vec<Student>,
+    /// Sections as a whole.
+    sections: Vec<Chosen>,
+    students: Vec<Chosen>,
     extensions: Vec<Listed>,
     saved: bool,
 }
 
 #[derive(Serialize)]
-struct Student {
+struct Chosen {
     key: String,
     name: String,
 }
@@ -45,7 +52,12 @@ struct Listed {
 
 /// The extensions of an assignment, and a form for another.
 pub(crate) async fn extensions(visit: &Visit) -> Result<Reply, NotShown> {
-    with(visit, Form::new(FIELDS.map(|name| (name, String::new())))).await
+    let assignment = super::of(visit).await?.assignment;
+    let zone = &visit.course()?.zone;
+    let dates = assignment.policy.form(zone);
+    let fields = [("due", dates.due), ("late_until", dates.late_until), ("closes", dates.closes)];
+    let empty = ["member", "reason"].map(|name| (name, String::new()));
+    with(visit, Form::new(fields.into_iter().chain(empty))).await
 }
 
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
@@ -62,9 +74,14 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     });
     let extensions = extensions.collect();
     let students = members.iter().filter(|own| is_student(own));
-    let mut students: Vec<Student> =
-        students.map(|own| Student { key: own.member.key.to_string(), name: name(own) }).collect();
+    let mut students: Vec<Chosen> =
+        students.map(|own| Chosen { key: own.member.key.to_string(), name: name(own) }).collect();
     students.sort_by(|one, other| one.name.cmp(&other.name));
+    let sections: BTreeSet<&str> =
+        members.iter().filter(|own| is_student(own)).map(|own| own.member.section.as_str()).collect();
+    let sections = sections.into_iter().filter(|own| !own.is_empty());
+    let sections =
+        sections.map(|own| Chosen { key: format!("{SECTION}{own}"), name: format!("section {own}") }).collect();
     let is_wrong = form.is_wrong();
     let page = ExtensionsPage {
         title: words::EXTENSIONS,
@@ -74,6 +91,7 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
         closes: assignment.policy.closes.shown(&course.zone),
         zone: course.zone.clone(),
         form,
+        sections,
         students,
         extensions,
         saved: !is_wrong && visit.fields.get("saved").is_some(),
@@ -86,17 +104,21 @@ fn is_student(own: &Membership) -> bool {
     own.member.role == Role::Student && own.member.left.is_none()
 }
 
-/// Gives a student more time; a second extension takes the place of the first.
+/// Gives a student, or everybody of a section, more time; a second extension takes the place of the first.
 pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
     let assignment = super::of(visit).await?.assignment;
     let course = visit.course()?;
     let form = Form::sent(visit, &FIELDS);
     let members = visit.store().members(course.key).await?;
-    let chosen = members.iter().find(|own| is_student(own) && own.member.key.to_string() == form.value("member"));
-    let Some(own) = chosen else {
-        let fault = FieldFault { field: "member", message: "choose a student of the list".to_owned() };
-        return with(visit, form.with(&[fault])).await;
+    let is_chosen = |own: &&Membership| match form.value("member").strip_prefix(SECTION) {
+        Some(section) => own.member.section == section,
+        None => own.member.key.to_string() == form.value("member"),
     };
+    let chosen: Vec<&Membership> = members.iter().filter(|own| is_student(own)).filter(is_chosen).collect();
+    if chosen.is_empty() {
+        let fault = FieldFault { field: "member", message: "choose a student or a section of the list".to_owned() };
+        return with(visit, form.with(&[fault])).await;
+    }
     let typed = |name: &str| form.value(name).to_owned();
     let fields = ExtensionForm {
         due: typed("due"),
@@ -104,11 +126,14 @@ pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
         closes: typed("closes"),
         reason: typed("reason"),
     };
-    match Extension::read(&fields, &assignment, own.member.key, &course.zone) {
+    let read = |own: &&Membership| Extension::read(&fields, &assignment, own.member.key, &course.zone);
+    match chosen.iter().map(read).collect::<Result<Vec<_>, _>>() {
         Err(faults) => with(visit, form.with(&faults)).await,
-        Ok(extension) => {
-            let detail = format!("{} until {}, closes {}", own.member.key, extension.due, extension.closes);
-            visit.store().extend(&extension, &visit.entry("more time given", detail)).await?;
+        Ok(extensions) => {
+            for extension in extensions {
+                let detail = format!("{} until {}, closes {}", extension.member, extension.due, extension.closes);
+                visit.store().extend(&extension, &visit.entry("more time given", detail)).await?;
+            }
             Ok(Reply::To(visit.in_course(&format!("/assignments/{}/extensions?saved=yes", assignment.key))?))
         }
     }

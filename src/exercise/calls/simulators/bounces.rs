@@ -84,8 +84,8 @@ fn peak(run: &Trajectory<1>, from: f64, to: f64) -> (f64, f64) {
 }
 
 /// The line through the peaks.
-pub(super) fn envelope(bounces: &[Bounce]) -> Curve {
-    Curve::new("peaks", "total", bounces.iter().map(|bounce| [bounce.peak, bounce.height.value])).dashed()
+pub(super) fn envelope(name: &str, bounces: &[Bounce]) -> Curve {
+    Curve::new(name, "total", bounces.iter().map(|bounce| [bounce.peak, bounce.height.value])).dashed()
 }
 
 /// What the ball does, one after another.

@@ -5,6 +5,8 @@ use serde::Serialize;
 use momentous_simulate::{Body, Budget, EventDriven, Method, Moment, Record, World};
 
 use super::super::Engine;
+use super::balance::{Balance, balance};
+use super::bars::{Bars, energies, momenta, velocities};
 use super::compared::Compared;
 use super::controls::{COLLISION, SimulatorRequest, outside, set};
 use super::magnified::{Magnified, magnified};
@@ -13,11 +15,11 @@ use super::{Amount, Curve, Phase, ProblemOf, Refused, not_run};
 /// The problem whose scene this is.
 const PROBLEM: &str = "impact/two-carts";
 
-/// How far the carts are apart at the start, face to face, in m.
-const APART: f64 = 4.0;
+/// Half the length of a cart of 1 kg, in m; it grows as the radius of a sphere does.
+const RADIUS: f64 = 0.3;
 
-/// The radius of a cart of 1 kg, in m; it grows as that of a sphere does.
-const RADIUS: f64 = 0.16;
+/// The heaviest cart that can be set, in kg.
+const HEAVIEST: f64 = 20.0;
 
 /// How much longer than up to the impact the carts are watched.
 const WATCHED: f64 = 2.25;
@@ -51,6 +53,10 @@ pub struct CollisionResponse {
     pub track: [f64; 2],
     /// Where the carts and their centre of mass are.
     pub places: Vec<Curve>,
+    /// Their velocities, in the same order.
+    pub velocities: Vec<Curve>,
+    /// Their momenta and energies, for the bars beside the scene.
+    pub bars: Vec<Bars>,
     /// The same as a table: the time and the three places, at the start, at the impact and at the end.
     pub table: Vec<Vec<Amount>>,
     /// The contact, magnified; nothing without an impact, or where no spring and dashpot do the same.
@@ -83,32 +89,19 @@ pub struct CollisionBody {
     pub after: Amount,
 }
 
-/// A quantity before and after, with the lengths of its bars as shares of the greatest.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Balance {
-    /// Whose it is.
-    pub name: &'static str,
-    /// Before.
-    pub before: Amount,
-    /// After.
-    pub after: Amount,
-    /// Both as shares of the greatest in the table, -1 to 1.
-    pub bars: [f64; 2],
-}
-
 impl Engine<'_> {
     /// The collision with these values.
     ///
     /// # Errors
     /// Where a value makes no scene, lies outside its limits, or the method is unknown or would take too many steps.
     pub fn collision(&self, request: &SimulatorRequest) -> Result<CollisionResponse, Refused> {
-        let values: [f64; 5] = request.values(COLLISION)?;
+        let values: [f64; 7] = request.values(COLLISION)?;
         let problem = self.problem_of(PROBLEM, set(COLLISION, &values))?;
-        let [mass_a, velocity_a, mass_b, velocity_b, restitution] = values;
+        let [mass_a, velocity_a, mass_b, velocity_b, place_a, place_b, restitution] = values;
         let mut world = World::<1>::new(restitution);
         let (radius_a, radius_b) = (radius(mass_a), radius(mass_b));
-        world.bodies.push(Body::sphere("A", mass_a, radius_a, [-APART / 2.0 - radius_a], [velocity_a]));
-        world.bodies.push(Body::sphere("B", mass_b, radius_b, [APART / 2.0 + radius_b], [velocity_b]));
+        world.bodies.push(Body::sphere("A", mass_a, radius_a, [place_a], [velocity_a]));
+        world.bodies.push(Body::sphere("B", mass_b, radius_b, [place_b], [velocity_b]));
         if let Err(reason) = world.check() {
             // The laws say the same as the reader's own values would be told.
             return Err(problem.impossible().cloned().map_or_else(|| not_run(&reason), values_refused));
@@ -116,9 +109,9 @@ impl Engine<'_> {
         if let Some(refused) = outside(COLLISION, &values) {
             return Err(refused);
         }
-        let closing = velocity_a - velocity_b;
+        let (apart, closing) = (place_b - place_a - radius_a - radius_b, velocity_a - velocity_b);
         let fastest = velocity_a.abs().max(velocity_b.abs());
-        let end = if closing > 0.0 { WATCHED * APART / closing } else { (WAY / fastest).min(LONGEST) };
+        let end = if closing > 0.0 { WATCHED * apart / closing } else { (WAY / fastest).min(LONGEST) };
         let run = EventDriven.run(&world, &Budget::until(end)).map_err(|reason| not_run(&reason))?;
         let record = Record::of(&world, &run, 0.0);
         if let (Some(reason), false) = (problem.impossible(), record.impacts.is_empty()) {
@@ -132,19 +125,20 @@ impl Engine<'_> {
     }
 }
 
-fn values_refused(reason: String) -> Refused {
+pub(super) fn values_refused(reason: String) -> Refused {
     Refused::new(super::RefusedKind::Values, reason)
 }
 
+/// Half the length of a cart. One that is heavier than any that can be set is refused for its mass, not for its size.
 fn radius(mass: f64) -> f64 {
-    RADIUS * libm::cbrt(mass)
+    RADIUS * libm::cbrt(mass.min(HEAVIEST))
 }
 
 fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option<Compared>) -> CollisionResponse {
-    let velocities = |moment: Option<&Moment>| -> Vec<f64> {
+    let of = |moment: Option<&Moment>| -> Vec<f64> {
         moment.map(|moment| moment.velocities.iter().flatten().copied().collect()).unwrap_or_default()
     };
-    let (before, after) = (velocities(record.moments.first()), velocities(record.moments.last()));
+    let (before, after) = (of(record.moments.first()), of(record.moments.last()));
     let scale = before.iter().map(|velocity| velocity.abs()).fold(0.0, f64::max);
     let end = record.moments.last().map_or(0.0, |moment| moment.time);
     let meeting = record.impacts.first().map(|impact| Meeting {
@@ -198,6 +192,8 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
         table: table(&places, meeting_time, end),
         track: track(world, &places, compared.as_ref()),
         places,
+        velocities: velocities(record, 0),
+        bars: vec![momenta("Momentum", record, 0), energies(record)],
         contact: record.impacts.first().and_then(|_| magnified(world)),
         problem,
         compared,
@@ -228,16 +224,6 @@ fn phases(meeting: Option<&Meeting>, end: f64) -> Vec<Phase> {
     }
 }
 
-fn balance(before: &[f64], after: &[f64], unit: &str) -> Vec<Balance> {
-    let with_total = |each: &[f64]| [each, &[each.iter().sum()]].concat();
-    let (before, after) = (with_total(before), with_total(after));
-    let scale = before.iter().chain(&after).map(|value| value.abs()).fold(0.0, f64::max);
-    let amount = |value: &f64| Amount::new(*value, scale, unit);
-    let share = |amount: &Amount| if scale > 0.0 { amount.value / scale } else { 0.0 };
-    let rows = ["A", "B", "together"].into_iter().zip(before.iter().map(amount)).zip(after.iter().map(amount));
-    rows.map(|((name, before), after)| Balance { name, bars: [share(&before), share(&after)], before, after }).collect()
-}
-
 fn places(record: &Record) -> Vec<Curve> {
     let centre = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.centre.first()?]));
     vec![
@@ -249,7 +235,7 @@ fn places(record: &Record) -> Vec<Curve> {
 
 fn table(places: &[Curve], meeting: Option<f64>, end: f64) -> Vec<Vec<Amount>> {
     let row = |time: f64| {
-        let at = places.iter().filter_map(|curve| curve.at(time)).map(|place| Amount::new(place, APART, "m"));
+        let at = places.iter().filter_map(|curve| curve.at(time)).map(|place| Amount::new(place, end, "m"));
         [Amount::new(time, end, "s")].into_iter().chain(at).collect()
     };
     [Some(0.0), meeting, Some(end)].into_iter().flatten().map(row).collect()

@@ -31,6 +31,15 @@ pub struct Control {
     pub step: f64,
     /// Its value where none is said.
     pub usual: f64,
+    /// Whether nothing may be said, and then what it stands for is not there; such controls come last.
+    pub is_optional: bool,
+}
+
+impl Control {
+    const fn optional(mut self) -> Self {
+        self.is_optional = true;
+        self
+    }
 }
 
 /// What a row of the tables below says, in the order of the fields of [`Control`].
@@ -38,7 +47,7 @@ type Words = (&'static str, &'static str, [&'static str; 2], &'static str, &'sta
 
 const fn control(words: Words, [min, max, step, usual]: [f64; 4]) -> Control {
     let (name, given, symbol, label, unit) = words;
-    Control { name, given, symbol, label, unit, min, max, step, usual }
+    Control { name, given, symbol, label, unit, min, max, step, usual, is_optional: false }
 }
 
 /// The controls of the collision.
@@ -47,6 +56,18 @@ pub const COLLISION: &[Control] = &[
     control(("v_A", "v_A1", ["v", "A"], "Velocity of A", "m/s"), [-10.0, 10.0, 0.1, 3.0]),
     control(("m_B", "m_B", ["m", "B"], "Mass of B", "kg"), [0.1, 20.0, 0.1, 2.0]),
     control(("v_B", "v_B1", ["v", "B"], "Velocity of B", "m/s"), [-10.0, 10.0, 0.1, -2.0]),
+    control(("x_A", "", ["x", "A"], "Place of A at the start", "m"), [-6.0, -1.0, 0.1, -2.5]),
+    control(("x_B", "", ["x", "B"], "Place of B at the start", "m"), [1.0, 6.0, 0.1, 2.5]),
+    control(("e", "e", ["e", ""], "Coefficient of restitution", ""), [0.0, 1.0, 0.01, 0.7]),
+];
+
+/// The controls of the collision in the plane.
+pub const DISCS: &[Control] = &[
+    control(("m_A", "m_A", ["m", "A"], "Mass of A", "kg"), [0.1, 20.0, 0.1, 3.0]),
+    control(("v_A", "v_A1.x", ["v", "A"], "Velocity of A", "m/s"), [-10.0, 10.0, 0.1, 3.0]),
+    control(("m_B", "m_B", ["m", "B"], "Mass of B", "kg"), [0.1, 20.0, 0.1, 2.0]),
+    control(("v_B", "v_B1.x", ["v", "B"], "Velocity of B", "m/s"), [-10.0, 10.0, 0.1, -2.0]),
+    control(("b", "", ["b", ""], "Impact parameter", "m"), [-1.0, 1.0, 0.01, 0.4]),
     control(("e", "e", ["e", ""], "Coefficient of restitution", ""), [0.0, 1.0, 0.01, 0.7]),
 ];
 
@@ -56,6 +77,7 @@ pub const RESTITUTION: &[Control] = &[
     control(("e", "e", ["e", ""], "Coefficient of restitution", ""), [0.0, 1.0, 0.01, 0.75]),
     control(("n", "n", ["n", ""], "Bounce to look at", ""), [1.0, 12.0, 1.0, 3.0]),
     control(("v_t", "", ["v", "t"], "Terminal speed in air (0: no air)", "m/s"), [0.0, 60.0, 1.0, 0.0]),
+    control(("e_2", "", ["e", "2"], "A second ball beside it, with", ""), [0.0, 1.0, 0.01, 0.5]).optional(),
 ];
 
 /// Asks for a simulator's scene with these values.
@@ -74,6 +96,11 @@ pub struct SimulatorRequest {
 }
 
 impl SimulatorRequest {
+    /// The value of a control that may be left out, where it is not.
+    pub(super) fn optional(&self, name: &str) -> Option<f64> {
+        self.values.get(name).map(|value| value + 0.0)
+    }
+
     /// The value of each control in order; whether all are within their limits is another question.
     ///
     /// # Errors

@@ -1,32 +1,42 @@
-//! The two simulators: each a request with the values of its controls, and a response with everything that its page shows.
+//! The simulators: each a request with the values of its controls, and a response with everything that its page shows.
 
 mod amount;
+mod balance;
+mod bars;
 mod bounces;
 mod collision;
 mod compared;
 mod controls;
 mod curve;
+mod discs;
+mod drop;
 mod magnified;
 mod restitution;
+mod second;
 
 use serde::Serialize;
 
 use momentous_explain::Detail;
 use momentous_simulate::Refusal;
 
+use super::super::Exercise;
 use super::refused::{Refused, RefusedKind};
-use super::solve::SolveResponse;
+use super::solve::{SolveResponse, answers};
 use super::variant::VariantRequest;
 use super::{Engine, Limits};
 
 pub use amount::Amount;
+pub use balance::Balance;
+pub use bars::Bars;
 pub use bounces::Bounce;
-pub use collision::{Balance, CollisionBody, CollisionResponse, Meeting};
+pub use collision::{CollisionBody, CollisionResponse, Meeting};
 pub use compared::{Compared, Offered, Row, USUAL_STEP};
-pub use controls::{COLLISION, Control, RESTITUTION, SimulatorRequest};
+pub use controls::{COLLISION, Control, DISCS, RESTITUTION, SimulatorRequest};
 pub use curve::Curve;
+pub use discs::{Disc, DiscsResponse};
 pub use magnified::Magnified;
 pub use restitution::{LookedAt, RestitutionResponse, Sums};
+pub use second::Second;
 
 /// What a body does until a time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -54,6 +64,12 @@ pub struct ProblemOf {
 }
 
 impl ProblemOf {
+    /// The variant with these values.
+    fn variant(&self) -> VariantRequest {
+        let set = self.set.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect();
+        VariantRequest { set, ..VariantRequest::drawn(self.id, None, 1) }
+    }
+
     /// Why the values leave no solution, where they do.
     fn impossible(&self) -> Option<&String> {
         self.reason.as_ref().filter(|_| !self.hidden)
@@ -61,15 +77,39 @@ impl ProblemOf {
 }
 
 impl Engine<'_> {
+    /// The problem with these values, solved by the laws, and a quantity of it that it need not ask for.
+    fn problem_with(
+        &self,
+        id: &'static str,
+        set: Vec<(&'static str, String)>,
+        name: &str,
+    ) -> Result<(ProblemOf, Option<Amount>), Refused> {
+        let (problem, exercise) = self.solved(id, set)?;
+        let quantity = exercise.and_then(|exercise| {
+            let asked = VariantRequest { find: vec![name.to_owned()], ..problem.variant() };
+            let own = self.typed(exercise.problem(), exercise.variant().form(), &asked).ok()?;
+            let answer = answers(&own).into_iter().find(|answer| answer.id == name)?;
+            Some(Amount::with_text(answer.value?, &answer.printed))
+        });
+        Ok((problem, quantity))
+    }
+
     /// The problem with these values, solved by the laws.
     fn problem_of(&self, id: &'static str, set: Vec<(&'static str, String)>) -> Result<ProblemOf, Refused> {
-        let variant = VariantRequest {
-            set: set.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect(),
-            ..VariantRequest::drawn(id, None, 1)
-        };
+        Ok(self.solved(id, set)?.0)
+    }
+
+    fn solved(
+        &self,
+        id: &'static str,
+        set: Vec<(&'static str, String)>,
+    ) -> Result<(ProblemOf, Option<Exercise>), Refused> {
         let mut problem = ProblemOf { id, set, solved: None, reason: None, hidden: false };
-        match self.draw(&variant) {
-            Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, None, Detail::Short)?),
+        match self.draw(&problem.variant()) {
+            Ok(exercise) => {
+                problem.solved = Some(self.solution_of(&exercise, None, Detail::Short)?);
+                return Ok((problem, Some(exercise)));
+            }
             Err(refused) if refused.kind == RefusedKind::Values => {
                 // How often numbers were tried says nothing of values that are typed.
                 let reason = refused.message.split_once(" attempts: ").map(|(_, reason)| reason.to_owned());
@@ -81,7 +121,7 @@ impl Engine<'_> {
             }
             Err(refused) => return Err(refused),
         }
-        Ok(problem)
+        Ok((problem, None))
     }
 }
 

@@ -2,21 +2,19 @@
 
 use serde::Serialize;
 
-use momentous_simulate::{
-    Body, BounceTrain, Budget, ClosedForm, Force, Method, Record, RungeKutta, Trajectory, Vector, Wall, World,
-};
+use momentous_simulate::{BounceTrain, Budget, ClosedForm, Method, Moment, Record, RungeKutta, Trajectory, World};
 
 use super::super::{Engine, Limits};
+use super::bars::{Bars, over};
 use super::bounces::{Bounce, bounces, envelope, phases};
 use super::compared::Compared;
 use super::controls::{RESTITUTION, SimulatorRequest, outside, set};
+use super::drop::{Drop, GRAVITY, LONGEST, TOLERANCES};
+use super::second::{Second, second};
 use super::{Amount, Curve, Phase, ProblemOf, Refused, RefusedKind, not_run};
 
 /// The problem whose scene this is.
 const PROBLEM: &str = "bouncing/rubber-ball";
-
-/// The acceleration of free fall in m/s², as problems have it.
-const GRAVITY: f64 = 9.81;
 
 /// The ball is watched until it rises to less than this share of its height.
 const LOW: f64 = 0.0025;
@@ -33,12 +31,6 @@ const NO_FORMULA: &str = "In air no formula here gives the time and the path of 
 
 /// The bounces that are watched where nothing is lost.
 const FOR_EVER: u32 = 8;
-
-/// The tolerance of what is shown in air, and that of the run that it is compared with.
-const TOLERANCES: [f64; 2] = [1e-9, 1e-12];
-
-/// The longest run in air, in s of the scene.
-const LONGEST: f64 = 300.0;
 
 /// Everything that the page of the bouncing ball shows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -63,6 +55,12 @@ pub struct RestitutionResponse {
     pub places: Vec<Curve>,
     /// Its velocity, upwards positive.
     pub velocity: Curve,
+    /// A second ball beside it, where one is wanted.
+    pub second: Option<Second>,
+    /// The velocities of the balls, upwards positive.
+    pub velocities: Vec<Curve>,
+    /// Their momenta and energies as shares, for the bars beside the scene.
+    pub bars: Vec<Bars>,
     /// How the motion was found, and how far it is right.
     pub how: String,
     /// The scene as a problem, without air.
@@ -101,8 +99,10 @@ impl Engine<'_> {
     pub fn restitution(&self, request: &SimulatorRequest) -> Result<RestitutionResponse, Refused> {
         let values: [f64; 4] = request.values(RESTITUTION)?;
         let [height, restitution, number, terminal] = values;
-        let mut problem = self.problem_of(PROBLEM, set(RESTITUTION, &values))?;
-        let mut world = dropped(height, restitution);
+        let beside = request.optional("e_2");
+        let (mut problem, path) = self.problem_with(PROBLEM, set(RESTITUTION, &values), "path_total")?;
+        let drop = Drop { height, restitution, terminal };
+        let world = drop.world();
         if let Err(reason) = world.check() {
             let refused = not_run(&reason);
             return Err(problem
@@ -110,7 +110,8 @@ impl Engine<'_> {
                 .cloned()
                 .map_or(refused, |reason| Refused::new(RefusedKind::Values, reason)));
         }
-        if let Some(refused) = outside(RESTITUTION, &values) {
+        let with_second = values.iter().copied().chain(beside).collect::<Vec<f64>>();
+        if let Some(refused) = outside(RESTITUTION, &with_second) {
             return Err(refused);
         }
         let number = whole(number, self.limits.bounces)?;
@@ -122,7 +123,6 @@ impl Engine<'_> {
         let train = BounceTrain::new(height, GRAVITY, 1.0 - restitution);
         let most = watched(restitution, self.limits.bounces).max(number);
         let (run, how) = if terminal > 0.0 {
-            world.forces.push(Force::Drag { body: 0, coefficient: GRAVITY / (terminal * terminal) });
             in_air(&world, most, &self.limits)?
         } else {
             let rests = libm::pow(restitution, 2.0 * f64::from(most)) < LOW;
@@ -141,21 +141,14 @@ impl Engine<'_> {
             }
         };
         let sums = match (terminal > 0.0, restitution < 1.0) {
-            (false, true) => Ok(sums(&train, &problem)),
+            (false, true) => Ok(sums(&train, &problem, path)),
             (false, false) => Err(FOR_EVER_ON),
             (true, _) => Err(NO_FORMULA),
         };
-        Ok(shown(&run, &record, (most, number), sums, how, problem, compared))
+        let end = record.moments.last().map_or(0.0, |moment| moment.time);
+        let second = beside.map(|restitution| second(&Drop { restitution, ..drop }, end, &self.limits)).transpose()?;
+        Ok(shown(&run, &record, (most, number), sums, how, problem, compared).with_second(second, &record))
     }
-}
-
-/// A particle of 1 kg above a level floor: its mass decides nothing that is shown.
-fn dropped(height: f64, restitution: f64) -> World<1> {
-    let mut world = World::new(restitution);
-    world.gravity = Vector::from([-GRAVITY]);
-    world.bodies.push(Body::particle("ball", 1.0, [height], [0.0]));
-    world.walls.push(Wall::new("floor", [1.0], 0.0));
-    world
 }
 
 /// A number of bounces.
@@ -190,14 +183,16 @@ fn in_air(world: &World<1>, bounces: u32, limits: &Limits) -> Result<(Trajectory
     Ok((run, how))
 }
 
-fn sums(train: &BounceTrain, problem: &ProblemOf) -> Sums {
+/// The sums as the laws have them, where they say them: by a formula in doubles, a number in the middle between two of those that are
+/// printed may fall to the other side.
+fn sums(train: &BounceTrain, problem: &ProblemOf, path: Option<Amount>) -> Sums {
     let answers = problem.solved.as_ref().map(|solved| solved.answers.as_slice()).unwrap_or_default();
     let total = answers.iter().find(|answer| answer.id == "t_total").and_then(|own| Some((own.value?, &own.printed)));
     let time = match total {
         Some((value, printed)) => Amount::with_text(value, printed),
         None => Amount::new(train.end(), 0.0, "s"),
     };
-    Sums { time, path: Amount::new(train.path(), 0.0, "m") }
+    Sums { time, path: path.unwrap_or_else(|| Amount::new(train.path(), 0.0, "m")) }
 }
 
 fn shown(
@@ -239,11 +234,78 @@ fn shown(
         sums: sums.ok(),
         end,
         track: [0.0, height],
-        places: vec![Curve::place("ball", "body-0", record, 0), envelope(&bounces)],
+        places: vec![Curve::place("ball", "body-0", record, 0), envelope("peaks", &bounces)],
         velocity: Curve::new("velocity", "body-2", velocity),
+        second: None,
+        velocities: Vec::new(),
+        bars: Vec::new(),
         bounces,
         how,
         problem,
         compared,
     }
+}
+
+impl RestitutionResponse {
+    /// With what is shown of both balls, or of the one.
+    fn with_second(mut self, second: Option<Second>, record: &Record) -> Self {
+        let balls = [Some(("A", "body-0", record)), second.as_ref().map(|own| ("B", "body-1", &own.record))];
+        let balls: Vec<(&str, &'static str, &Record)> = balls.into_iter().flatten().collect();
+        self.velocities = balls.iter().map(|(name, role, record)| over(record, name, role, velocity)).collect();
+        self.bars = energies(&balls).collect();
+        self.bars.insert(0, momenta(&self.velocities));
+        if let Some(second) = &second {
+            // The first lies where it came to rest; one that goes on is not watched any longer.
+            let rests = self.sums.as_ref().is_some_and(|sums| sums.time.value <= self.end * (1.0 + 1e-9));
+            let later = second.record.moments.last().map_or(0.0, |moment| moment.time);
+            if rests {
+                self.end = self.end.max(later);
+            }
+            if let Some(first) = self.places.first_mut() {
+                "A".clone_into(&mut first.name);
+            }
+            let end = self.end;
+            let watched = |curve: &Curve| {
+                let points = curve.points.iter().copied().filter(|[time, _]| *time <= end).collect();
+                Curve { points, ..curve.clone() }
+            };
+            self.places.extend(second.places.iter().map(watched));
+        }
+        self.second = second;
+        self
+    }
+}
+
+fn velocity(moment: &Moment) -> Option<f64> {
+    moment.velocities.first()?.first().copied()
+}
+
+/// The momenta as shares of the greatest: the mass decides nothing that is shown.
+fn momenta(velocities: &[Curve]) -> Bars {
+    let greatest = Bars::new("", "", velocities.to_vec()).most;
+    let share = |curve: &Curve| {
+        let points = curve
+            .points
+            .iter()
+            .map(|[time, velocity]| [*time, if greatest > 0.0 { 100.0 * velocity / greatest } else { 0.0 }]);
+        Curve { points: points.collect(), ..curve.clone() }
+    };
+    Bars::new("Momentum", "% of the greatest", velocities.iter().map(share).collect())
+}
+
+/// The energies of each ball as shares of that at release.
+fn energies<'a>(balls: &'a [(&'a str, &'static str, &'a Record)]) -> impl Iterator<Item = Bars> + 'a {
+    balls.iter().filter_map(|(name, _, record)| {
+        let whole = record.moments.first()?.balance();
+        let share = |name: &str, role, energy: fn(&Moment) -> f64| {
+            over(record, name, role, |moment| Some(100.0 * energy(moment) / whole))
+        };
+        let curves = vec![
+            share("kinetic", "kinetic", |moment| moment.kinetic),
+            share("potential", "potential", |moment| moment.potential),
+            share("lost", "work", |moment| moment.lost - moment.work),
+        ];
+        let title = if balls.len() > 1 { format!("Energy of {name}") } else { "Energy".to_owned() };
+        Some(Bars::new(title, "% of that at the start", curves))
+    })
 }

@@ -45,6 +45,7 @@ impl StageRun<'_> {
         let sense = meets.signum();
         let touch = Touch { parties, normal: times(sense, along), restitution };
         let parted = touch.watched(self)?;
+        self.lever(distance.abs());
         self.remark(
             "The arm is shown as the point that is struck, with its effective mass there; its momentum is the angular momentum divided by the distance.",
         );
