@@ -6,7 +6,8 @@ use std::{env, fs};
 fn main() -> Result<(), String> {
     println!("cargo::rustc-check-cfg=cfg(engine_for_browsers)");
     println!("cargo::rerun-if-env-changed=MOMENTOUS_ENGINE");
-    let Some(module) = env::var_os("MOMENTOUS_ENGINE").map(PathBuf::from) else { return Ok(()) };
+    let named = env::var_os("MOMENTOUS_ENGINE").filter(|name| !name.is_empty());
+    let Some(module) = named.map(PathBuf::from) else { return Ok(()) };
     println!("cargo::rerun-if-changed={}", module.display());
     let folder = env::var_os("OUT_DIR").ok_or("cargo sets OUT_DIR")?;
     fs::copy(&module, Path::new(&folder).join("engine.wasm.gz"))
