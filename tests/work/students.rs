@@ -1,6 +1,5 @@
 //! Work as students write it, compared with a tutor's key.
 
-use std::collections::BTreeMap;
 use std::fs;
 
 use momentous::grade::DecimalMark;
@@ -9,10 +8,19 @@ use serde::Deserialize;
 
 use super::drawn;
 
-/// So many of the lines are judged as the key says; of 440.
-const AGREED: usize = 395;
-/// No more of them cannot be read or decided.
-const OPEN: usize = 35;
+/// A file of work: how many lines it has, how many at least are judged as the key says, and how many at most cannot be read or decided.
+struct Set {
+    file: &'static str,
+    lines: usize,
+    agreed: usize,
+    open: usize,
+}
+
+const SETS: [Set; 3] = [
+    Set { file: "students", lines: 440, agreed: 395, open: 35 },
+    Set { file: "newcomers", lines: 93, agreed: 93, open: 0 },
+    Set { file: "strangers", lines: 60, agreed: 60, open: 0 },
+];
 
 #[derive(Deserialize)]
 struct Work {
@@ -51,29 +59,51 @@ fn agrees(key: Key, verdict: Verdict) -> Option<bool> {
     })
 }
 
-#[test]
-fn lines_are_judged_as_a_tutor_judges_them() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/work/students.yaml");
+/// The lines of a file that are judged otherwise than the key says, and those that cannot be read or decided.
+struct Apart {
+    lines: usize,
+    otherwise: Vec<String>,
+    open: Vec<String>,
+}
+
+fn apart(file: &str) -> Apart {
+    let path = format!("{}/tests/fixtures/work/{file}.yaml", env!("CARGO_MANIFEST_DIR"));
     let works: Vec<Work> = serde_yaml::from_str(&fs::read_to_string(path).unwrap()).unwrap();
-    let (mut agreed, mut open, mut lines) = (0, Vec::new(), 0);
-    let mut apart: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut apart = Apart { lines: 0, otherwise: Vec::new(), open: Vec::new() };
     for work in &works {
         let exercise = drawn(&work.problem, work.seed);
         let mut judge = Judge::new(exercise.worked(), DecimalMark::Point);
         for line in &work.lines {
             let judged = judge.line(&line.text);
-            lines += 1;
-            let said =
-                format!("{:?} {:?} {} [{}] -> {}", line.key, judged.verdict, line.text, line.why, judged.message);
+            apart.lines += 1;
+            let Keyed { text, key, why } = line;
+            let said = format!(
+                "{} ({}) {key:?} {:?} {text} [{why}] -> {}",
+                work.problem, work.student, judged.verdict, judged.message
+            );
             match agrees(line.key, judged.verdict) {
-                Some(true) => agreed += 1,
-                Some(false) => apart.entry(format!("{} ({})", work.problem, work.student)).or_default().push(said),
-                None => open.push(format!("{} {said}", work.problem)),
+                Some(true) => {}
+                Some(false) => apart.otherwise.push(said),
+                None => apart.open.push(said),
             }
         }
     }
-    let apart: Vec<String> =
-        apart.into_iter().map(|(work, lines)| format!("{work}\n  {}", lines.join("\n  "))).collect();
-    assert!(agreed >= AGREED, "{agreed} of {lines}\n{}\nopen:\n  {}", apart.join("\n"), open.join("\n  "));
-    assert!(open.len() <= OPEN, "{}:\n  {}", open.len(), open.join("\n  "));
+    apart
+}
+
+#[test]
+fn lines_are_judged_as_a_tutor_judges_them() {
+    for set in SETS {
+        let Apart { lines, otherwise, open } = apart(set.file);
+        let agreed = lines - otherwise.len() - open.len();
+        let list = || format!("{}\nopen:\n  {}", otherwise.join("\n"), open.join("\n  "));
+        assert_eq!(lines, set.lines);
+        assert!(
+            agreed >= set.agreed && open.len() <= set.open,
+            "{}: {agreed} of {lines}, {} open\n{}",
+            set.file,
+            open.len(),
+            list()
+        );
+    }
 }
