@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use momentous_exercise::Exercise;
 use momentous_exercise::Remark;
+use momentous_exercise::WORK;
 use momentous_problem::Problem;
 use momentous_quantity::Rational;
 
@@ -18,7 +19,7 @@ use super::people::Member;
 use super::policy::Policy;
 use super::redaction::is_redacted;
 use super::score::Score;
-use super::stored_report::StoredReport;
+use super::stored_report::{StoredPart, StoredReport};
 use super::window::{Late, Phase, Window};
 
 /// A sheet with all that was handed in on it.
@@ -126,7 +127,8 @@ impl WorkedSheet<'_> {
         let same = problem.filter(|problem| issued.remark(problem) == Remark::Same);
         let Some(exercise) = same.and_then(|problem| issued.draw(problem).ok()) else { return Remarked::Differs };
         let is_lost = |(attempt, report): (&Attempt, &StoredReport)| {
-            report.parts.iter().any(|part| part.since == Some(attempt.received) && is_redacted(attempt, &part.id))
+            let counted = |part: &StoredPart| part.since == Some(attempt.received) && is_redacted(attempt, &part.id);
+            report.parts.iter().any(counted) || is_redacted(attempt, WORK)
         };
         if self.attempts.iter().zip(self.reports).any(is_lost) {
             return Remarked::Redacted;

@@ -35,9 +35,9 @@ pub struct Redaction {
 /// Why an answer cannot be redacted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotRedacted {
-    /// The order is about another attempt.
-    #[error("this is another attempt")]
-    AnotherAttempt,
+    /// There is no such attempt.
+    #[error("there is no such attempt")]
+    NoAttempt,
     /// There is no such answer.
     #[error("there is no answer at this part")]
     NoAnswer,
@@ -49,36 +49,61 @@ pub enum NotRedacted {
     Report,
 }
 
-/// The attempt without the answer. Verdict and points stay; so does what was understood, in words, where the text could be read, for
-/// then it is a number, a formula or a choice, and the attempts after it are marked by it.
+/// The attempts of a sheet that change where an answer is taken out of one of them: the same text goes wherever it stands, and each
+/// line of work too. Verdict and points stay; so does what was understood, in words, where the text could be read, for then it is a
+/// number, a formula or a choice, and the attempts after it are marked by it.
 ///
 /// # Errors
 /// A [`NotRedacted`].
-pub fn redacted(attempt: &Attempt, order: &Redaction) -> Result<Attempt, NotRedacted> {
-    if (attempt.sheet, attempt.number) != (order.sheet, order.number) {
-        return Err(NotRedacted::AnotherAttempt);
-    }
+pub fn redacted(attempts: &[Attempt], order: &Redaction) -> Result<Vec<Attempt>, NotRedacted> {
+    let is_ordered = |own: &&Attempt| (own.sheet, own.number) == (order.sheet, order.number);
+    let ordered = attempts.iter().find(is_ordered).ok_or(NotRedacted::NoAttempt)?;
     if order.reason.trim().is_empty() {
         return Err(NotRedacted::NoReason);
     }
+    let removed = ordered.answers.get(&order.part).ok_or(NotRedacted::NoAnswer)?;
+    let mut changed = Vec::new();
+    for attempt in attempts.iter().filter(|own| own.sheet == order.sheet) {
+        let without = without(attempt, &order.part, removed)?;
+        if without.answers != attempt.answers || without.report.get() != attempt.report.get() {
+            changed.push(without);
+        }
+    }
+    Ok(changed)
+}
+
+/// An attempt without the text of a part.
+fn without(attempt: &Attempt, part: &str, removed: &str) -> Result<Attempt, NotRedacted> {
     let mut attempt = attempt.clone();
-    let text = attempt.answers.get_mut(&order.part).ok_or(NotRedacted::NoAnswer)?;
-    REDACTED.clone_into(text);
     let mut report = StoredReport::of(&attempt).map_err(|_| NotRedacted::Report)?;
-    if let Some(part) = report.parts.iter_mut().find(|part| part.id == order.part && part.unread.is_some()) {
+    let is_changed = attempt.answers.get_mut(part).is_some_and(|text| replace(text, removed));
+    let mut unread = report.parts.iter_mut().filter(|own| is_changed && own.id == part && own.unread.is_some());
+    if let Some(own) = unread.next() {
         // What is said of a text that cannot be read may quote it.
-        part.unread = Some(UNREAD.to_owned());
-        UNREAD.clone_into(&mut part.message);
+        own.unread = Some(UNREAD.to_owned());
+        UNREAD.clone_into(&mut own.message);
     }
-    if let Some(work) = report.work.as_mut().filter(|_| order.part == WORK) {
-        REDACTED.clone_into(&mut work.text);
+    // Work stands on in the reports of later attempts that say nothing of it.
+    let stands_on = report.work.as_mut().filter(|_| part == WORK).is_some_and(|work| replace(&mut work.text, removed));
+    if is_changed || stands_on {
+        attempt.report = serde_json::value::to_raw_value(&report).map_err(|_| NotRedacted::Report)?;
     }
-    attempt.report = serde_json::value::to_raw_value(&report).map_err(|_| NotRedacted::Report)?;
     Ok(attempt)
 }
 
-/// Whether the answer to a part was redacted.
+/// Replaces each line of a text that stands in another one; whether there was one.
+fn replace(text: &mut String, removed: &str) -> bool {
+    let stands = |line: &str| !line.trim().is_empty() && removed.lines().any(|own| own.trim() == line.trim());
+    if !text.lines().any(stands) {
+        return false;
+    }
+    let lines: Vec<&str> = text.lines().map(|line| if stands(line) { REDACTED } else { line }).collect();
+    *text = if lines.iter().all(|line| *line == REDACTED) { REDACTED.to_owned() } else { lines.join("\n") };
+    true
+}
+
+/// Whether the answer to a part was redacted, or a line of the work.
 #[must_use]
 pub fn is_redacted(attempt: &Attempt, part: &str) -> bool {
-    attempt.answers.get(part).is_some_and(|text| text == REDACTED)
+    attempt.answers.get(part).is_some_and(|text| text.lines().any(|line| line == REDACTED))
 }

@@ -172,19 +172,23 @@ impl Store {
         Ok(self.one(before).await?.map_or(HandedIn::Stale, |attempt| HandedIn::Before(Box::new(attempt))))
     }
 
-    /// Takes the words out of an attempt, whose report stays.
+    /// Takes the words out of attempts, whose reports stay.
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn redact(&self, redacted: &Attempt, entry: &Entry) -> Result<(), StoreFault> {
-        let statement = query("UPDATE attempt SET data = $3 WHERE sheet = $1 AND number = $2");
-        let statement = statement.bind(redacted.sheet.to_string()).bind(i64::from(redacted.number));
-        // Earlier marks and a draft may hold the same words.
-        let sheet = redacted.sheet.to_string();
-        let before = query("DELETE FROM marked_before WHERE sheet = $1 AND number = $2").bind(sheet.clone());
-        let before = before.bind(i64::from(redacted.number));
-        let draft = query("DELETE FROM draft WHERE sheet = $1").bind(sheet);
-        self.write(vec![statement.bind(to_json(redacted)?), before, draft, entry.statement()?]).await.map(|_| ())
+    pub async fn redact(&self, redacted: &[Attempt], entry: &Entry) -> Result<(), StoreFault> {
+        let mut statements = Vec::new();
+        for attempt in redacted {
+            let (sheet, number) = (attempt.sheet.to_string(), i64::from(attempt.number));
+            let statement = query("UPDATE attempt SET data = $3 WHERE sheet = $1 AND number = $2");
+            statements.push(statement.bind(sheet.clone()).bind(number).bind(to_json(attempt)?));
+            // Earlier marks and a draft may hold the same words.
+            let before = query("DELETE FROM marked_before WHERE sheet = $1 AND number = $2");
+            statements.push(before.bind(sheet.clone()).bind(number));
+            statements.push(query("DELETE FROM draft WHERE sheet = $1").bind(sheet));
+        }
+        statements.push(entry.statement()?);
+        self.write(statements).await.map(|_| ())
     }
 
     /// Keeps that a hint was shown; it costs once.

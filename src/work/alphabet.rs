@@ -25,6 +25,9 @@ const FUNCTIONS: [(&Law, &str); 4] =
 /// So many members of a sequence have names.
 const MOST_MEMBERS: i64 = 12;
 
+/// Values are the same within this share.
+const SAME: f64 = 1e-12;
+
 /// Letters under which kinetic energies are written.
 const KINETIC_ENERGY: [&str; 5] = ["T", "K", "KE", "E_k", "E_kin"];
 
@@ -38,6 +41,9 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
         names,
         short: Vec::new(),
         spelt: Vec::new(),
+        others: BTreeMap::new(),
+        loose: BTreeSet::new(),
+        numbers: BTreeMap::new(),
         own: BTreeSet::new(),
         vectors: Vectors::among(&model.symbols),
         limits: BTreeMap::new(),
@@ -54,6 +60,7 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
     components(worked, ground, &mut alphabet);
     members(worked, ground, &mut alphabet);
     alone(worked, ground, &mut alphabet);
+    alphabet.vectors = Vectors::among(&alphabet.symbols);
     alphabet
 }
 
@@ -107,10 +114,6 @@ fn magnitudes(worked: Worked<'_>, alphabet: &mut Alphabet) {
 fn motions(worked: Worked<'_>, alphabet: &mut Alphabet) {
     let model = worked.problem.model();
     let named = || model.symbols.iter().map(|(symbol, _)| (symbol, model.name(symbol)));
-    let mass = |body: &str| {
-        let is_mass = |name: &Name| name.kind == QuantityKind::Mass && name.subject == body;
-        named().find(|(_, name)| is_mass(name)).map(|(symbol, _)| Expr::from(symbol))
-    };
     // By body and component, the velocities at each instant.
     let mut motions: BTreeMap<(&str, Option<&str>), BTreeMap<usize, Expr>> = BTreeMap::new();
     for (symbol, name) in named().filter(|(_, name)| name.kind == QuantityKind::Velocity && name.stage.is_none()) {
@@ -120,7 +123,7 @@ fn motions(worked: Worked<'_>, alphabet: &mut Alphabet) {
     }
     let mut energies: BTreeMap<(&str, usize), Vec<Expr>> = BTreeMap::new();
     for ((body, component), velocities) in &motions {
-        let Some(mass) = mass(body) else { continue };
+        let Some(mass) = mass(worked, body) else { continue };
         let part = component.map_or_else(String::new, |component| format!(".{component}"));
         for (instant, velocity) in velocities {
             alphabet.shorten(&format!("p_{body}{instant}{part}"), mass.clone() * velocity.clone());
@@ -138,7 +141,7 @@ fn motions(worked: Worked<'_>, alphabet: &mut Alphabet) {
         }
     }
     for ((body, instant), squares) in energies {
-        let Some(mass) = mass(body) else { continue };
+        let Some(mass) = mass(worked, body) else { continue };
         let energy = Expr::ratio(1, 2) * mass * Expr::sum(squares);
         for letter in KINETIC_ENERGY {
             alphabet.shorten(&format!("{letter}_{body}{instant}"), energy.clone());
@@ -182,8 +185,8 @@ fn numbered(worked: Worked<'_>, alphabet: &mut Alphabet) {
     let bodies: Vec<&String> = worked.problem.loaded().draft.scene.bodies.keys().collect();
     for (place, body) in bodies.iter().enumerate() {
         let velocity = |instant: usize| model.symbols.find(&format!("v_{body}{instant}")).map(Expr::from);
-        if let Some(mass) = model.symbols.find(&format!("m_{body}")) {
-            alphabet.shorten(&format!("m_{}", place + 1), mass.into());
+        if let Some(mass) = mass(worked, body) {
+            alphabet.shorten(&format!("m_{}", place + 1), mass);
         }
         for number in [(*body).clone(), (place + 1).to_string()] {
             if let Some(before) = velocity(1) {
@@ -255,7 +258,7 @@ fn members(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
         }
         for member in 1..=MOST_MEMBERS {
             let term = right.substitute(&|symbol| (symbol == count).then(|| Expr::integer(member)));
-            alphabet.shorten(&format!("{letter}_{member}"), term);
+            alphabet.name(&format!("{letter}_{member}"), &[term], false);
         }
     }
 }
@@ -283,24 +286,33 @@ fn across(worked: Worked<'_>, alphabet: &mut Alphabet) {
     }
 }
 
-/// One letter for masses that are the same in every variant, and for the only normal force.
+/// The mass of a body, where it has a name.
+pub(crate) fn mass(worked: Worked<'_>, body: &str) -> Option<Expr> {
+    let entry = worked.problem.loaded().draft.scene.bodies.get(body)?;
+    let name = entry.mass.as_ref().map_or_else(|| format!("m_{body}"), |term| term.0.trim().to_owned());
+    worked.problem.model().symbols.find(&name).map(Expr::from)
+}
+
+/// The mass of each body under its letter, one letter for masses that are the same in every variant, and for the only normal force.
 fn masses(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
     let model = worked.problem.model();
-    let of_kind = |kind: &QuantityKind| -> Vec<Symbol> {
-        model.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| model.name(*symbol).kind == *kind).collect()
+    let bodies: Vec<&String> = worked.problem.loaded().draft.scene.bodies.keys().collect();
+    let masses: Vec<(&String, Expr)> = bodies.iter().filter_map(|body| Some((*body, mass(worked, body)?))).collect();
+    let is_same = |one: &Expr, other: &Expr| {
+        let mut values = ground.places().map(|place| {
+            let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
+            [one, other].map(|own| own.evaluate(&value))
+        });
+        values.all(|[one, other]| (one - other).abs() <= SAME * one.abs())
     };
-    let masses = of_kind(&QuantityKind::Mass);
-    let is_same = |one: Symbol, other: Symbol| {
-        let mut values = ground.places().map(|place| (place.value(one), place.value(other)));
-        values.all(|(one, other)| one.is_some() && one.map(|own| own.value) == other.map(|own| own.value))
-    };
-    if let Some(first) = masses.first()
-        && masses.iter().skip(1).all(|other| is_same(*first, *other))
+    if let Some((_, first)) = masses.first()
+        && masses.len() == bodies.len()
+        && masses.iter().skip(1).all(|(_, other)| is_same(first, other))
     {
-        alphabet.shorten("m", (*first).into());
-        for body in worked.problem.loaded().draft.scene.bodies.keys() {
-            alphabet.shorten(&format!("m_{body}"), (*first).into());
-        }
+        alphabet.shorten("m", first.clone());
+    }
+    for (body, mass) in masses {
+        alphabet.shorten(&format!("m_{body}"), mass);
     }
     let normal: Vec<Symbol> =
         model.symbols.iter().filter(|(_, entry)| entry.name.starts_with("N_")).map(|(own, _)| own).collect();

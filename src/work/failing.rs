@@ -2,9 +2,9 @@
 
 use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
-use momentous_quantity::coherent_unit;
 use momentous_solve::Bounded;
 
+use super::bare_units::BareUnits;
 use super::clash::without_clash;
 use super::elsewhere::{Elsewhere, elsewhere};
 use super::found::Found;
@@ -46,7 +46,7 @@ impl Judge<'_> {
             let at_share = |share: f64| {
                 let between = Bounded::exactly(low + share * (high - low));
                 let value = |symbol: Symbol| if symbol == variable { Some(between) } else { place.value(symbol) };
-                At { value: &value, units: self.worked.problem.units(), turned: &self.turned }.line(line, set)
+                At { value: &value, units: self.units, turned: &self.turned }.line(line, set)
             };
             SHARES.map(at_share).into_iter().max().unwrap_or(Holds::Open)
         };
@@ -58,19 +58,29 @@ impl Judge<'_> {
     }
 
     /// Whether a bare number is that of a given in a unit in which bare numbers do not count.
-    fn has_printed_number(&self, line: &Written) -> bool {
-        let system = self.worked.problem.units();
+    fn has_printed_number(&self, line: &Written, units: BareUnits) -> bool {
         self.worked.variant.all_given().iter().any(|(_, value, unit)| {
-            let coherent = coherent_unit(unit.dimension(), system);
-            let is_other = unit.dimension() != Dimension::NONE && unit.factor() != coherent.factor();
+            let is_other = unit.dimension() != Dimension::NONE && !units.has(unit);
             let printed = value.to_rational();
             is_other && line.numbers.iter().any(|own| own.unit.is_none() && own.value == printed)
         })
     }
 
+    /// What is found of a line where its bare numbers count in the units of the sheet, with which it holds.
+    pub(crate) fn in_units_of_sheet(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Option<Found> {
+        let units = BareUnits::of_sheet(self.worked).filter(|_| self.has_printed_number(line, self.units))?;
+        let value = |symbol: Symbol| place.value(symbol);
+        let at = At { value: &value, units, turned: &self.turned };
+        let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
+        let is_held = here.iter().any(|own| matches!(own, Holds::Yes | Holds::AsFigures));
+        is_held.then(|| self.holding(line, place, sets, &here))
+    }
+
     /// Why a line does not hold.
     pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> Found {
-        if let Err(clash) = without_clash(line, sets) {
+        if let Err(clash) = without_clash(line, sets)
+            && !line.has_own
+        {
             return Found::of(Verdict::Dimensions).because(clash);
         }
         let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at);
@@ -78,7 +88,8 @@ impl Judge<'_> {
             return Found { mistakes: follows, ..Found::of(Verdict::Mistake) };
         }
         // Bare numbers in the units of the sheet: their results may be in any.
-        if self.has_printed_number(line) && !line.is_in_symbols() {
+        let of_sheet = BareUnits::of_sheet(self.worked).is_some_and(|units| !self.has_printed_number(line, units));
+        if self.has_printed_number(line, self.units) && !of_sheet && !line.is_in_symbols() {
             return Found::of(Verdict::Undecided).because("write the units of its numbers".to_owned());
         }
         match elsewhere(self.worked, place, (line, sets), at) {

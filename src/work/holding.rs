@@ -24,7 +24,7 @@ impl Judge<'_> {
         let everywhere = |set: &Meanings| {
             let holds = |place: Place<'_>| {
                 let value = |symbol: Symbol| place.value(symbol);
-                At { value: &value, units: self.worked.problem.units(), turned: &self.turned }.line(line, set)
+                At { value: &value, units: self.units, turned: &self.turned }.line(line, set)
             };
             let found: Vec<Holds> = self.ground.places().map(holds).collect();
             found.iter().all(|own| matches!(own, Holds::Yes | Holds::Open))

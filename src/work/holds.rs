@@ -2,15 +2,16 @@
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
+use momentous_grade::WrittenNumber;
 use momentous_grade::half_of_last_place;
 use momentous_quantity::Dimension;
 use momentous_quantity::Unit;
 use momentous_quantity::UnitSystem;
-use momentous_quantity::coherent_unit;
 use momentous_solve::Bounded;
 use momentous_solve::Real;
 use momentous_solve::evaluate;
 
+use super::bare_units::BareUnits;
 use super::meaning::{Meaning, Meanings};
 use super::sides::Compared;
 use super::written::{Statement, Written};
@@ -58,7 +59,7 @@ pub(crate) struct At<'a> {
     /// The value of a quantity in SI units.
     pub(crate) value: &'a dyn Fn(Symbol) -> Option<Bounded>,
     /// The units in which bare numbers count.
-    pub(crate) units: UnitSystem,
+    pub(crate) units: BareUnits,
     /// Quantities that the student counts the other way round.
     pub(crate) turned: &'a [Symbol],
 }
@@ -157,15 +158,18 @@ impl At<'_> {
     }
 
     fn unit_of(&self, unit: Option<&Unit>) -> f64 {
-        unit.map_or(1.0, |unit| unit.factor().to_f64() / coherent(unit.dimension(), self.units))
+        unit.map_or(1.0, |unit| unit.factor().to_f64() / self.units.size(unit.dimension()))
     }
 
     fn in_units(&self, value: Bounded, dimension: Dimension) -> Bounded {
-        match self.units {
-            UnitSystem::Si => value,
-            UnitSystem::Us => value.div(&Bounded::exactly(coherent(dimension, self.units))),
-        }
+        if self.units.is_si() { value } else { value.div(&Bounded::exactly(self.units.size(dimension))) }
     }
+}
+
+/// The value of a number in coherent units.
+pub(crate) fn coherent_value(number: &WrittenNumber, units: BareUnits) -> f64 {
+    let unit = number.unit.as_ref();
+    number.value.to_f64().value() * unit.map_or(1.0, |unit| unit.factor().to_f64() / units.size(unit.dimension()))
 }
 
 /// The quantities whose values a line gives.
@@ -181,14 +185,6 @@ fn is_result(line: &Written, statement: &Statement) -> bool {
     gives(&statement.left, &statement.right) || gives(&statement.right, &statement.left)
 }
 
-/// The size of the coherent unit of a dimension in SI units.
-pub(crate) fn coherent(dimension: Dimension, units: UnitSystem) -> f64 {
-    match units {
-        UnitSystem::Si => 1.0,
-        UnitSystem::Us => coherent_unit(dimension, units).factor().to_f64(),
-    }
-}
-
 /// Whether a line says the same of any values whatever: both sides are one.
 pub(crate) fn is_identity(line: &Written, meanings: &Meanings) -> bool {
     (1..=3_u32).all(|round| {
@@ -198,7 +194,7 @@ pub(crate) fn is_identity(line: &Written, meanings: &Meanings) -> bool {
             let share = (mixed % 1_048_573) as f64 / 1_048_573.0;
             Some(Bounded::exactly(0.25 + share))
         };
-        let at = At { value: &anything, units: UnitSystem::Si, turned: &[] };
+        let at = At { value: &anything, units: BareUnits::coherent(UnitSystem::Si), turned: &[] };
         at.line(line, meanings) == Holds::Yes
     })
 }

@@ -5,19 +5,25 @@ use std::sync::Arc;
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_grade::DecimalMark;
-use momentous_grade::UnreadableKind;
 use momentous_problem::Worked;
 
+use super::aliases::Aliases;
 use super::alphabet::alphabet;
+use super::bare_units::BareUnits;
 use super::clash::without_clash;
 use super::found::{Accepted, Found};
 use super::ground::Ground;
 use super::holds::{At, Holds, results};
 use super::meaning::meanings;
-use super::reader::{NoLine, readings, term};
+use super::prose;
+use super::rates;
+use super::reader::{NoLine, readings};
 use super::report::JudgedLine;
-use super::sides::{Compared, sides, statements};
+use super::setting::unset;
+use super::sides::{sides, statements};
+use super::together::aliases;
 use super::unread::said;
+use super::vectors::{Vectors, unmarked};
 use super::verdict::Verdict;
 use super::way::Values;
 use super::written::{Alphabet, Written};
@@ -25,15 +31,27 @@ use super::written::{Alphabet, Written};
 /// The most lines that are judged.
 pub const MOST_LINES: usize = 60;
 
+/// How much is asked about a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Search {
+    /// Whether it is true.
+    Truth,
+    /// Where it is not, also why.
+    Mistakes,
+}
+
 /// A student's work on one variant: lines are judged in their order, since a line may go on from the one before.
 pub struct Judge<'a> {
     pub(crate) worked: Worked<'a>,
     pub(crate) ground: Arc<Ground>,
     pub(crate) base: Values,
+    /// The units in which bare numbers count.
+    pub(crate) units: BareUnits,
     pub(crate) alphabet: Alphabet,
-    mark: DecimalMark,
+    aliases: Aliases,
+    pub(crate) mark: DecimalMark,
     pub(crate) turned: Vec<Symbol>,
-    before: Option<Written>,
+    pub(crate) before: Option<Written>,
     pub(crate) mistakes: Vec<(&'static str, usize)>,
     pub(crate) accepted: Vec<Accepted>,
     lines: usize,
@@ -49,6 +67,8 @@ impl<'a> Judge<'a> {
         let base = ground.values(worked, 0);
         Self {
             alphabet: alphabet(worked, &ground),
+            aliases: aliases(worked, &ground),
+            units: BareUnits::coherent(worked.problem.units()),
             worked,
             ground,
             base,
@@ -66,7 +86,9 @@ impl<'a> Judge<'a> {
     pub fn line(&mut self, text: &str) -> JudgedLine {
         self.lines += 1;
         self.is_in_letters = true;
-        let found = self.found(text);
+        let written = rates::named(text, &|name| self.aliases.has(name));
+        self.learn(&written);
+        let found = self.found(&written);
         if let Some(accepted) = &found.accepted {
             self.accepted.push(accepted.clone());
         }
@@ -104,10 +126,17 @@ impl<'a> Judge<'a> {
         if parts.len() < 2 {
             return self.stated(text);
         }
+        // Where one is a sentence that cannot be read, the others are judged.
+        let (mut left_out, mut is_read) = (None, false);
         // Of several statements the worst is told, and each may show what it shows.
         let mut worst: Option<Found> = None;
         for part in &parts {
             let found = self.stated(part);
+            if found.verdict == Verdict::Unreadable && prose::is_sentence(part) {
+                left_out = Some(found);
+                continue;
+            }
+            is_read = true;
             if let Some(earlier) = &worst {
                 self.accepted.extend(earlier.accepted.clone().filter(|_| found.verdict > earlier.verdict));
             }
@@ -116,12 +145,36 @@ impl<'a> Judge<'a> {
                 _ => worst = Some(found),
             }
         }
-        worst.unwrap_or_else(|| Found::of(Verdict::Remark))
+        let rest = left_out.filter(|_| !is_read);
+        rest.or(worst).unwrap_or_else(|| Found::of(Verdict::Remark))
+    }
+
+    /// What is found of one statement, or of the equation in it where it is a sentence that cannot be read as a whole.
+    pub(crate) fn stated(&mut self, text: &str) -> Found {
+        let found = self.plainly_stated(text);
+        if found.verdict != Verdict::Unreadable {
+            return found;
+        }
+        if let Some(found) = self.with_letter_guessed(text) {
+            return found;
+        }
+        if let Some(found) = self.with_readable_sides(text) {
+            return found;
+        }
+        let mut rest = text.to_owned();
+        while let Some(equation) = prose::equation(&rest) {
+            let within = self.plainly_stated(&equation);
+            if within.verdict != Verdict::Unreadable {
+                return within;
+            }
+            rest = equation;
+        }
+        found
     }
 
     /// What is found of one statement. The sheet does not tell the sense of the axis across the line of impact: a line may count it
     /// the other way round.
-    fn stated(&mut self, text: &str) -> Found {
+    pub(crate) fn plainly_stated(&mut self, text: &str) -> Found {
         if let Some(found) = self.own_letter(text) {
             return found;
         }
@@ -146,29 +199,80 @@ impl<'a> Judge<'a> {
         found
     }
 
+    /// Learns the short names that stand in a line.
+    fn learn(&mut self, text: &str) {
+        let known = self.alphabet.names.len();
+        self.aliases.learn(&unmarked(&unset(text)), &mut self.alphabet);
+        if self.alphabet.names.len() > known {
+            self.alphabet.vectors = Vectors::among(&self.alphabet.symbols);
+        }
+    }
+
     fn read(&mut self, text: &str) -> Found {
-        let readings = match readings(text, &self.alphabet, self.before.as_ref(), self.mark) {
-            Ok(readings) => readings,
-            Err(NoLine::NoStatement) => return Found::of(Verdict::Remark),
-            Err(NoLine::NothingBefore) => {
-                return Found::of(Verdict::Unreadable)
-                    .because("it begins with a sign, and no line stands before it".to_owned());
-            }
-            Err(NoLine::Integral(fault)) => return Found::of(Verdict::Unreadable).because(fault.said().to_owned()),
-            Err(NoLine::Unreadable(fault)) => {
-                return Found::of(Verdict::Unreadable).because(said(&fault, &self.printed_names()));
-            }
+        let (found, reading) = self.tried(text);
+        let Some(reading) = reading else { return found };
+        self.take(found, reading)
+    }
+
+    /// What is found of one statement, and the reading in which it is found. Where it does not hold, its short names are tried with
+    /// whatever else they may mean.
+    pub(crate) fn tried(&self, text: &str) -> (Found, Option<Written>) {
+        let (found, reading) = match self.tried_as(text, &[], Search::Mistakes) {
+            Ok(first) => first,
+            Err(found) => return (*found, None),
         };
+        if found.verdict.is_true() || reading.shorts.is_empty() {
+            return (found, Some(reading));
+        }
+        for instead in self.alphabet.meanings(&reading) {
+            if let Ok((other, reading)) = self.tried_as(text, &instead, Search::Truth)
+                && other.verdict.is_true()
+            {
+                return (other, Some(reading));
+            }
+        }
+        let loose = reading.shorts.iter().find(|short| self.alphabet.loose.contains(short));
+        match loose {
+            Some(short) if found.verdict.is_wrong() => (self.asked_back(*short), None),
+            _ => (found, Some(reading)),
+        }
+    }
+
+    /// A short name that may stand for too much.
+    fn asked_back(&self, short: Symbol) -> Found {
+        let name = self.alphabet.symbols.entry(short).name.clone();
+        Found::of(Verdict::Unreadable).because(format!("say what `{name}` stands for: it may be several things here"))
+    }
+
+    /// What is found of the best reading of a statement.
+    pub(crate) fn tried_as(
+        &self,
+        text: &str,
+        instead: &[(Symbol, Expr)],
+        search: Search,
+    ) -> Result<(Found, Written), Box<Found>> {
+        let because = |detail: String| Box::new(Found::of(Verdict::Unreadable).because(detail));
+        let readings = readings(text, &self.alphabet, self.before.as_ref(), self.mark, instead);
+        let readings = readings.map_err(|fault| match fault {
+            NoLine::NoStatement => Box::new(Found::of(Verdict::Remark)),
+            NoLine::NothingBefore => because("it begins with a sign, and no line stands before it".to_owned()),
+            NoLine::Integral(fault) => because(fault.said().to_owned()),
+            NoLine::Unreadable(fault) => because(said(&fault, &self.printed_names())),
+        })?;
         let mut best: Option<(Found, Written)> = None;
         let in_units: Vec<Written> = readings.iter().filter_map(|own| self.in_unit_of_result(own)).collect();
         for mut reading in readings.into_iter().chain(in_units) {
             self.measure_results(&mut reading);
-            let found = self.judged(&reading);
+            let found = self.judged(&reading, search);
             if best.as_ref().is_none_or(|(best, _)| found.verdict < best.verdict) {
                 best = Some((found, reading));
             }
         }
-        let Some((found, reading)) = best else { return Found::of(Verdict::Remark) };
+        best.ok_or_else(|| Box::new(Found::of(Verdict::Remark)))
+    }
+
+    /// Takes what is found of a reading.
+    pub(crate) fn take(&mut self, found: Found, reading: Written) -> Found {
         self.is_in_letters &= reading.is_in_letters();
         if found.verdict.is_wrong() {
             // Of several values of one quantity the last counts: a list of guesses is worth no more than one.
@@ -179,61 +283,23 @@ impl<'a> Judge<'a> {
         found
     }
 
-    /// Takes a line that begins with a letter that the problem does not have, as what that letter stands for; where the line goes on,
-    /// the rest is judged.
-    fn own_letter(&mut self, text: &str) -> Option<Found> {
-        let sides = sides(text)?;
-        let [alternatives] = sides.as_slice() else { return None };
-        let [chain] = alternatives.as_slice() else { return None };
-        let (name, rest) = (chain.sides.first()?.trim(), chain.sides.get(1..)?);
-        if chain.signs.iter().any(|sign| *sign != Compared::Equal)
-            || !is_name(name)
-            || self.alphabet.vectors.is_vector(name)
-        {
-            return None;
-        }
-        let is_unknown = match term(name, &self.alphabet, self.mark) {
-            Err(NoLine::Unreadable(fault)) => matches!(fault.kind, UnreadableKind::UnknownName { .. }),
-            Err(_) => false,
-            Ok(_) => self.alphabet.own.contains(name),
-        };
-        // A slip in a letter of the sheet is none of one's own.
-        let is_own = self.alphabet.own.contains(name);
-        let is_slip = !is_own && self.printed_names().iter().any(|own| own.eq_ignore_ascii_case(name));
-        if !is_unknown || is_slip {
-            return None;
-        }
-        let read = rest.iter().map(|side| term(side, &self.alphabet, self.mark)).collect::<Result<Vec<_>, _>>().ok()?;
-        let is_in_letters =
-            |(own, line): &&(Expr, Written)| own.symbols().iter().any(|symbol| line.number(*symbol).is_none());
-        let (stands, line) = read.iter().find(is_in_letters).or(read.last())?.clone();
-        let sets = meanings(&line, self.worked);
-        let set = sets.iter().find(|set| set.is_general(&line)).or(sets.first())?;
-        let value = self.in_values(&line, set, &stands);
-        let found = if rest.len() > 1 { self.stated(&rest.join(" = ")) } else { Found::of(Verdict::Definition) };
-        self.alphabet.own.insert(name.to_owned());
-        self.alphabet.shorten(name, value);
-        let wrong = found.verdict.is_wrong();
-        Some(if wrong { found } else { Found { detail: name.to_owned(), ..Found::of(Verdict::OwnLetter) } })
-    }
-
     /// The names that a line may hold.
     pub(crate) fn printed_names(&self) -> Vec<String> {
         let names = self.alphabet.names.iter().map(|symbol| self.alphabet.symbols.entry(*symbol).name.clone());
         names.collect()
     }
 
-    fn judged(&self, line: &Written) -> Found {
+    fn judged(&self, line: &Written, search: Search) -> Found {
         let place = self.ground.place(&self.base);
         let value = |symbol: Symbol| place.value(symbol);
-        let at = At { value: &value, units: self.worked.problem.units(), turned: &self.turned };
+        let at = At { value: &value, units: self.units, turned: &self.turned };
         let sets = meanings(line, self.worked);
         // Where a bare number may be that of a given, its dimension is not known.
         let has_given =
             sets.iter().any(|set| line.numbers.iter().any(|own| own.unit.is_none() && set.is_given(own.symbol)));
         let sets = match without_clash(line, &sets) {
             Ok(sets) => sets,
-            Err(_) if has_given => sets,
+            Err(_) if has_given || line.has_own => sets,
             Err(clash) => return Found::of(Verdict::Dimensions).because(clash),
         };
         let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
@@ -241,13 +307,13 @@ impl<'a> Judge<'a> {
         match best {
             Holds::Yes | Holds::AsFigures => self.holding(line, place, &sets, &here),
             Holds::Open => self.open(line, place, &sets),
-            Holds::No => self.failing(line, place, &sets, &at),
+            Holds::No => {
+                let holds = self.in_units_of_sheet(line, place, &sets);
+                holds.unwrap_or_else(|| match search {
+                    Search::Mistakes => self.failing(line, place, &sets, &at),
+                    Search::Truth => Found::of(Verdict::DoesNotFollow),
+                })
+            }
         }
     }
-}
-
-/// Whether a side is one letter with its index.
-fn is_name(side: &str) -> bool {
-    side.starts_with(char::is_alphabetic)
-        && side.chars().all(|sign| sign.is_alphanumeric() || matches!(sign, '_' | '{' | '}' | '\'' | ','))
 }

@@ -5,9 +5,12 @@
 //! (`support.rs`). A line that does not follow is tried in the systems that come of usual mistakes (`wrong.rs`).
 //! Numbers are read as what they stand for (`meaning.rs`): `2.0 * 3.0` as `m_A v_A1`.
 
+mod aliases;
 mod alphabet;
+mod bare_units;
 mod clash;
 mod convention;
+mod cross;
 mod elsewhere;
 mod failing;
 mod found;
@@ -20,13 +23,19 @@ mod letters;
 mod meaning;
 mod message;
 mod naming;
+mod own_letters;
 mod progress;
+mod prose;
+mod rates;
 mod reader;
 mod report;
 mod result;
 mod series;
+mod setting;
 mod sides;
+mod spelling;
 mod support;
+mod together;
 mod unread;
 mod vectors;
 mod verdict;

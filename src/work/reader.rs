@@ -20,6 +20,9 @@ use super::sides::{Chain, sides};
 use super::vectors::with_components;
 use super::written::{Alphabet, Statement, Written};
 
+/// The base of natural logarithms, where no quantity is called so.
+pub(crate) const EULER: &str = "e";
+
 /// Why a line is none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum NoLine {
@@ -33,12 +36,14 @@ pub(crate) enum NoLine {
     NothingBefore,
 }
 
-/// The readings of a line, one as a rule; two where a letter behind a number may be a unit or a quantity.
+/// The readings of a line, one as a rule; two where a letter behind a number may be a unit or a quantity. Some short names may stand for
+/// something else instead of what is likeliest.
 pub(crate) fn readings(
     line: &str,
     alphabet: &Alphabet,
     before: Option<&Written>,
     mark: DecimalMark,
+    instead: &[(Symbol, Expr)],
 ) -> Result<Vec<Written>, NoLine> {
     let sides = sides(line).ok_or(NoLine::NoStatement)?;
     // The line before lends its last side, with its numbers, to a line that begins with a sign.
@@ -46,7 +51,8 @@ pub(crate) fn readings(
     let before = before.filter(|_| goes_on);
     let read = |manner| {
         let written = Written::blank(alphabet, before);
-        Reader { alphabet, manner, mark, before, written, inserted: Vec::new(), is_doubtful: false }.line(&sides)
+        let inserted = Vec::new();
+        Reader { alphabet, instead, manner, mark, written, inserted, is_doubtful: false }.line(&sides)
     };
     let mut readings = Vec::new();
     for bars in [&[BehindBars::Doubtful][..], &[BehindBars::Above, BehindBars::Below]] {
@@ -78,16 +84,18 @@ pub(crate) fn term(side: &str, alphabet: &Alphabet, mark: DecimalMark) -> Result
     within_length(side)?;
     let manner = Manner { letters: Letters::Units, behind_bars: BehindBars::Above };
     let written = Written::blank(alphabet, None);
-    let mut reader = Reader { alphabet, manner, mark, before: None, written, inserted: Vec::new(), is_doubtful: false };
+    let inserted = Vec::new();
+    let mut reader = Reader { alphabet, instead: &[], manner, mark, written, inserted, is_doubtful: false };
     let term = reader.side(1, side)?;
     Ok((term, reader.written))
 }
 
 struct Reader<'a> {
     alphabet: &'a Alphabet,
+    /// What short names stand for instead of what is likeliest.
+    instead: &'a [(Symbol, Expr)],
     manner: Manner,
     mark: DecimalMark,
-    before: Option<&'a Written>,
     written: Written,
     /// Integrals and series, each under a name that stands in its place.
     inserted: Vec<(Symbol, Expr)>,
@@ -123,8 +131,7 @@ impl Reader<'_> {
 
     fn side(&mut self, place: usize, side: &str) -> Result<Expr, NoLine> {
         if side.trim().is_empty() && place == 0 {
-            let last = self.written.last.clone().or_else(|| self.before.and_then(|before| before.last.clone()));
-            return last.ok_or(NoLine::NothingBefore);
+            return self.written.last.clone().ok_or(NoLine::NothingBefore);
         }
         let side = self.alphabet.spelt.iter().fold(side.to_owned(), |side, (text, name)| side.replace(text, name));
         self.term(&side, None)
@@ -156,12 +163,22 @@ impl Reader<'_> {
         }
         let inserted = self.inserted.iter().map(|(symbol, _)| *symbol).chain(variable);
         let names: Vec<Symbol> = self.alphabet.names.iter().copied().chain(inserted).collect();
+        let text = if self.alphabet.symbols.find(EULER).is_none() { with_euler(&text) } else { text };
         let read = read_term(&with_indices(&text), &mut self.written.symbols, &names, self.manner, self.mark);
         let read = read.map_err(NoLine::Unreadable)?;
         self.is_doubtful |= read.is_doubtful;
         self.written.numbers.extend(read.numbers);
         let inserted = |symbol: Symbol| self.inserted.iter().find(|(own, _)| *own == symbol);
-        let term = self.alphabet.meant(&read.term, variable);
+        let Alphabet { others, loose, .. } = self.alphabet;
+        let is_short = |symbol: &Symbol| others.contains_key(symbol) || loose.contains(symbol);
+        for number in read.term.symbols().into_iter().filter_map(|symbol| self.alphabet.number(symbol)) {
+            self.written.has_own = true;
+            if self.written.number(number.symbol).is_none() {
+                self.written.numbers.push(number);
+            }
+        }
+        self.written.shorts.extend(read.term.symbols().into_iter().filter(is_short));
+        let term = self.alphabet.meant(&read.term, variable, self.instead);
         Ok(term.substitute(&|symbol| inserted(symbol).map(|(_, value)| value.clone())))
     }
 
@@ -214,6 +231,18 @@ fn within_length(side: &str) -> Result<(), NoLine> {
 fn difference(term: &Expr, variable: Symbol, ends: [&Expr; 2]) -> Expr {
     let [low, high] = ends.map(|end| term.substitute(&|symbol| (symbol == variable).then(|| end.clone())));
     Expr::sum([high, -low])
+}
+
+/// `300/e` as `300/exp(1)`; a power of ten stays: `9.5e-4`.
+fn with_euler(side: &str) -> String {
+    let mut text = String::with_capacity(side.len());
+    let is_of_word = |sign: char| sign.is_alphanumeric() || matches!(sign, '_' | '\\' | '.' | '{');
+    for (at, sign) in side.char_indices() {
+        let behind = side[at + sign.len_utf8()..].chars().next();
+        let is_alone = !side[..at].ends_with(is_of_word) && !behind.is_some_and(|next| is_of_word(next) || next == '^');
+        if is_alone && sign.to_string() == EULER { text.push_str("exp(1)") } else { text.push(sign) }
+    }
+    text
 }
 
 /// A side with the stages and instants of names as indices: `J_A[hit]` as `J_A_{hit}`, `v_A@top` as `v_A_{top}`.

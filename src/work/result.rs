@@ -79,6 +79,13 @@ impl Judge<'_> {
         });
         let given = self.worked.variant.all_given().iter().map(|(_, _, unit)| unit.clone());
         let usual = self.worked.variant.unit(self.worked.problem, symbol);
-        asked.into_iter().chain([usual]).chain(given).filter(|unit| unit.dimension() == dimension).collect()
+        let coherent = coherent_unit(dimension, self.worked.problem.units());
+        asked
+            .into_iter()
+            .chain([usual])
+            .chain(given)
+            .chain([coherent])
+            .filter(|unit| unit.dimension() == dimension)
+            .collect()
     }
 }

@@ -1,5 +1,7 @@
 //! A line taken apart: its sides, how they compare, and the words around them.
 
+use super::setting::unset;
+
 /// How two sides of a line compare.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Compared {
@@ -43,6 +45,10 @@ const SIGNS: [(&str, Compared); 20] = [
 
 /// What stands between two statements of one line: the second follows from the first.
 const ARROWS: [&str; 10] = ["\\Longrightarrow", "\\Rightarrow", "\\implies", "\\to ", "=>", "->", "⇒", "⟹", "→", ";"];
+
+/// Words between two statements of one line.
+const JOINERS: [&str; 9] =
+    [", so ", " so ", " with ", " where ", " therefore ", " hence ", " thus ", " then ", ", and "];
 
 /// What stands between two solutions, of which one holds.
 const ALTERNATIVES: [&str; 3] = [" or ", "\\text{ or }", "\\text{or}"];
@@ -115,30 +121,6 @@ const DIRECTIONS: [&str; 14] = [
     "clockwise",
     "outwards",
 ];
-/// Spellings of a change.
-const CHANGES: [(&str, &str); 3] = [("\\Delta ", "Δ"), ("Delta ", "Δ"), ("delta ", "Δ")];
-
-/// Commands and signs of LaTeX that set a line and say nothing.
-const SETTING: [(&str, &str); 17] = [
-    ("\\dots", "…"),
-    ("\\ldots", "…"),
-    ("\\cdots", "…"),
-    ("...", "…"),
-    ("\\begin{aligned}", ""),
-    ("\\end{aligned}", ""),
-    ("\\begin{align*}", ""),
-    ("\\end{align*}", ""),
-    ("\\begin{equation}", ""),
-    ("\\end{equation}", ""),
-    ("\\quad", " "),
-    ("\\qquad", " "),
-    ("\\[", ""),
-    ("\\]", ""),
-    ("$", ""),
-    ("&", ""),
-    ("\\\\", " "),
-];
-
 /// One statement: sides, each compared with the next one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Chain {
@@ -153,10 +135,7 @@ pub(crate) type Sides = Vec<Vec<Chain>>;
 
 /// The statements of a line, one after another.
 pub(crate) fn statements(line: &str) -> Vec<String> {
-    let line = SETTING.iter().fold(line.to_owned(), |line, (from, to)| line.replace(from, to));
-    let line = with_plain_indices(&line);
-    let line = with_joined_indices(&CHANGES.iter().fold(line, |line, (from, to)| line.replace(from, to)));
-    split(&line, &ARROWS).iter().flat_map(|own| listed(own)).collect()
+    split(&unset(line), &ARROWS).iter().flat_map(|own| joined(own)).flat_map(|own| listed(&own)).collect()
 }
 
 /// Takes a line apart; nothing where no sides are compared in it.
@@ -176,52 +155,36 @@ pub(crate) fn sides(line: &str) -> Option<Sides> {
     (!sides.is_empty()).then_some(sides)
 }
 
+/// `f d = 4.3 so d = 0.5` as two statements: words part them where each part compares sides.
+fn joined(statement: &str) -> Vec<String> {
+    let (mut parts, mut rest, mut from) = (Vec::new(), statement, 0);
+    let next = |rest: &str, from: usize| {
+        let place = |word: &&str| rest[from..].find(*word).map(|at| (from + at, word.len()));
+        JOINERS.iter().filter_map(place).min()
+    };
+    while let Some((at, length)) = next(rest, from) {
+        let (before, behind) = (&rest[..at], &rest[at + length..]);
+        if compares(before) && compares(behind) {
+            parts.push(before.to_owned());
+            (rest, from) = (behind, 0);
+        } else {
+            from = at + length;
+        }
+    }
+    parts.push(rest.to_owned());
+    parts
+}
+
+/// Whether sides are compared in a text.
+fn compares(text: &str) -> bool {
+    SIGNS.iter().any(|(sign, _)| text.contains(sign))
+}
+
 /// `a = 1, b = 2` as two statements: commas part them where each part compares sides.
 fn listed(statement: &str) -> Vec<String> {
     let parts: Vec<&str> = statement.split(", ").collect();
-    let compares = |part: &&str| SIGNS.iter().any(|(sign, _)| part.contains(sign));
-    let parts = if parts.iter().all(compares) { parts } else { vec![statement] };
+    let parts = if parts.iter().all(|part| compares(part)) { parts } else { vec![statement] };
     parts.into_iter().map(str::to_owned).collect()
-}
-
-/// `v_{\text{rel},A1}` as `v_{rel_A1}`, as the sheet sets it.
-fn with_plain_indices(line: &str) -> String {
-    let (mut text, mut rest) = (String::with_capacity(line.len()), line);
-    while let Some((before, behind)) = rest.split_once("_{") {
-        let mut depth = 1_usize;
-        let end = behind.find(|sign| {
-            depth = match sign {
-                '{' => depth + 1,
-                '}' => depth - 1,
-                _ => depth,
-            };
-            depth == 0
-        });
-        let Some(end) = end else { break };
-        let index = ["\\text", "\\mathrm", "{", "}", " "]
-            .iter()
-            .fold(behind[..end].to_owned(), |index, own| index.replace(own, ""));
-        text.extend([before, "_{", &index.replace(',', "_"), "}"]);
-        rest = &behind[end + 1..];
-    }
-    text + rest
-}
-
-/// `v_A,x`, `F_T,C2` and `T_rel,1` with the index behind the comma joined to the one before.
-fn with_joined_indices(line: &str) -> String {
-    let signs: Vec<char> = line.chars().collect();
-    let mut text = String::with_capacity(line.len());
-    let mut is_index = false;
-    for (at, sign) in signs.iter().enumerate() {
-        let before = at.checked_sub(1).and_then(|before| signs.get(before));
-        let is_next = |next: &char| next.is_alphabetic() || is_index && next.is_numeric();
-        let is_joined = *sign == ','
-            && before.is_some_and(|before| before.is_alphabetic())
-            && signs.get(at + 1).is_some_and(is_next);
-        is_index = *sign == '_' || is_joined || is_index && (sign.is_alphanumeric() || *sign == '{');
-        text.push(if is_joined { '_' } else { *sign });
-    }
-    text
 }
 
 fn split(text: &str, marks: &[&str]) -> Vec<String> {

@@ -1,11 +1,14 @@
 //! Equations of vectors: `m_A \vec{v}_A1 + m_B \vec{v}_B1 = (4, -3) N s` states one equation along each axis.
 
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 use momentous_expr::SymbolTable;
 use momentous_quantity::Unit;
 
+use super::cross;
 use super::series::terms;
+use super::spelling::letters;
 
 /// Commands and signs that mark a vector.
 const MARKS: [&str; 6] = ["\\overrightarrow", "\\boldsymbol", "\\mathbf", "\\vec", "\\bm", "\u{20d7}"];
@@ -26,8 +29,8 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub(crate) struct Vectors {
     /// The axes along which there are components: positions in `AXES`.
     axes: Vec<usize>,
-    /// The names whose components are quantities.
-    names: BTreeSet<String>,
+    /// The names whose components are quantities, by their letters alone.
+    names: BTreeMap<String, String>,
     /// Quantities that are called like a unit vector.
     letters: BTreeSet<char>,
 }
@@ -49,7 +52,7 @@ impl Vectors {
             vectors.letters.extend(LETTERS.iter().filter(|letter| name.strip_prefix(**letter) == Some("")));
             let Some((vector, component)) = name.rsplit_once('.') else { continue };
             let Some(axis) = AXES.iter().position(|axis| *axis == component) else { continue };
-            vectors.names.insert(vector.to_owned());
+            vectors.names.insert(letters(vector), vector.to_owned());
             if !vectors.axes.contains(&axis) {
                 vectors.axes.push(axis);
             }
@@ -57,8 +60,9 @@ impl Vectors {
         vectors.axes.sort_unstable();
         let is_whole =
             |name: &String| vectors.axes.iter().all(|axis| symbols.find(&format!("{name}.{}", AXES[*axis])).is_some());
-        let whole: BTreeSet<String> =
-            vectors.names.iter().filter(|name| symbols.find(name).is_none() && is_whole(name)).cloned().collect();
+        let is_vector = |name: &String| symbols.find(name).is_none() && is_whole(name);
+        let whole = vectors.names.iter().filter(|(_, name)| is_vector(name));
+        let whole = whole.map(|(letters, name)| (letters.clone(), name.clone())).collect();
         vectors.names = whole;
         vectors
     }
@@ -69,10 +73,23 @@ impl Vectors {
         if self.axes.len() < 2 {
             return (plain != sides).then(|| vec![plain]);
         }
+        let part = |side: &str, axis: usize| self.along(side, axis);
+        let plain: Vec<String> = match self.axes.len() {
+            2 => plain.iter().map(|side| cross::along(side, &part, None).unwrap_or_else(|| side.clone())).collect(),
+            _ => plain,
+        };
         let along = |axis: usize| {
-            let parts: Vec<Component> = plain.iter().map(|side| self.component(side, axis)).collect();
+            let is_product = |side: &String| cross::along(side, &part, Some(axis));
+            let products: Vec<Option<String>> = plain.iter().map(is_product).collect();
+            let component = |(side, product): (&String, &Option<String>)| match product {
+                Some(text) => Component { text: text.clone(), has_vector: true, is_none: false },
+                None => self.component(side, axis),
+            };
+            let parts: Vec<Component> = plain.iter().zip(&products).map(component).collect();
             let is_vector = |side: &String| {
-                side.trim() == "0" || terms(side).iter().all(|term| self.component(term, axis).has_vector)
+                side.trim() == "0"
+                    || is_product(side).is_some()
+                    || terms(side).iter().all(|term| self.component(term, axis).has_vector)
             };
             let all = plain.iter().all(is_vector) && !parts.iter().any(|part| part.is_none);
             (all && parts.iter().any(|part| part.has_vector))
@@ -81,9 +98,15 @@ impl Vectors {
         (0..self.axes.len()).map(along).collect()
     }
 
+    /// A side along an axis, where it is one vector.
+    fn along(&self, side: &str, axis: usize) -> Option<String> {
+        let part = self.component(side, axis);
+        (axis < self.axes.len() && part.has_vector && !part.is_none).then_some(part.text)
+    }
+
     /// Whether a name is that of a vector.
     pub(crate) fn is_vector(&self, name: &str) -> bool {
-        self.axes.len() > 1 && self.names.contains(&bare(name))
+        self.axes.len() > 1 && self.names.contains_key(&letters(name))
     }
 
     /// A term with the sizes of its vectors as roots of sums of squares: `|v_A1 - v_B1|`, `v_A1^2`, and a vector's name among numbers.
@@ -102,7 +125,8 @@ impl Vectors {
             let parts: Vec<Component> = (0..self.axes.len()).map(|axis| self.component(vector, axis)).collect();
             // A component is a number already.
             let is_component = bars.is_none() && rest[length..].starts_with('.');
-            if !is_component && parts.iter().all(|part| part.has_vector && !part.is_none) {
+            let is_unit = bars.is_none() && is_unit(&text, vector);
+            if !is_component && !is_unit && parts.iter().all(|part| part.has_vector && !part.is_none) {
                 let squares: Vec<String> = parts.iter().map(|part| format!("({})^2", part.text)).collect();
                 text.extend(["(sqrt(", &squares.join(" + "), "))"]);
                 rest = &rest[length..];
@@ -122,8 +146,11 @@ impl Vectors {
         while let Some(sign) = rest.chars().next() {
             let taken = self
                 .unit_vector(rest, &component.text, axis)
-                .or_else(|| self.list(rest, axis))
-                .or_else(|| self.name(rest, axis, &mut component.is_none));
+                .or_else(|| self.list(rest, axis).filter(|_| !component.text.ends_with("atan2")))
+                .or_else(|| {
+                    let is_unit = is_unit(&component.text, &rest[..word(rest)]);
+                    (!is_unit).then(|| self.name(rest, axis, &mut component.is_none)).flatten()
+                });
             if let Some((text, length)) = taken {
                 component.text.push_str(&text);
                 component.has_vector = true;
@@ -180,10 +207,7 @@ impl Vectors {
 
     fn name(&self, rest: &str, axis: usize, is_none: &mut bool) -> Option<(String, usize)> {
         let length = word(rest);
-        let name = bare(&rest[..length]);
-        if !self.names.contains(&name) {
-            return None;
-        }
+        let name = self.names.get(&letters(&rest[..length]))?;
         // The square of a vector is a number.
         *is_none |= rest[length..].trim_start().starts_with(['^', '²', '×', '.']);
         Some((format!("{name}.{}", AXES[*self.axes.get(axis)?]), length))
@@ -218,6 +242,11 @@ fn unit(text: &str) -> (String, usize) {
     if is_unit { (plain.to_owned(), written.len()) } else { (String::new(), 0) }
 }
 
+/// Whether a word is a unit, behind a number: `12 J`.
+fn is_unit(before: &str, word: &str) -> bool {
+    before.trim_end().ends_with(|sign: char| sign.is_ascii_digit()) && Unit::parse(word).is_ok()
+}
+
 /// A name without the brackets of its index: `v_{A1}` as `v_A1`.
 fn bare(name: &str) -> String {
     name.chars().filter(|sign| !matches!(sign, '{' | '}')).collect()
@@ -241,8 +270,8 @@ pub(crate) fn with_components(term: &str) -> String {
     text
 }
 
-/// A side without the marks of vectors: `\vec{v}_A1` as `v_A1`.
-fn unmarked(side: &str) -> String {
+/// A side without the marks of vectors: `m\vec{v}_A1` as `m v_A1`.
+pub(crate) fn unmarked(side: &str) -> String {
     let mut text = side.replace("\\,", " ");
     for mark in MARKS {
         while let Some(at) = text.find(mark) {
@@ -251,7 +280,8 @@ fn unmarked(side: &str) -> String {
                 Some((inner, rest)) => format!("{inner}{rest}"),
                 None => behind.to_owned(),
             };
-            text = format!("{}{behind}", &text[..at]);
+            let is_joined = mark.starts_with('\\') && text[..at].ends_with(char::is_alphanumeric);
+            text = format!("{}{}{behind}", &text[..at], if is_joined { " " } else { "" });
         }
     }
     text

@@ -12,12 +12,18 @@ use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
 use super::sides::Compared;
+use super::spelling::letters;
 use super::vectors::Vectors;
 
 /// Larger whole numbers are no constants of a formula.
 const LARGEST_WHOLE: u32 = 100;
 /// Larger numbers of quarters are no constants of a formula.
 const LARGEST_QUARTERS: u32 = 3;
+
+/// One part in so many of a number that a letter stands for may have been rounded away.
+const SHARE_ROUNDED: i64 = 200;
+/// A line is tried with no more meanings of its short names.
+const MOST_MEANINGS: usize = 16;
 
 /// The letters that lines may hold, and what each stands for.
 #[derive(Clone, Debug)]
@@ -30,6 +36,12 @@ pub(crate) struct Alphabet {
     pub(crate) short: Vec<(Symbol, Expr)>,
     /// Spellings that are no names, each with the short name in its place: `|H_O1|`.
     pub(crate) spelt: Vec<(String, String)>,
+    /// What short names may stand for beside that.
+    pub(crate) others: BTreeMap<Symbol, Vec<Expr>>,
+    /// Short names that the student may use for something else.
+    pub(crate) loose: BTreeSet<Symbol>,
+    /// Letters of the student's own that stand for numbers that were worked out.
+    pub(crate) numbers: BTreeMap<Symbol, Rational>,
     /// Short names that the student has introduced.
     pub(crate) own: BTreeSet<String>,
     /// The vectors of the problem.
@@ -41,13 +53,18 @@ pub(crate) struct Alphabet {
 impl Alphabet {
     /// Adds a short name for a term, where the problem has no quantity of that name.
     pub(crate) fn shorten(&mut self, name: &str, term: Expr) {
-        let Ok(dimension) = term.dimension(&self.symbols) else { return };
+        // What was worked out in numbers has lost its dimension.
+        let is_own = self.own.contains(name);
+        let Some(dimension) = term.dimension(&self.symbols).ok().or(is_own.then_some(Dimension::NONE)) else { return };
         if let Some(known) = self.symbols.find(name) {
             // A letter of the student's own may be given another meaning.
-            self.short
-                .iter_mut()
-                .filter(|(short, _)| *short == known && self.own.contains(name))
-                .for_each(|(_, own)| *own = term.clone());
+            if self.own.contains(name) {
+                self.numbers.remove(&known);
+                self.short.retain(|(short, _)| *short != known);
+                self.short.push((known, term));
+                self.others.remove(&known);
+                self.symbols.measure(known, dimension);
+            }
         } else {
             let short = self.symbols.intern(SymbolEntry { name: name.to_owned(), dimension, meaning: String::new() });
             self.names.push(short);
@@ -55,9 +72,92 @@ impl Alphabet {
         }
     }
 
+    /// Adds a short name for the first of several terms; it may stand for the others, and for anything where it is loose. Where there is a name with the
+    /// same letters, that one may stand for them too.
+    pub(crate) fn name(&mut self, name: &str, terms: &[Expr], is_loose: bool) {
+        let own = letters(name);
+        let known = self.names.iter().copied().find(|symbol| letters(&self.symbols.entry(*symbol).name) == own);
+        if known.is_some_and(|known| self.is_settled(known, name)) {
+            return;
+        }
+        let first = known.is_none().then(|| terms.first()).flatten();
+        if let Some(first) = first {
+            self.shorten(name, first.clone());
+        }
+        let Some(short) = known.or_else(|| self.symbols.find(name)) else { return };
+        let is_other = |term: &&Expr| **term != Expr::from(short);
+        let others: Vec<Expr> = terms.iter().skip(usize::from(known.is_none())).filter(is_other).cloned().collect();
+        if known.is_none() && is_loose {
+            self.loose.insert(short);
+        }
+        self.others.insert(short, others);
+    }
+
+    /// Takes a letter of the student's own for a term, whatever else it may have stood for.
+    pub(crate) fn introduce(&mut self, name: &str, term: Expr) {
+        let spelt = letters(name);
+        let is_same = |symbol: &Symbol| letters(&self.symbols.entry(*symbol).name) == spelt;
+        let loose: BTreeSet<Symbol> = self.loose.iter().copied().filter(is_same).collect();
+        self.names.retain(|symbol| !loose.contains(symbol) || self.symbols.entry(*symbol).name == name);
+        self.loose.retain(|symbol| !loose.contains(symbol));
+        self.own.insert(name.to_owned());
+        self.shorten(name, term);
+    }
+
+    /// Says whether a name may stand for something else, too.
+    pub(crate) fn loosen(&mut self, name: &str, is_loose: bool) {
+        self.loose.extend(self.symbols.find(name).filter(|_| is_loose));
+    }
+
+    /// Takes a letter of the student's own for a number that was worked out.
+    pub(crate) fn introduce_number(&mut self, name: &str, value: Rational) {
+        self.introduce(name, Expr::zero());
+        if let Some(symbol) = self.symbols.find(name) {
+            self.short.retain(|(short, _)| *short != symbol);
+            self.numbers.insert(symbol, value);
+        }
+    }
+
+    /// The number for which a letter of the student's own stands; its last figures were rounded away.
+    pub(crate) fn number(&self, symbol: Symbol) -> Option<WrittenNumber> {
+        let value = self.numbers.get(&symbol)?.clone();
+        let half = if value < Rational::ZERO { -value.clone() } else { value.clone() } / Rational::from(SHARE_ROUNDED);
+        Some(WrittenNumber { symbol, value, unit: None, half })
+    }
+
+    /// What short names may stand for, each in all combinations with the others.
+    pub(crate) fn meanings(&self, line: &Written) -> Vec<Vec<(Symbol, Expr)>> {
+        let mut sets: Vec<Vec<(Symbol, Expr)>> = vec![Vec::new()];
+        // A letter of the sheet stands for something else only where nothing but numbers stands beside it.
+        let is_alone = line.quantities().len() == 1;
+        let is_short = |symbol: &Symbol| self.short.iter().any(|(short, _)| short == symbol);
+        let shorts = line.shorts.iter().filter(|symbol| is_alone || is_short(symbol));
+        for (short, others) in shorts.filter_map(|short| Some((*short, self.others.get(short)?))) {
+            let with = |set: &Vec<(Symbol, Expr)>| {
+                let longer = |other: &Expr| set.iter().cloned().chain([(short, other.clone())]).collect();
+                std::iter::once(set.clone()).chain(others.iter().map(longer)).collect::<Vec<_>>()
+            };
+            sets = sets.iter().flat_map(with).take(MOST_MEANINGS).collect();
+        }
+        sets.into_iter().filter(|set| !set.is_empty()).collect()
+    }
+
+    /// Whether nothing is to be added to a name: it is more than a letter and one of the sheet, or of the student's own, or has been added
+    /// to.
+    fn is_settled(&self, known: Symbol, name: &str) -> bool {
+        let entry = &self.symbols.entry(known).name;
+        let is_short = self.short.iter().any(|(short, _)| *short == known);
+        self.others.contains_key(&known)
+            || self.own.contains(entry)
+            || !is_short && entry == name && entry.chars().count() > 1
+    }
+
     /// A term with what short names stand for; the variable of an integral stands for nothing.
-    pub(crate) fn meant(&self, term: &Expr, variable: Option<Symbol>) -> Expr {
-        let short = |symbol: Symbol| self.short.iter().find(|(short, _)| *short == symbol && Some(*short) != variable);
+    pub(crate) fn meant(&self, term: &Expr, variable: Option<Symbol>, instead: &[(Symbol, Expr)]) -> Expr {
+        let short = |symbol: Symbol| {
+            let all = instead.iter().chain(&self.short);
+            all.into_iter().find(|(short, _)| *short == symbol && Some(*short) != variable)
+        };
         term.substitute(&|symbol| short(symbol).map(|(_, own)| own.clone()))
     }
 }
@@ -91,13 +191,36 @@ pub(crate) struct Written {
     pub(crate) symbols: SymbolTable,
     /// The last side, on which a line that begins with a sign goes on.
     pub(crate) last: Option<Expr>,
+    /// Its short names that may stand for something else.
+    pub(crate) shorts: BTreeSet<Symbol>,
+    /// Whether a letter of the student's own stands in it that has lost its dimension.
+    pub(crate) has_own: bool,
 }
 
 impl Written {
+    /// A line of which nothing is read yet; it may go on from the one before, whose last side and numbers it then has.
     pub(crate) fn blank(alphabet: &Alphabet, before: Option<&Self>) -> Self {
-        let symbols = before.map_or_else(|| alphabet.symbols.clone(), |before| before.symbols.clone());
-        let numbers = before.map_or_else(Vec::new, |before| before.numbers.clone());
-        Self { stated: Vec::new(), numbers, symbols, last: None }
+        let mut written = Self {
+            stated: Vec::new(),
+            numbers: Vec::new(),
+            symbols: alphabet.symbols.clone(),
+            last: None,
+            shorts: BTreeSet::new(),
+            has_own: false,
+        };
+        let Some(before) = before else { return written };
+        // The alphabet may have grown since, so that its new names have the places of those numbers.
+        let mut places: BTreeMap<Symbol, Symbol> = BTreeMap::new();
+        for number in before.numbers.iter().filter(|own| !alphabet.numbers.contains_key(&own.symbol)) {
+            let name = format!("number {}", written.symbols.len());
+            let dimension = before.symbols.entry(number.symbol).dimension;
+            let symbol = written.symbols.intern(SymbolEntry { name, dimension, meaning: String::new() });
+            places.insert(number.symbol, symbol);
+            written.numbers.push(WrittenNumber { symbol, ..number.clone() });
+        }
+        let place = |symbol: Symbol| places.get(&symbol).map(|place| Expr::from(*place));
+        written.last = before.last.as_ref().map(|last| last.substitute(&place));
+        written
     }
 
     /// Whether a symbol stands for a number.

@@ -40,14 +40,18 @@ fn chosen<'a, T>(rng: &mut ChaCha8Rng, all: &'a [T]) -> Option<&'a T> {
 /// An equation as a student may write it as well: terms moved, both sides multiplied or squared, another equation added or put in.
 pub fn rearranged(rng: &mut ChaCha8Rng, table: &SymbolTable, all: &[Sides]) -> Option<Sides> {
     let (mut left, mut right) = chosen(rng, all)?.clone();
-    for _ in 0..rng.random_range(1..=3) {
+    let steps = rng.random_range(1..=3);
+    for step in 0..steps {
         let own = (left.clone(), right.clone());
-        (left, right) = match rng.random_range(0..6) {
+        (left, right) = match rng.random_range(0..7) {
             0 => moved(rng, own),
             1 => multiplied(rng, own),
             2 => added(rng, table, own, all),
             3 => put_in(rng, own, all),
             4 => (own.1, own.0),
+            // Both sides are what they were: a square of nothing says less than its root.
+            5 if step == 0 => (own.0.powi(2), own.1.powi(2)),
+            5 => own,
             _ => {
                 let zero = Expr::sum([own.0, -own.1]);
                 (zero, Expr::zero())

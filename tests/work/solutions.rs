@@ -23,11 +23,11 @@ pub fn each(seeds: std::ops::RangeInclusive<u64>, visit: &mut dyn FnMut(&str, &E
     }
 }
 
-#[test]
-fn the_lines_of_every_solution_follow() {
+/// The lines of every solution with so many seeds: how many there were.
+fn solution_lines(seeds: u64) -> usize {
     let (mut lines, mut other_laws) = (0, 0);
     let mut faults: Vec<String> = Vec::new();
-    each(1..=2, &mut |entry, exercise| {
+    each(1..=seeds, &mut |entry, exercise| {
         let worked = exercise.worked();
         let mut judge = Judge::new(worked, DecimalMark::Point);
         for line in explain::lines(worked) {
@@ -52,15 +52,25 @@ fn the_lines_of_every_solution_follow() {
         }
     });
     assert!(faults.is_empty(), "{} of {lines}\n{}", faults.len(), faults.join("\n"));
-    assert!(lines > 2500, "{lines}");
     assert!(other_laws == 0, "{other_laws}");
+    lines
+}
+
+#[test]
+fn the_lines_of_every_solution_follow() {
+    assert!(solution_lines(2) > 2500);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn the_lines_of_every_solution_of_twenty_variants_follow() {
+    assert!(solution_lines(20) > 25_000);
 }
 
 /// Whoever writes what the hints say comes to every answer.
-#[test]
-fn hints_lead_to_the_answers() {
+fn follow_the_hints(seeds: u64) {
     let mut faults: Vec<String> = Vec::new();
-    each(1..=1, &mut |entry, exercise| {
+    each(1..=seeds, &mut |entry, exercise| {
         let worked = exercise.worked();
         let mut judge = Judge::new(worked, DecimalMark::Point);
         let mut written: Vec<String> = Vec::new();
@@ -80,4 +90,15 @@ fn hints_lead_to_the_answers() {
         }
     });
     assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn hints_lead_to_the_answers() {
+    follow_the_hints(1);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn hints_lead_to_the_answers_of_ten_variants() {
+    follow_the_hints(10);
 }

@@ -17,9 +17,9 @@ struct Set {
 }
 
 const SETS: [Set; 3] = [
-    Set { file: "students", lines: 440, agreed: 395, open: 35 },
-    Set { file: "newcomers", lines: 93, agreed: 93, open: 0 },
-    Set { file: "strangers", lines: 60, agreed: 60, open: 0 },
+    Set { file: "students", lines: 440, agreed: 419, open: 17 },
+    Set { file: "newcomers", lines: 93, agreed: 87, open: 6 },
+    Set { file: "strangers", lines: 60, agreed: 55, open: 5 },
 ];
 
 #[derive(Deserialize)]

@@ -48,7 +48,9 @@ pub(crate) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
     let sheet = place.sheet.as_ref().ok_or_else(missing)?;
     let number: u32 = field("attempt").parse().map_err(|_| missing())?;
     let attempts = visit.store().attempts(sheet.key).await?;
-    let attempt = attempts.iter().find(|own| own.number == number).ok_or_else(missing)?;
+    if !attempts.iter().any(|own| own.number == number) {
+        return Err(missing());
+    }
     let order = Redaction {
         sheet: sheet.key,
         number,
@@ -57,10 +59,10 @@ pub(crate) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
         by: visit.person()?.key,
         at: visit.now,
     };
-    match redacted(attempt, &order) {
-        Ok(attempt) => {
+    match redacted(&attempts, &order) {
+        Ok(changed) => {
             let detail = format!("sheet {}, attempt {number}, part {}: {}", sheet.key, order.part, order.reason);
-            visit.store().redact(&attempt, &visit.entry("answer redacted", detail)).await?;
+            visit.store().redact(&changed, &visit.entry("answer redacted", detail)).await?;
             Ok(Reply::To(place.address(visit)?))
         }
         Err(fault) => {

@@ -1,9 +1,11 @@
 //! A corrected problem, and another policy, over what was handed in before.
 
-use momentous::course::{PolicyForm, Redaction, Remarked, Score, StoredReport, effects, redacted};
+use momentous::course::{Attempt, PolicyForm, Redaction, Remarked, Score, StoredReport, effects, redacted};
+use momentous::exercise::WORK;
 
 use super::class::{Desk, form, found, key, policy, problem, text};
 
+const MOMENTUM: &str = "m_A v_A1 + m_B v_B1 = m_A v_A2 + m_B v_B2";
 const DAY: &str = "2026-11-25T10:00";
 
 fn desk() -> Desk {
@@ -53,6 +55,12 @@ fn another_policy_marks_anew_and_a_late_extension_gives_back_what_it_cost() {
     assert!(reports[1].late.is_none());
 }
 
+/// The only attempt that a redaction changes.
+fn changed(desk: &Desk, order: &Redaction) -> Attempt {
+    let [only] = redacted(&desk.attempts, order).unwrap().try_into().unwrap();
+    only
+}
+
 #[test]
 fn a_redacted_answer_that_counted_is_not_marked_again() {
     let mut desk = desk();
@@ -66,11 +74,11 @@ fn a_redacted_answer_that_counted_is_not_marked_again() {
         at: desk.policy.closes,
     };
     let before = StoredReport::of(&desk.attempts[0]).unwrap();
-    let without = redacted(&desk.attempts[0], &order(1, "v_A2")).unwrap();
+    let without = changed(&desk, &order(1, "v_A2"));
     assert_eq!(without.answers["v_A2"], "[redacted]");
     assert_eq!(StoredReport::of(&without).unwrap(), before);
-    assert!(redacted(&desk.attempts[0], &order(2, "v_A2")).is_err());
-    assert!(redacted(&desk.attempts[0], &order(1, "v_C2")).is_err());
+    assert!(redacted(&desk.attempts, &order(9, "v_A2")).is_err());
+    assert!(redacted(&desk.attempts, &order(1, "v_C2")).is_err());
     desk.attempts[0] = without;
     assert_eq!(desk.worked().remarked(&desk.policy, Some(&problem(&text()))), Remarked::Redacted);
 }
@@ -87,11 +95,41 @@ fn nothing_of_a_redacted_text_is_left_where_it_could_not_be_read() {
         by: key(9),
         at: desk.policy.closes,
     };
-    let without = redacted(&desk.attempts[0], &order).unwrap();
+    let without = changed(&desk, &order);
     let all = serde_json::to_string(&without).unwrap();
     assert!(serde_json::to_string(&desk.attempts[0]).unwrap().contains("0199") && !all.contains("0199"), "{all}");
     // Such a text counted for nothing, so that the rest is marked again.
     desk.attempts[0] = without;
     let Remarked::Same(reports) = desk.worked().remarked(&desk.policy, Some(&problem(&text()))) else { panic!() };
     assert_eq!(reports[0].total, desk.reports[0].total);
+}
+
+#[test]
+fn redacted_work_leaves_no_copy_in_other_attempts() {
+    let mut desk = Desk::new(&text(), policy(&form()), 1);
+    let work = format!("{MOMENTUM}\ncall 555-0199");
+    desk.hand_in_with_work(["", "9 m/s", ""], &work, DAY).unwrap();
+    // It stands on beside other answers, and under more lines.
+    desk.hand_in(["-0.5 m/s", "", ""], DAY).unwrap();
+    desk.hand_in_with_work(["", "", ""], &format!("{work}\nv_A2 = -0.5 m/s"), DAY).unwrap();
+    desk.hand_in_with_work(["", "", ""], "v_A2 = 0.5 m/s", DAY).unwrap();
+    let order = Redaction {
+        sheet: desk.sheet.key,
+        number: 1,
+        part: WORK.into(),
+        reason: "a telephone number".into(),
+        by: key(9),
+        at: desk.policy.closes,
+    };
+    let changed = redacted(&desk.attempts, &order).unwrap();
+    assert_eq!(changed.iter().map(|own| own.number).collect::<Vec<_>>(), [1, 2, 3]);
+    let all = serde_json::to_string(&changed).unwrap();
+    assert!(!all.contains("0199") && !all.contains("m_A v_A1"), "{all}");
+    assert!(changed[2].answers[WORK].ends_with("\nv_A2 = -0.5 m/s"), "{all}");
+    for (attempt, before) in changed.into_iter().zip(&desk.reports) {
+        assert_eq!(StoredReport::of(&attempt).unwrap().total, before.total);
+        let place = desk.attempts.iter().position(|own| own.number == attempt.number).unwrap();
+        desk.attempts[place] = attempt;
+    }
+    assert_eq!(desk.worked().remarked(&desk.policy, Some(&problem(&text()))), Remarked::Redacted);
 }

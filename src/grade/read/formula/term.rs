@@ -26,6 +26,11 @@ const MAX_POWER_OF_TEN: usize = 40;
 /// A number without decimals stands for what rounds to it within this share, where it has fewer figures than that.
 const WHOLE: (i64, i64) = (1, 200);
 
+/// Functions of an angle.
+const ANGULAR: [&str; 3] = ["sin", "cos", "tan"];
+/// No angle in radians is larger than a whole turn.
+const WHOLE_TURN: i64 = 6;
+
 /// A number in a term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrittenNumber {
@@ -150,6 +155,7 @@ impl Numbers<'_> {
                     let (factor, behind) = power.unwrap_or((Rational::ONE, at + 1));
                     let half = half.clone().or(figures).unwrap_or_else(|| rounding(value));
                     let (unit, end) = self.unit(lexemes, behind, *value == Rational::from(2));
+                    let unit = unit.or_else(|| is_in_degrees(&kept, value, lexemes.get(end)).then(Unit::degree));
                     let token = Token::Written { place: self.taken.len(), measured: unit.is_some() };
                     self.taken.push(Number { value: value * &factor, half: half * factor, unit });
                     kept.push(Lexeme { token, ..lexeme.clone() });
@@ -243,6 +249,26 @@ fn whole_exponent(lexemes: &[Lexeme]) -> Option<String> {
     Some(text)
 }
 
+/// Whether a bare number is an angle in degrees: the argument of a sine, and more than a whole turn in radians.
+fn is_in_degrees(before: &[Lexeme], value: &Rational, next: Option<&Lexeme>) -> bool {
+    let next = next.map(|own| &own.token);
+    let is_closed = matches!(next, Some(Token::Close(_)));
+    let function = match before {
+        [.., function, open] if is_closed && matches!(open.token, Token::Open(_)) => function,
+        [.., function] => function,
+        [] => return false,
+    };
+    let is_of_angle = match &function.token {
+        Token::Word(letters) => ANGULAR.iter().any(|own| names::text(letters).ends_with(own)),
+        Token::Function(named) => named.takes_angle(),
+        _ => false,
+    };
+    // In `sin 10 t` the number is a part of the angle.
+    is_of_angle
+        && !matches!(next, Some(Token::Word(_) | Token::Open(_) | Token::Power))
+        && *value > Rational::from(WHOLE_TURN)
+}
+
 /// `* 10^3` behind a number: the factor, and the token behind it.
 fn power_of_ten(lexemes: &[Lexeme], from: usize) -> Option<(Rational, usize)> {
     let token = |at: usize| lexemes.get(at).map(|own| &own.token);
@@ -263,10 +289,16 @@ pub fn half_of_last_place(value: &Rational) -> Option<Rational> {
     (!value.is_int()).then(|| Rational::from(1) / (Rational::from(2) * ten.pow(decimals)))
 }
 
-/// How far a number without decimals, or with few figures, may lie from what was rounded to it.
+/// How far a number without decimals, or with few figures, may lie from what was rounded to it: half a unit of its last figure that is not
+/// zero, and no more than a share of it.
 fn rounding(value: &Rational) -> Rational {
     let size = if *value < Rational::ZERO { -value.clone() } else { value.clone() };
-    let half = Rational::from(1) / Rational::from(2);
-    let share = size * Rational::from(WHOLE.0) / Rational::from(WHOLE.1);
+    let share = size.clone() * Rational::from(WHOLE.0) / Rational::from(WHOLE.1);
+    let ten = Rational::from(10);
+    let mut place = Rational::ONE;
+    while place < size && (size.clone() / (place.clone() * ten.clone())).is_int() {
+        place *= ten.clone();
+    }
+    let half = place / Rational::from(2);
     if value.is_int() && share > half { half } else { share }
 }

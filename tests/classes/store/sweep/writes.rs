@@ -92,7 +92,7 @@ writes! {
     };
     redact: |store, tried| {
         let attempt = Attempt { answers: BTreeMap::new(), ..tried.own.attempt(1, "first") };
-        done(store.redact(&attempt, &tried.own.entry(113)).await)
+        done(store.redact(&[attempt], &tried.own.entry(113)).await)
     };
     show_hint: |store, tried| done(store.show_hint(&hint(&tried.own, 2)).await);
     save_draft: |store, tried| done(store.save_draft(&draft(tried.own.sheet.key, "2")).await);

@@ -1,0 +1,219 @@
+//! Short names that may mean several quantities: a line may mean whichever of them it holds with.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_model::Instant;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_problem::Worked;
+
+use super::ground::Ground;
+use super::spelling::letters;
+use super::written::Alphabet;
+
+/// A short name means no more quantities.
+const MOST: usize = 6;
+
+/// Other letters for quantities of a kind, by the letter that the problem has.
+const LETTERS: [(&str, &[&str]); 11] = [
+    ("T", &["K", "KE", "E", "E_k", "E_kin"]),
+    ("T_rel", &["K_rel", "KE_rel", "E_rel"]),
+    ("H", &["L"]),
+    ("V", &["U", "PE", "E_p", "E_pot"]),
+    ("flow", &["rate_m", "q", "m_rate"]),
+    ("p_rate", &["rate_p"]),
+    ("H_rate", &["rate_H", "rate_L"]),
+    ("a", &["rate_v"]),
+    ("areal_rate", &["rate_A"]),
+    ("tension", &["T", "S", "F_T"]),
+    ("dt", &["Delta_t"]),
+];
+
+/// Greek letters and signs as they stand in the names of quantities.
+const GREEK: [(&str, &str); 12] = [
+    ("ω", "omega"),
+    ("θ", "theta"),
+    ("ϑ", "theta"),
+    ("φ", "phi"),
+    ("ϕ", "phi"),
+    ("λ", "lambda"),
+    ("μ", "mu"),
+    ("ρ", "rho"),
+    ("τ", "tau"),
+    ("Δ", "Delta"),
+    ("\\", " "),
+    ("\u{20d7}", ""),
+];
+
+/// A short name, with what it may mean: what is likeliest stands first.
+#[derive(Debug)]
+struct Alias {
+    name: String,
+    terms: Vec<Expr>,
+    /// So many of them are told, asked or used for the answers.
+    likely: usize,
+}
+
+impl Alias {
+    /// Whether it is often used for something else: a letter alone, and one of several meanings.
+    fn is_loose(&self) -> bool {
+        letters(&self.name).chars().count() == 1 || self.terms.len() > 1 && self.likely != 1
+    }
+}
+
+/// Short names by their letters alone.
+#[derive(Debug, Default)]
+pub(crate) struct Aliases(BTreeMap<String, Alias>);
+
+impl Aliases {
+    /// The quantities of a form under shorter names.
+    pub(crate) fn of(worked: Worked<'_>) -> Self {
+        let mut aliases = Self::default();
+        aliases.of_quantities(worked);
+        aliases.with_primes(worked);
+        aliases
+    }
+
+    /// Takes in others, where the names are new.
+    pub(crate) fn join(mut self, others: Self) -> Self {
+        for (letters, alias) in others.0 {
+            self.0.entry(letters).or_insert(alias);
+        }
+        self
+    }
+
+    /// The same, with what is told, asked or used for the answers before the rest.
+    pub(crate) fn ranked(mut self, worked: Worked<'_>, ground: &Ground) -> Self {
+        let mut likely: BTreeSet<Symbol> = ground.used_symbols();
+        likely.extend(ground.told.iter().copied().chain(worked.form.wanted()));
+        let is_unlikely = |term: &Expr| !term.symbols().iter().all(|symbol| likely.contains(symbol));
+        for alias in self.0.values_mut() {
+            alias.terms.sort_by_key(is_unlikely);
+            alias.likely = alias.terms.iter().filter(|term| !is_unlikely(term)).count();
+            alias.terms.truncate(MOST);
+        }
+        self
+    }
+
+    /// Adds a meaning of a name.
+    pub(crate) fn add(&mut self, name: &str, term: &Expr) {
+        let alias = self.0.entry(letters(name)).or_insert_with(|| Alias {
+            name: name.to_owned(),
+            terms: Vec::new(),
+            likely: 0,
+        });
+        if !alias.terms.contains(term) {
+            alias.terms.push(term.clone());
+        }
+    }
+
+    /// Every quantity under its name without what may tell nothing apart: its instant, its body, its stage.
+    fn of_quantities(&mut self, worked: Worked<'_>) {
+        let model = worked.problem.model();
+        for (symbol, entry) in model.symbols.iter() {
+            if !entry.name.starts_with(char::is_alphabetic) || entry.name.contains([' ', '(']) {
+                continue;
+            }
+            for name in shortened(model.name(symbol)) {
+                let own = name.kind.spelling().into_owned();
+                let others = LETTERS.iter().filter(|(letter, _)| *letter == own).flat_map(|(_, others)| *others);
+                for letter in std::iter::once(own.as_str()).chain(others.copied()) {
+                    for spelling in spellings(&name, letter) {
+                        self.add(&spelling, &symbol.into());
+                    }
+                }
+            }
+        }
+    }
+
+    /// The velocities after, of a body that has two, with a prime.
+    fn with_primes(&mut self, worked: Worked<'_>) {
+        let model = worked.problem.model();
+        for (symbol, _) in model.symbols.iter() {
+            let name = model.name(symbol);
+            let has = |instant| model.symbols.find(&name.clone().at(instant).to_string()).is_some();
+            if name.kind != QuantityKind::Velocity || name.instant != Some(Instant::Number(2)) || has(3) {
+                continue;
+            }
+            for own in [Name { subject: String::new(), ..name.clone() }, name.clone()] {
+                let own = Name { instant: None, ..own };
+                for spelling in spellings(&own, "v") {
+                    self.add(&format!("{spelling}'"), &symbol.into());
+                }
+            }
+        }
+    }
+
+    /// Puts the short names that stand in a text into an alphabet.
+    pub(crate) fn learn(&self, text: &str, alphabet: &mut Alphabet) {
+        let text = GREEK.iter().fold(text.to_owned(), |text, (sign, name)| text.replace(sign, name));
+        let is_of_name = |sign: char| sign.is_alphanumeric() || matches!(sign, '_' | '.' | '{' | '}' | '\'');
+        for word in text.split(|sign: char| !is_of_name(sign)) {
+            let word: String = word.chars().filter(|sign| !matches!(sign, '{' | '}')).collect();
+            let word = word.trim_start_matches(|sign: char| sign.is_ascii_digit() || sign == '.');
+            let primes: String = word.chars().filter(|sign| *sign == '\'').collect();
+            let key = letters(word).replace('\'', "") + &primes;
+            if key == primes {
+                continue;
+            }
+            let components = ["", "x", "y", "z"].map(|axis| format!("{key}{axis}"));
+            for (place, key) in components.iter().enumerate() {
+                let alias = self.0.get(key).filter(|own| place == 0 || own.name.contains('.'));
+                if let Some(alias) = alias {
+                    // A prime may stand anywhere in a name, which is read as it is written.
+                    let name = if primes.is_empty() { &alias.name } else { word };
+                    alphabet.name(name, &alias.terms, alias.is_loose());
+                }
+            }
+        }
+    }
+
+    /// Whether there is such a name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.0.contains_key(&letters(name))
+    }
+}
+
+/// A name and the shorter ones that it may have.
+fn shortened(name: &Name) -> Vec<Name> {
+    let whole = [name.clone(), Name { stage: None, ..name.clone() }];
+    let timeless = whole.iter().map(|own| Name { instant: None, ..own.clone() });
+    let mut names: Vec<Name> = whole.iter().cloned().chain(timeless).collect();
+    let nobodys = names.iter().map(|own| Name { subject: String::new(), ..own.clone() });
+    names.extend(nobodys.collect::<Vec<_>>());
+    let mut kept: Vec<Name> = Vec::new();
+    for own in names {
+        if !kept.contains(&own) && own.stage.is_none() {
+            kept.push(own);
+        }
+    }
+    kept
+}
+
+/// The spellings of a name with a letter: `v_A1.x`, `v_Ax1`, `v_A1x`; a position also as `x_A1`.
+fn spellings(name: &Name, letter: &str) -> Vec<String> {
+    let instant = match &name.instant {
+        Some(Instant::Number(number)) => number.to_string(),
+        Some(Instant::Named(named)) => format!("_{named}"),
+        None => String::new(),
+    };
+    let body = &name.subject;
+    let index = |index: String, letter: &str| {
+        if index.is_empty() { letter.to_owned() } else { format!("{letter}_{index}") }
+    };
+    let plain = index(format!("{body}{instant}"), letter);
+    let Some(axis) = &name.component else { return vec![plain] };
+    let mut spellings = vec![
+        format!("{plain}.{axis}"),
+        index(format!("{body}{axis}{instant}"), letter),
+        index(format!("{axis}{body}{instant}"), letter),
+        index(format!("{body}{instant}{axis}"), letter),
+    ];
+    if name.kind == QuantityKind::Position {
+        spellings.push(index(format!("{body}{instant}"), axis));
+    }
+    spellings
+}

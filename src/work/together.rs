@@ -1,0 +1,189 @@
+//! Letters for the bodies together and for their motion about points: what follows from masses, places and velocities by definition.
+
+use std::collections::BTreeSet;
+
+use momentous_expr::Expr;
+use momentous_model::Instant;
+use momentous_model::Name;
+use momentous_model::QuantityKind;
+use momentous_problem::Worked;
+
+use super::aliases::Aliases;
+use super::alphabet::mass;
+use super::ground::Ground;
+
+/// The axes along which velocities have components; one without a name where all motion is along one line.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Letters for the total mass.
+const MASS: [&str; 4] = ["M", "m_tot", "m_total", "m_G"];
+/// Letters for the total momentum.
+const MOMENTUM: [&str; 5] = ["p", "P", "p_tot", "p_total", "p_G"];
+/// Letters for the kinetic energy of all bodies.
+const ENERGY: [&str; 5] = ["T", "K", "KE", "E_k", "E_kin"];
+/// Letters for the reduced mass of two bodies.
+const REDUCED: [&str; 3] = ["mu", "m_red", "m_r"];
+/// Letters for angular momentum.
+const ANGULAR: [&str; 2] = ["H", "L"];
+
+/// The bodies of a scene, as far as a line may speak of them together.
+struct Bodies<'a> {
+    worked: Worked<'a>,
+    masses: Vec<(&'a str, Expr)>,
+    axes: Vec<Option<&'static str>>,
+}
+
+/// The short names of a form.
+pub(crate) fn aliases(worked: Worked<'_>, ground: &Ground) -> Aliases {
+    let mut together = Aliases::default();
+    letters(&mut together, worked);
+    Aliases::of(worked).join(together).ranked(worked, ground)
+}
+
+/// Adds the letters.
+fn letters(aliases: &mut Aliases, worked: Worked<'_>) {
+    let bodies = Bodies::of(worked);
+    bodies.momenta_about_points(aliases);
+    bodies.changes(aliases);
+    if bodies.masses.len() < 2 {
+        return;
+    }
+    let total = Expr::sum(bodies.masses.iter().map(|(_, mass)| mass.clone()));
+    for letter in MASS {
+        aliases.add(letter, &total);
+    }
+    if let [(_, one), (_, other)] = bodies.masses.as_slice() {
+        let reduced = one.clone() * other.clone() / total.clone();
+        for letter in REDUCED {
+            aliases.add(letter, &reduced);
+        }
+    }
+    for instant in bodies.instants() {
+        bodies.motion(aliases, instant, &total);
+    }
+}
+
+impl<'a> Bodies<'a> {
+    fn of(worked: Worked<'a>) -> Self {
+        let model = worked.problem.model();
+        let bodies = worked.problem.loaded().draft.scene.bodies.keys();
+        let mass = |body: &'a String| Some((body.as_str(), mass(worked, body)?));
+        let has = |axis: &str| model.symbols.iter().any(|(own, _)| model.name(own).component.as_deref() == Some(axis));
+        let axes: Vec<Option<&str>> = AXES.into_iter().filter(|axis| has(axis)).map(Some).collect();
+        let axes = if axes.is_empty() { vec![None] } else { axes };
+        Self { worked, masses: bodies.filter_map(mass).collect(), axes }
+    }
+
+    fn quantity(&self, kind: QuantityKind, body: &str, instant: usize, axis: Option<&str>) -> Option<Expr> {
+        let name = Name::of(kind, body).at(instant).along(axis).to_string();
+        self.worked.problem.model().symbols.find(&name).map(Expr::from)
+    }
+
+    /// A quantity of each body along an axis; nothing where some body has none.
+    fn each(&self, kind: &QuantityKind, instant: usize, axis: Option<&str>) -> Option<Vec<Expr>> {
+        let own = |(body, _): &(&str, Expr)| self.quantity(kind.clone(), body, instant, axis);
+        self.masses.iter().map(own).collect()
+    }
+
+    fn instants(&self) -> BTreeSet<usize> {
+        let model = self.worked.problem.model();
+        let number = |symbol| match model.name(symbol).instant {
+            Some(Instant::Number(number)) => Some(number),
+            _ => None,
+        };
+        model.symbols.iter().filter_map(|(symbol, _)| number(symbol)).collect()
+    }
+
+    /// The sum of a quantity of each body times its mass.
+    fn weighted(&self, quantities: &[Expr]) -> Expr {
+        Expr::sum(self.masses.iter().zip(quantities).map(|((_, mass), own)| mass.clone() * own.clone()))
+    }
+
+    fn motion(&self, aliases: &mut Aliases, instant: usize, total: &Expr) {
+        let add = |aliases: &mut Aliases, letter: &str, body: &str, axis: Option<&str>, term: &Expr| {
+            let axis = axis.map_or_else(String::new, |axis| format!(".{axis}"));
+            let index = if body.is_empty() && letter.contains('_') { "_" } else { "" };
+            let name = if letter.contains('_') { format!("{letter}{index}{body}") } else { format!("{letter}_{body}") };
+            for number in [instant.to_string(), String::new()] {
+                aliases.add(&format!("{}{axis}", format!("{name}{number}").trim_end_matches('_')), term);
+            }
+        };
+        let (mut squares, mut mean_squares, mut relative_squares) = (Vec::new(), Vec::new(), Vec::new());
+        for axis in &self.axes {
+            if let Some(places) = self.each(&QuantityKind::Position, instant, *axis) {
+                let mean = self.weighted(&places) / total.clone();
+                add(aliases, "r", "G", *axis, &mean);
+                add(aliases, axis.unwrap_or("x"), "G", None, &mean);
+            }
+            let Some(velocities) = self.each(&QuantityKind::Velocity, instant, *axis) else { return };
+            let momentum = self.weighted(&velocities);
+            let mean = momentum.clone() / total.clone();
+            for letter in MOMENTUM {
+                add(aliases, letter, "", *axis, &momentum);
+            }
+            add(aliases, "v", "G", *axis, &mean);
+            let relative: Vec<Expr> = velocities.iter().map(|own| Expr::sum([own.clone(), -mean.clone()])).collect();
+            for ((body, _), own) in self.masses.iter().zip(&relative) {
+                add(aliases, "v_rel_", body, *axis, own);
+            }
+            squares.push(self.weighted(&velocities.iter().map(|own| own.clone().powi(2)).collect::<Vec<_>>()));
+            mean_squares.push(total.clone() * mean.powi(2));
+            relative_squares.push(self.weighted(&relative.into_iter().map(|own| own.powi(2)).collect::<Vec<_>>()));
+        }
+        let half = |squares: Vec<Expr>| Expr::ratio(1, 2) * Expr::sum(squares);
+        let [all, mean, relative] = [squares, mean_squares, relative_squares].map(half);
+        for letter in ENERGY {
+            add(aliases, letter, "", None, &all);
+            add(aliases, letter, "G", None, &mean);
+            add(aliases, &format!("{letter}_rel"), "", None, &relative);
+        }
+    }
+
+    /// The changes of velocity and momentum of each body from one instant to the next.
+    fn changes(&self, aliases: &mut Aliases) {
+        for (body, mass) in &self.masses {
+            for (instant, axis) in
+                self.instants().into_iter().flat_map(|own| self.axes.iter().map(move |axis| (own, *axis)))
+            {
+                let velocity = |instant| self.quantity(QuantityKind::Velocity, body, instant, axis);
+                let (Some(before), Some(after)) = (velocity(instant), velocity(instant + 1)) else { continue };
+                let change = Expr::sum([after, -before]);
+                let axis = axis.map_or_else(String::new, |axis| format!(".{axis}"));
+                let all = if self.masses.len() == 1 {
+                    vec![String::new(), format!("_{body}")]
+                } else {
+                    vec![format!("_{body}")]
+                };
+                for index in all {
+                    aliases.add(&format!("Delta_v{index}{axis}"), &change);
+                    aliases.add(&format!("Delta_p{index}{axis}"), &(mass.clone() * change.clone()));
+                }
+            }
+        }
+    }
+
+    /// The angular momentum of each body about the only point of the scene, where it is the origin, in a plane.
+    fn momenta_about_points(&self, aliases: &mut Aliases) {
+        let points = &self.worked.problem.loaded().draft.scene.points;
+        let mut points = points.iter();
+        let (Some((point, place)), None) = (points.next(), points.next()) else { return };
+        if place.at.axes().next().is_some() || self.axes != [Some("x"), Some("y")] {
+            return;
+        }
+        for instant in self.instants() {
+            for (body, mass) in &self.masses {
+                let of = |kind, axis| self.quantity(kind, body, instant, Some(axis));
+                let [x, y] = ["x", "y"].map(|axis| of(QuantityKind::Position, axis));
+                let [v_x, v_y] = ["x", "y"].map(|axis| of(QuantityKind::Velocity, axis));
+                let (Some(x), Some(y), Some(v_x), Some(v_y)) = (x, y, v_x, v_y) else { continue };
+                let momentum = mass.clone() * Expr::sum([x * v_y, -(y * v_x)]);
+                for letter in ANGULAR {
+                    for name in [format!("{letter}_{body}"), format!("{letter}_{point}{body}")] {
+                        aliases.add(&format!("{name}{instant}"), &momentum);
+                        aliases.add(&name, &momentum);
+                    }
+                }
+            }
+        }
+    }
+}
