@@ -26,6 +26,8 @@ const MAX_POWER_OF_TEN: usize = 40;
 /// A number without decimals stands for what rounds to it within this share, where it has fewer figures than that.
 const WHOLE: (i64, i64) = (1, 200);
 
+/// The least number of three figures.
+const FEWEST_FIGURES: i64 = 100;
 /// Functions of an angle.
 const ANGULAR: [&str; 3] = ["sin", "cos", "tan"];
 /// No angle in radians is larger than a whole turn.
@@ -290,13 +292,14 @@ pub fn half_of_last_place(value: &Rational) -> Option<Rational> {
 }
 
 /// How far a number without decimals, or with few figures, may lie from what was rounded to it: half a unit of its last figure that is not
-/// zero, and no more than a share of it.
+/// zero, where three figures are left, and no more than a share of it.
 fn rounding(value: &Rational) -> Rational {
     let size = if *value < Rational::ZERO { -value.clone() } else { value.clone() };
     let share = size.clone() * Rational::from(WHOLE.0) / Rational::from(WHOLE.1);
     let ten = Rational::from(10);
     let mut place = Rational::ONE;
-    while place < size && (size.clone() / (place.clone() * ten.clone())).is_int() {
+    let is_shorter = |figures: Rational| figures.is_int() && figures >= Rational::from(FEWEST_FIGURES);
+    while is_shorter(size.clone() / (place.clone() * ten.clone())) {
         place *= ten.clone();
     }
     let half = place / Rational::from(2);
