@@ -247,6 +247,8 @@ const TOUR = [
     await press(page, "link", "Extensions", "Extensions");
     await page.getByLabel("Student").selectOption({ label: `${name_of(EXTENDED)} (${EXTENDED})` });
     await page.locator('input[name="due"]').fill("2026-10-19T18:00");
+    // The dates of the assignment stand there: this student hands in nothing late.
+    await page.locator('input[name="late_until"]').fill("");
     await page.locator('input[name="closes"]').fill("2026-10-20T18:00");
     await page.locator('input[name="reason"]').fill("was ill for a week");
     await press(page, "button", "Save extension", "Extensions");
