@@ -5,6 +5,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
+mod advice;
 mod balance;
 mod draw;
 mod end;

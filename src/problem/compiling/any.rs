@@ -83,6 +83,12 @@ pub(crate) fn check(model: &Model, form: &Form) -> Vec<Fault> {
     faults
 }
 
+/// Whether a quantity is proven to be the same whatever a given is, as one way of the scene is planned.
+pub(crate) fn is_independent(leaf: &Leaf, symbol: Symbol, given: Symbol) -> bool {
+    Sources::of(leaf).never_use(leaf, &[symbol], given)
+        || written_in_givens(leaf, symbol, &mut BTreeMap::new()).is_some_and(|term| does_not_depend(&term, given))
+}
+
 /// What may be anything and the value of a quantity may depend on, as a form solves it.
 pub(crate) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Option<&'f Known> {
     let free: Vec<&Known> = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).collect();

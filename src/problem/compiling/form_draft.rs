@@ -27,6 +27,7 @@ use super::super::questions::range;
 use super::super::reading::load::Loaded;
 use super::super::sampling::neglected;
 use super::form_cache::FormCache;
+use super::lacking;
 use super::on_demand::Formulas;
 use super::on_demand::Samples;
 use super::on_demand::Sensitivities;
@@ -160,7 +161,7 @@ impl FormDraft {
                 &revealed,
                 &self.allowed.warnings,
             );
-            Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
+            Some(planned.map_err(|unplanned| vec![lacking::fault(planner, model, &unplanned).at_path(at)])?)
         };
         let trials = range::trials(planner, model, &self.parts, &told, &self.allowed.warnings)
             .map_err(|fault| vec![fault.at_path(path.clone())])?;
@@ -174,6 +175,7 @@ impl FormDraft {
             &wanted,
             &self.allowed.warnings,
         )
+        .map_err(|unplanned| lacking::fault(planner, model, &unplanned))
         .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
             Some(name) => fault.help(format!(
                 "`{name}` is listed under `given`, so a form that asks for it must say what it follows from: `reveal: [...]`"

@@ -8,6 +8,7 @@ pub(super) mod form_cache;
 pub(super) mod form_draft;
 pub(super) mod input;
 pub(super) mod inputs;
+pub(super) mod lacking;
 pub(super) mod on_demand;
 pub(super) mod planned;
 pub(super) mod regimes;

@@ -3,13 +3,8 @@
 use std::collections::BTreeSet;
 
 use momentous_expr::Symbol;
-use momentous_fault::Code;
-use momentous_fault::Fault;
 use momentous_model::Model;
-use momentous_model::QuantityKind;
 use momentous_model::Warning;
-use momentous_quantity::UnitSystem;
-use momentous_quantity::coherent_unit;
 use momentous_solve::Audit;
 use momentous_solve::Bounded;
 use momentous_solve::Cause;
@@ -20,7 +15,6 @@ use momentous_solve::Planner;
 use momentous_solve::Precision;
 use momentous_solve::Program;
 use momentous_solve::Real;
-use momentous_solve::Reason;
 use momentous_solve::Step;
 use momentous_solve::Stuck;
 use momentous_solve::System;
@@ -40,6 +34,15 @@ pub struct Leaf {
     pub system: System,
     /// The plan, and what only judging needs.
     pub audit: Audit,
+}
+
+/// Why a form has no plan.
+#[derive(Clone, Debug)]
+pub(crate) enum Unplanned {
+    /// In one of the ways in which the scene can go, what is wanted does not follow, or no method finds it.
+    Stuck { stuck: Box<Stuck>, system: Box<System>, wanted: Vec<Symbol> },
+    /// Its program would need what is not known.
+    Unknown(String),
 }
 
 /// The plans of a form, one for each way in which the scene can go, and their programs.
@@ -70,7 +73,7 @@ impl Regimes {
         told: &BTreeSet<Symbol>,
         wanted: &[Symbol],
         allowed: &[Warning],
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, Unplanned> {
         let applies = |condition: &Condition| {
             let warning = model.reasons.get(condition.tag).and_then(momentous_model::Reason::warning);
             warning.is_none_or(|warning| !allowed.contains(&warning))
@@ -78,7 +81,7 @@ impl Regimes {
         let inputs: Vec<Symbol> = told.iter().copied().collect();
         let mut leaves = Vec::new();
         let mut programs = Vec::new();
-        let mut stuck_at = None;
+        let mut first = None;
         for (words, mut system) in model.systems() {
             system.equations.extend(equations.iter().cloned());
             system.conditions.extend(conditions.iter().cloned());
@@ -86,28 +89,22 @@ impl Regimes {
             let planned = match planner.plan(&system, told, wanted) {
                 Ok(planned) => planned,
                 Err(stuck) => {
-                    stuck_at.get_or_insert_with(|| {
-                        let is_fixed = stuck.remaining.iter().all(|own| planner.is_fixed(&system, told, *own));
-                        let ways = match open_scale(planner, &system, &stuck, wanted) {
-                            Some(open) => Ways { instead: Vec::new(), is_fixed, open: Some(open) },
-                            None => {
-                                let instead = ways_out(planner, model, &system, &stuck, wanted);
-                                Ways { instead, is_fixed, open: None }
-                            }
-                        };
-                        fault(model, &system, &stuck, &ways)
+                    first.get_or_insert(Unplanned::Stuck {
+                        stuck: Box::new(stuck),
+                        system: Box::new(system),
+                        wanted: wanted.to_vec(),
                     });
                     continue;
                 }
             };
             let audit = planner.audit(&system, told, &planned);
             let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
-                .map_err(|unknown| Fault::new(Code::Stuck, unknown.to_string()))?;
+                .map_err(|unknown| Unplanned::Unknown(unknown.to_string()))?;
             programs.push(program);
             leaves.push(Leaf { words, system, audit });
         }
-        if let (true, Some(fault)) = (leaves.is_empty(), stuck_at) {
-            return Err(fault);
+        if let (true, Some(unplanned)) = (leaves.is_empty(), first) {
+            return Err(unplanned);
         }
         Ok(Self { leaves, tree: Tree { leaves: programs }, inputs })
     }
@@ -135,128 +132,6 @@ impl Regimes {
     #[must_use]
     pub fn inputs(&self) -> &[Symbol] {
         &self.inputs
-    }
-}
-
-/// The most ways out that a message names: each costs a plan.
-const MOST_WAYS: usize = 4;
-
-/// What an author may do where a form cannot be solved.
-struct Ways {
-    /// Quantities to be told, each in place of a given.
-    instead: Vec<(Symbol, Symbol)>,
-    /// Whether what is asked is fixed as it is, so that the values of further quantities do not matter.
-    is_fixed: bool,
-    /// A quantity that is open, and on which what is asked does not depend: the size of an orbit of which only the shape is told.
-    open: Option<Symbol>,
-}
-
-/// Where no tactic closes some equations: a quantity that they leave open, with which the rest is found.
-fn open_scale(planner: &mut Planner, system: &System, stuck: &Stuck, wanted: &[Symbol]) -> Option<Symbol> {
-    let Reason::NoTactic { equations, unknowns } = &stuck.reason else { return None };
-    // These equations alone: others, such as that of the time along an orbit, have no derivative at its ends.
-    let block = equations.iter().filter_map(|position| system.equations.get(*position)).cloned().collect();
-    let block = system.with(block);
-    let is_fixed = |planner: &Planner, symbol: &Symbol| planner.is_fixed(&block, &stuck.known, *symbol);
-    if !unknowns.iter().filter(|symbol| wanted.contains(symbol)).all(|symbol| is_fixed(planner, symbol)) {
-        return None;
-    }
-    let lets_find = |symbol: &&Symbol| {
-        let known: BTreeSet<Symbol> = stuck.known.iter().copied().chain([**symbol]).collect();
-        let is_open = !wanted.contains(symbol) && !is_fixed(planner, symbol);
-        is_open && planner.plan(system, &known, wanted).is_ok()
-    };
-    unknowns.iter().rev().find(lets_find).copied()
-}
-
-/// Where no tactic closes some equations: quantities that let the rest be found, each with a given whose place it has to take.
-fn ways_out(
-    planner: &mut Planner,
-    model: &Model,
-    system: &System,
-    stuck: &Stuck,
-    wanted: &[Symbol],
-) -> Vec<(Symbol, Symbol)> {
-    let Reason::NoTactic { equations, unknowns } = &stuck.reason else { return Vec::new() };
-    let within = equations.iter().filter_map(|position| system.equations.get(*position)).flat_map(Equation::symbols);
-    let can_be_left_out = |symbol: &Symbol| {
-        let is_number = model.literals.iter().any(|(own, _)| own == symbol);
-        stuck.known.contains(symbol) && !is_number && model.name(*symbol).kind != QuantityKind::Gravity
-    };
-    let givens: BTreeSet<Symbol> = within.filter(can_be_left_out).collect();
-    let replaced = |symbol: &Symbol| {
-        // What is told of masses mostly stays: later symbols are those of the motion.
-        let mut givens = givens.iter().rev().copied();
-        let given = givens.find(|given| {
-            let known = stuck.known.iter().copied().filter(|own| own != given).chain([*symbol]).collect();
-            planner.plan(system, &known, wanted).is_ok()
-        })?;
-        Some((*symbol, given))
-    };
-    unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(replaced).take(MOST_WAYS).collect()
-}
-
-/// The question whether a given was meant by a missing quantity whose name differs from it in capitals only; empty where none is.
-fn other_case(model: &Model, stuck: &Stuck, enough: &[Vec<Symbol>]) -> String {
-    let name = |symbol: &Symbol| model.symbols.entry(*symbol).name.as_str();
-    let alike = |missing: &Symbol| {
-        let mut given = stuck.known.iter().map(name);
-        let given = given.find(|given| given.eq_ignore_ascii_case(name(missing)) && *given != name(missing))?;
-        Some(format!("; did you mean `{given}` by `{}`? Capitals count", name(missing)))
-    };
-    enough.iter().flatten().find_map(alike).unwrap_or_default()
-}
-
-/// Why a form cannot be solved, in the author's terms.
-fn fault(model: &Model, system: &System, stuck: &Stuck, own: &Ways) -> Fault {
-    let any = |symbol: &Symbol| {
-        let unit = coherent_unit(model.symbols.entry(*symbol).dimension, UnitSystem::Si);
-        format!("`{}: any {unit}`", model.symbols.entry(*symbol).name)
-    };
-    let name = |symbol: &Symbol| format!("`{}`", model.symbols.entry(*symbol).name);
-    let names = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(", ");
-    let laws = |equations: &[usize]| {
-        let law = |position: &usize| {
-            let equation = system.equations.get(*position)?;
-            model.instances.get(equation.tag).map(|instance| instance.law.name)
-        };
-        equations.iter().filter_map(law).collect::<Vec<_>>().join(", ")
-    };
-    match &stuck.reason {
-        Reason::Underdetermined { wanted, enough } => {
-            let follow = if wanted.len() == 1 { "does not follow" } else { "do not follow" };
-            let message = format!("{} {follow} from what is given", names(wanted));
-            let spoken = |set: &&Vec<Symbol>| set.iter().all(|symbol| !model.symbols.entry(*symbol).name.contains(' '));
-            let ways: Vec<String> = enough.iter().filter(spoken).take(4).map(|set| names(set)).collect();
-            let known: Vec<Symbol> = stuck.known.iter().copied().collect();
-            let help = if ways.is_empty() {
-                format!("the givens are {}; describe the scene further, or give more values", names(&known))
-            } else {
-                let first = enough.first().filter(|_| own.is_fixed).and_then(|first| first.first());
-                let any = first
-                    .map_or_else(String::new, |first| format!("; its value does not matter: {} will do", any(first)));
-                format!("give also {}{any}{}", ways.join(", or "), other_case(model, stuck, enough))
-            };
-            Fault::new(Code::UnderDetermined, message).help(help)
-        }
-        Reason::NoTactic { equations, unknowns } => {
-            let message = format!("no known method gives {} from {}", names(unknowns), laws(equations));
-            let help = match (&own.open, &own.instead[..]) {
-                (Some(open), _) => {
-                    format!("{} is open, and what is asked does not depend on it: give {}", name(open), any(open))
-                }
-                (None, []) => "describe the scene by other quantities, or ask for another".to_owned(),
-                (None, ways) => {
-                    let way = |(own, given): &(Symbol, Symbol)| format!("{} in place of {}", name(own), name(given));
-                    format!("give {}", ways.iter().map(way).collect::<Vec<_>>().join(", or "))
-                }
-            };
-            Fault::new(Code::Stuck, message).help(help)
-        }
-        Reason::Contradiction { equations } => {
-            let message = format!("the givens contradict each other in {}", laws(equations));
-            Fault::new(Code::OverDetermined, message).help("remove one of the givens that these laws connect")
-        }
     }
 }
 

@@ -5,6 +5,7 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_model::Builder;
+use momentous_model::Name;
 
 use super::ask::Find;
 
@@ -22,6 +23,10 @@ pub(crate) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Pat
 
 /// The question with a name for its answer, where it asks for an expression and gives it none: `difference`, `ratio`.
 pub(crate) fn named(find: &Find, builder: &mut Builder<'_>) -> Option<Find> {
-    let is_nameless = find.id.is_none() && builder.mention(&find.find).is_none() && builder.is_term(&find.find);
+    // A name alone that the scene does not have is unknown, and no term.
+    let is_nameless = find.id.is_none()
+        && builder.mention(&find.find).is_none()
+        && Name::parse(find.find.trim()).is_none()
+        && builder.is_term(&find.find);
     is_nameless.then(|| Find { id: Some(builder.name_for(&find.find)), ..find.clone() })
 }

@@ -13,6 +13,7 @@ use momentous_solve::Equation;
 use momentous_solve::Planner;
 use momentous_solve::Relation;
 
+use super::super::compiling::lacking;
 use super::super::compiling::regimes::Regimes;
 use super::super::language::ask::Answered;
 use super::super::language::ask::Find;
@@ -90,7 +91,8 @@ pub(crate) fn trials(
             return Err(Fault::new(Code::UnderDetermined, message).help(help));
         }
         let told = told.iter().copied().chain([symbol]).collect();
-        let planned = Regimes::plan(planner, model, &[], &[], &told, &range.claim.quantities, allowed)?;
+        let planned = Regimes::plan(planner, model, &[], &[], &told, &range.claim.quantities, allowed);
+        let planned = planned.map_err(|unplanned| lacking::fault(planner, model, &unplanned))?;
         Ok((symbol, planned))
     };
     ranges.map(trial).collect()

@@ -48,6 +48,8 @@ pub struct Sampler<'p> {
     pub(super) printed: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
     pub(super) told: Vec<(usize, &'p Known)>,
+    /// Inputs that were changed by hand, as they were before.
+    changed: Vec<(usize, Input)>,
     /// Whether any of its numbers is drawn.
     is_drawn: bool,
     rejected: u64,
@@ -86,6 +88,7 @@ impl<'p> Sampler<'p> {
             directions: directions(problem, own),
             printed: printed(problem, own),
             told: own.known.iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
+            changed: Vec::new(),
             is_drawn: own.known.iter().any(|known| matches!(known.origin, Origin::Drawn(_))),
             rejected: 0,
             ill_chosen: BTreeMap::new(),
@@ -157,7 +160,7 @@ impl<'p> Sampler<'p> {
         self.draw_attempt(seed, 0);
         for (symbol, value, unit) in values {
             if let Some(input) = self.inputs.get_mut(symbol.index()) {
-                *input = Input::of(value, unit);
+                self.changed.push((symbol.index(), std::mem::replace(input, Input::of(value, unit))));
             }
         }
         let count = if self.form.reveal.iter().all(|reveal| values.iter().any(|(symbol, ..)| *symbol == reveal.symbol))
@@ -207,6 +210,11 @@ impl<'p> Sampler<'p> {
     }
 
     fn draw_attempt(&mut self, seed: u64, attempt: u64) {
+        while let Some((index, before)) = self.changed.pop() {
+            if let Some(input) = self.inputs.get_mut(index) {
+                *input = before;
+            }
+        }
         for (known, drawn) in self.form.known.iter().zip(&mut self.drawn) {
             let (Origin::Drawn(domain), Some(stream)) = (&known.origin, known.stream) else { continue };
             *drawn = domain.pick(self.words.word(stream, seed, attempt));
