@@ -36,9 +36,20 @@ pub enum Reason {
     /// The string between two bodies would stay slack.
     #[error("{1} would not move away from {0}, and the string would stay slack")]
     StaysSlack(String, String),
+    /// One of several strings that are jerked together would have to push.
+    #[error(
+        "the string between {0} and {1} would go slack in the jerk: its ends approach each other, and a string cannot push"
+    )]
+    GoesSlackInJerk(String, String),
+    /// None of several strings would be jerked.
+    #[error("no string would be jerked: the ends of none move apart")]
+    NoneIsJerked,
     /// A body would not meet another, or an arm.
     #[error("{0} would not meet {1}")]
     NotMet(String, String),
+    /// Two bodies would part as if they had not met, or draw each other on.
+    #[error("{0} and {1} would not push each other, so there would be no impact")]
+    NothingExchanged(String, String),
     /// A body would not reach a surface.
     #[error("{0} would not reach {1}")]
     NotReached(String, String),
@@ -250,7 +261,9 @@ impl Reason {
             | Self::LiesAhead(..)
             | Self::NotCompressed(..)
             | Self::StaysSlack(..)
+            | Self::NoneIsJerked
             | Self::NotMet(..)
+            | Self::NothingExchanged(..)
             | Self::NotReached(..)
             | Self::NotTowardsFloor(..) => Warning::NoImpact,
             Self::LeavesFaster(..)
@@ -309,7 +322,10 @@ impl Reason {
         Some(match self {
             Self::Unsupported(..) => "ask for nothing of it afterwards; a `push` can name it, too (`bodies`)",
             Self::StringStretches(..) => {
-                "let both move on together: one body with the mass of both, or a `tow` with the forces on each; where strings at an angle jerk together, write one `interact` of all bodies, and under `relations` that the ends of each string have one velocity along it"
+                "where the strings are jerked together, write one `taut` with all of them: `strings: [{ between: [A, B] }, { between: [B, C] }]`; where both move on together, one body with the mass of both, or a `tow` with the forces on each"
+            }
+            Self::GoesSlackInJerk(..) => {
+                "leave that string out of `strings`: it goes slack at once, and the others are jerked as if it were not there"
             }
             _ => return None,
         })

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use momentous::bank::Bank;
-use momentous::exercise::{Drawer, Exercise, Marker};
-use momentous::grade::{DecimalMark, Report, Sitting};
+use momentous::exercise::{Drawer, Exercise, ItemAnswers, Marker, NumberItem};
+use momentous::grade::{DecimalMark, Report, Sitting, Verdict};
 use momentous::problem::{Problem, compile, load};
 
 /// What an honest student is told who rounds on the way, where that is not simply right. Where the author fixed numbers
@@ -53,6 +53,51 @@ fn no_answer_of_the_bank_is_blurred_by_honest_rounding() {
         }
     }
     assert!(ill_chosen.is_empty(), "{}", ill_chosen.join("\n"));
+}
+
+/// The numbers that are asked in a variant, each with the name of its answer.
+fn numbers(exercise: &Exercise) -> Vec<(String, NumberItem)> {
+    let mut numbers = Vec::new();
+    for part in exercise.item().parts {
+        let own = match part.answers {
+            ItemAnswers::Number(number) => vec![*number],
+            ItemAnswers::Roots(numbers) => numbers,
+            _ => Vec::new(),
+        };
+        numbers.extend(own.into_iter().map(|number| (part.printed.clone(), number)));
+    }
+    numbers
+}
+
+/// How far the numbers reach that get a verdict, from the right one.
+fn reach(number: &NumberItem, verdict: Verdict) -> f64 {
+    let own = number.windows.iter().filter(|window| window.verdict == verdict);
+    own.map(|window| (window.high - number.right).abs().max((window.low - number.right).abs())).fold(0.0, f64::max)
+}
+
+/// With more `SEEDS`, the widest windows of the bank are measured.
+#[test]
+fn rounding_is_never_allowed_for_beyond_three_tolerances() {
+    let seeds = std::env::var("SEEDS").map_or(2, |text| text.parse().expect("a number"));
+    let mut widest = Vec::new();
+    for source in Bank::built_in().sources() {
+        let problem = Arc::new(compile(load(source.clone()).expect("it loads"), None).expect("it compiles"));
+        for form in 0..problem.forms().len() {
+            let mut drawer = Drawer::new(&problem, form).expect("the form is there");
+            for (seed, exercise) in (1..=seeds).filter_map(|seed| Some((seed, drawer.draw(seed).ok()?))) {
+                for (part, number) in numbers(&exercise) {
+                    let times = reach(&number, Verdict::RightRounded) / reach(&number, Verdict::Right);
+                    widest
+                        .push((times, format!("{} form {form} seed {seed}: {part} = {}", problem.id(), number.right)));
+                }
+            }
+        }
+    }
+    widest.retain(|(times, _)| !times.is_nan());
+    widest.sort_by(|one, other| other.0.total_cmp(&one.0));
+    let shown: Vec<String> = widest.iter().take(12).map(|(times, number)| format!("{times:.3} {number}")).collect();
+    println!("{} numbers; windows in tolerances:\n{}", widest.len(), shown.join("\n"));
+    assert!(widest.len() > 400 && widest[0].0 < 3.0 + 1e-9, "{}", shown.join("\n"));
 }
 
 #[test]

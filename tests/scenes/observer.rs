@@ -139,9 +139,14 @@ fn for_moving(scene: &Drawn, solved: &Solved, name: &str) -> Option<f64> {
 }
 
 /// Where two observers do not find what they should of a scene.
-fn differing(one: &Solved, other: &Solved, expected: &dyn Fn(&str) -> Option<f64>) -> Vec<String> {
+fn differing(
+    one: &Solved,
+    found: &dyn Fn(&str) -> Option<f64>,
+    expected: &dyn Fn(&str) -> Option<f64>,
+    other: &Solved,
+) -> Vec<String> {
     let differs = |name: &String| {
-        let (found, expected) = (other.value(name)?, expected(name)?);
+        let (found, expected) = (found(name)?, expected(name)?);
         let size = one.largest(&name[..1]).max(expected.abs());
         let is_apart = (found - expected).abs() > APART * (size + 1.0);
         is_apart.then(|| format!("`{name}` is {found}, not {expected}\n{}\n{}", one.file, other.file))
@@ -168,6 +173,36 @@ const OTHER_UNITS: &[(&str, &str, f64)] = &[
     ("N m", "kN m", 0.001),
 ];
 
+/// How many times as heavy everything is of another world, in which all forces, energies and impulses are so much greater.
+const HEAVIER: [f64; 2] = [1e-27, 1e24];
+
+/// The scene with everything so many times as heavy; none where a stage tells a mass, a force or an energy by its number.
+fn heavier(scene: &Drawn, times: f64) -> Option<Drawn> {
+    let is_weighed =
+        |unit: &str| ["kg", "N", "J"].iter().any(|part| unit.split([' ', '/', '^']).any(|own| own == *part));
+    let words = |value: &str| value.split([' ', ',', ']', '}']).map(str::to_owned).collect::<Vec<_>>();
+    let tells_weight = |value: &str| {
+        let words = words(value);
+        words.windows(2).any(|pair| pair[0].parse::<f64>().is_ok_and(|own| own != 0.0) && is_weighed(&pair[1]))
+    };
+    if scene.stages.iter().flat_map(|stage| &stage.keys).any(|(_, value)| tells_weight(value)) {
+        return None;
+    }
+    let mut other = scene.clone();
+    for (_, value) in &mut other.given {
+        if let Some((number, unit)) = value.split_once(' ').filter(|(_, unit)| is_weighed(unit)) {
+            *value = format!("{:e} {unit}", number.parse::<f64>().unwrap() * times);
+        }
+    }
+    Some(other)
+}
+
+/// By how much a quantity is greater where everything is so many times as heavy.
+fn weighed(table: &Table, name: &str, times: f64) -> f64 {
+    let unit = table.unit(name);
+    if ["kg", "N", "J"].iter().any(|part| unit.split([' ', '/', '^']).any(|own| own == *part)) { times } else { 1.0 }
+}
+
 fn in_other_units(scene: &Drawn) -> Drawn {
     let mut other = scene.clone();
     for (_, value) in &mut other.given {
@@ -185,10 +220,14 @@ fn observed(table: &Table, kind: &str, seed: u64) -> (usize, Vec<String>) {
     let questions = questions(table, &scene);
     let Ok(whole) = asked_all(&scene, &questions, &|file| file) else { return (0, Vec::new()) };
     let (mut observers, mut wrong) = (0, Vec::new());
-    let mut compare = |who: &str, other: Result<Solved, String>, expected: &dyn Fn(&str) -> Option<f64>| match other {
+    let mut compare = |who: &str,
+                       other: Result<Solved, String>,
+                       expected: &dyn Fn(&str) -> Option<f64>,
+                       scale: &dyn Fn(&str) -> f64| match other {
         Ok(other) => {
             observers += 1;
-            wrong.extend(differing(&whole, &other, expected).into_iter().map(|own| format!("{who}: {own}")));
+            let found = |name: &str| other.value(name).map(|own| own / scale(name));
+            wrong.extend(differing(&whole, &found, expected, &other).into_iter().map(|own| format!("{who}: {own}")));
         }
         // What is counted counter-clockwise has no place in a mirror.
         Err(refusal) if refusal.contains("counter-clockwise") => {}
@@ -196,12 +235,23 @@ fn observed(table: &Table, kind: &str, seed: u64) -> (usize, Vec<String>) {
     };
     let same = |name: &str| whole.value(name);
     if let Some(moving) = shifted(&scene) {
-        compare("who moves", asked_all(&moving, &questions, &|file| file), &|name| for_moving(&scene, &whole, name));
+        compare(
+            "who moves",
+            asked_all(&moving, &questions, &|file| file),
+            &|name| for_moving(&scene, &whole, name),
+            &|_| 1.0,
+        );
     }
     if whole.file.contains("to the right") {
-        compare("in a mirror", asked_all(&scene, &questions, &|file| to_the_other_side(&file)), &same);
+        compare("in a mirror", asked_all(&scene, &questions, &|file| to_the_other_side(&file)), &same, &|_| 1.0);
     }
-    compare("in other units", asked_all(&in_other_units(&scene), &questions, &|file| file), &same);
+    compare("in other units", asked_all(&in_other_units(&scene), &questions, &|file| file), &same, &|_| 1.0);
+    for times in HEAVIER {
+        if let Some(heavier) = heavier(&scene, times) {
+            let who = format!("{times} times as heavy");
+            compare(&who, asked_all(&heavier, &questions, &|file| file), &same, &|name| weighed(table, name, times));
+        }
+    }
     let wrong = wrong.into_iter().map(|own| format!("{kind} {seed}: {own}")).collect();
     (observers, wrong)
 }

@@ -213,6 +213,7 @@ impl Builder<'_> {
     fn general_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
         let (name_a, name_b) = (self.called(first), self.called(second));
         self.exchange(contact, [first, second], [first, second]);
+        self.push_each_other(contact.index, first, second);
         if contact.stage.loss.is_none() && !contact.stage.elastic {
             self.creates_no_energy(contact.index, [first, second]);
         }
@@ -223,6 +224,16 @@ impl Builder<'_> {
             "the impulse between the bodies",
             format!("within the system it cancels: on {name_a} and on {name_b} it is equal and opposite"),
         );
+    }
+
+    /// That two bodies push each other, and against the way on which they meet: not that they go on as if nothing had happened.
+    fn push_each_other(&mut self, index: usize, first: &str, second: &str) {
+        let [own, other, after] =
+            [(first, index + 1), (second, index + 1), (second, index + 2)].map(|(body, at)| self.velocities(body, at));
+        let parts = own.into_iter().zip(other).zip(after);
+        let pushed = Expr::sum(parts.map(|((own, other), after)| (own - other.clone()) * (after - other)));
+        let reason = Reason::NothingExchanged(self.called(first), self.called(second));
+        self.require(Expr::zero(), Relation::Less, pushed, reason);
     }
 
     /// That two bodies part no faster along the line of impact than they met, where no coefficient of restitution says so.
