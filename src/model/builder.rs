@@ -46,6 +46,7 @@ use super::frame::Frame;
 use super::left_alone::LeftAlone;
 use super::name::Meaning;
 use super::stored::Stored;
+use super::taut_string::TautString;
 use super::timeline::Timeline;
 use super::turned::Turned;
 
@@ -88,6 +89,8 @@ pub struct Builder<'s> {
     pub(super) stored: Vec<Stored>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
+    /// The strings that were jerked taut.
+    pub(super) strings: Vec<TautString>,
     /// The components along the axes from which a direction follows.
     pub(super) directions: BTreeMap<Symbol, [Expr; 2]>,
     pub(super) defined: BTreeSet<String>,
@@ -153,6 +156,7 @@ impl<'s> Builder<'s> {
             stored: Vec::new(),
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],
+            strings: Vec::new(),
             directions: BTreeMap::new(),
             defined: BTreeSet::new(),
             free: BTreeSet::new(),

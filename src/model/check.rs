@@ -138,7 +138,11 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             }
             Stage::Fall(fall) => upright::falling(scene, index, &fall.body, &at),
             Stage::Swing(_) => upright::not_vertical(scene, "a swing", &at),
-            Stage::Taut(taut) => upright::over_a_pulley(scene, taut, &at),
+            Stage::Taut(taut) => {
+                let mut faults = super::jerk::faults(taut, &at);
+                faults.extend(upright::over_a_pulley(scene, taut, &at));
+                faults
+            }
             Stage::Connected(string) => {
                 let mut faults = super::tied::jerked(scene, index, string, &at);
                 faults.extend(in_a_row(scene, stage, ["bodies on a string over a pulley", "along the string"], at));

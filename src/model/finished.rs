@@ -27,6 +27,7 @@ use super::Passage;
 use super::PrintedGraph;
 use super::Reason;
 use super::Slope;
+use super::TautString;
 use super::wording;
 
 /// A scene as equations: the symbols, the system, and why each equation may be used.
@@ -65,6 +66,8 @@ pub struct Model {
     pub literals: Vec<(Symbol, Quantity)>,
     /// The axes n and t of each stage that has them.
     pub frames: Vec<Option<Frame>>,
+    /// The strings that are jerked taut.
+    pub strings: Vec<TautString>,
     /// Names that terms introduced without defining them: to be given, or asked.
     pub free: BTreeSet<Symbol>,
     /// What questions call by names of their own, each with the expression for which it stands.

@@ -21,6 +21,7 @@ mod guide;
 mod incline;
 mod influence;
 mod instance;
+mod jerk;
 mod leaving_out;
 mod left_alone;
 mod masses;
@@ -43,6 +44,7 @@ mod standing;
 mod stored;
 mod strength;
 mod strings;
+mod taut_string;
 mod tied;
 mod timeline;
 mod total;
@@ -69,6 +71,7 @@ pub use passage::Passage;
 pub use printed_graph::PrintedGraph;
 pub use quantity_kind::{QuantityKind, VectorKind};
 pub use reason::{Reason, Warning};
+pub use taut_string::TautString;
 pub use timeline::Timeline;
 
 use std::collections::BTreeSet;
@@ -310,6 +313,7 @@ impl<'s> Builder<'s> {
             flowing: self.flowing,
             literals: self.literals,
             frames: self.frames,
+            strings: self.strings,
             slopes: self.slopes,
             passages: self.passages,
             graph: self.graph,

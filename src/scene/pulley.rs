@@ -10,7 +10,7 @@ impl Scene {
         self.stages.iter().skip(stage + 1).find_map(|own| {
             let ends = if let Stage::Taut(taut) = own {
                 taut.over.as_ref()?;
-                taut.between.each_ref().map(String::as_str)
+                taut.between.as_ref()?.each_ref().map(String::as_str)
             } else if let Stage::Connected(connected) = own {
                 [&connected.trailing.body, &connected.leading.body].map(String::as_str)
             } else {

@@ -11,6 +11,7 @@ use momentous_scene::stage::Partners;
 use momentous_scene::stage::Push;
 use momentous_scene::stage::Slide;
 use momentous_scene::stage::Swing;
+use momentous_scene::stage::Taut;
 
 use super::angular;
 use super::arm;
@@ -54,7 +55,15 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
             Some(sheet::carried::on_circle(quantities, compass, 0, swing, on))
         }
         Some(Stage::Slide(slide)) if slide.is_ramp() => Some(sheet::ramp::drawing(quantities, compass, 0, slide)),
-        Some(Stage::Taut(taut)) if taut.over.is_some() => Some(sheet::pulley::taut(quantities, 0, taut)),
+        Some(Stage::Taut(Taut { between: Some(both), over: Some(_), .. })) => {
+            Some(sheet::pulley::taut(quantities, 0, both))
+        }
+        Some(Stage::Blow(_) | Stage::Taut(_))
+            if let Some(jerk) = sheet::strung::jerked(&quantities.scene().stages, 0) =>
+        {
+            sheet::strung::drawing(quantities, compass, 0, jerk)
+                .or_else(|| sheet::line::drawing(quantities, compass, 0))
+        }
         Some(Stage::Blow(blow)) => {
             sheet::contact::cushion(quantities, compass, blow).or_else(|| sheet::line::drawing(quantities, compass, 0))
         }
@@ -221,7 +230,10 @@ fn drawn(stage: &Stage) -> Drawn {
             Some(Ends::Fixed(body)) => drawn(alone(body), Arrows::Resultant),
             None => drawn(Vec::new(), Arrows::Resultant),
         },
-        Stage::Taut(own) => Drawn { mutual: own.over.is_none(), ..drawn(several(&own.between), Arrows::Impulses) },
+        Stage::Taut(own) => {
+            let participants = own.jerked().into_iter().map(Participant::alone).collect();
+            Drawn { mutual: own.over.is_none(), ..drawn(participants, Arrows::Impulses) }
+        }
         Stage::Flight(own) => {
             let arrows = if own.is_free() { Arrows::Weight } else { Arrows::Resultant };
             drawn(own.flying().map(Participant::alone).collect(), arrows)

@@ -105,7 +105,16 @@ impl Quantities<'_> {
     /// How that impulse is written.
     pub(super) fn impulse_name(&self, impulse: &Impulse) -> Math {
         let letter = if impulse.by == Agent::Guide { "R" } else { "J" };
-        self.worked.problem.notation().math(&format!("{letter}_{}", impulse.on))
+        let of = self.of_string(impulse).unwrap_or_else(|| impulse.on.clone());
+        self.worked.problem.notation().math(&format!("{letter}_{of}"))
+    }
+
+    /// What an impulse is called by where it is that of one of several strings that are jerked together.
+    fn of_string(&self, impulse: &Impulse) -> Option<String> {
+        let Agent::Body(other) = &impulse.by else { return None };
+        let jerked: Vec<_> = self.model().strings.iter().filter(|string| string.jerk == impulse.stage).collect();
+        let own = jerked.iter().find(|string| string.ends.contains(&impulse.on) && string.ends.contains(other))?;
+        (jerked.len() > 1).then(|| own.ends.concat())
     }
 
     /// The impulse along x and y.

@@ -51,7 +51,16 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         }
         Stage::Swing(swing) => does(&swing.body, ["swings on the cord", "swing on the cord"]),
         Stage::Taut(taut) => {
-            format!("the string between {} and {} goes taut", name(&taut.between[0]), name(&taut.between[1]))
+            let between = |[one, other]: [&str; 2]| format!("between {} and {}", name(one), name(other));
+            match &taut.ends()[..] {
+                [only] => format!("the string {} goes taut", between(*only)),
+                all => {
+                    format!(
+                        "the strings {} are jerked at the same time",
+                        list(&all.iter().map(|own| between(*own)).collect::<Vec<_>>())
+                    )
+                }
+            }
         }
         Stage::Connected(connected) => {
             let [leading, trailing] = [&connected.leading, &connected.trailing].map(|strand| name(&strand.body));
@@ -214,6 +223,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             name(&one.on),
             name(&other.on)
         ),
+        (Stage::Taut(_), [_, _, ..]) => jerking(&phrase),
         (Stage::Connected(connected), [one, other]) => {
             during(connecting(scene, connected, &list(&[one, other].map(|own| name(&own.on)))))
         }
@@ -331,6 +341,13 @@ fn impulsive(impulses: &[&Impulse], body: &str) -> String {
 /// What acts on a body that strikes an arm.
 fn striking(phrase: &str, body: &str, arm: &str) -> String {
     format!("During {phrase} the only impulsive forces are that between {body} and {arm} and that of the support.")
+}
+
+/// What acts where several strings are jerked together.
+fn jerking(phrase: &str) -> String {
+    format!(
+        "During {phrase}, each string pulls the bodies at its two ends with impulses of equal size; nothing else is impulsive."
+    )
 }
 
 /// What acts on two bodies that a string connects.

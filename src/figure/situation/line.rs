@@ -46,8 +46,8 @@ pub struct Line {
     pub spring: Option<(LineSpring, Option<Math>)>,
     /// Which of the bodies hangs on a cord from above.
     pub hung: Option<usize>,
-    /// What ties the bodies to each other, from each to the next.
-    pub tied: Option<Tie>,
+    /// What ties bodies to the next one, by the position of the one behind.
+    pub tied: Vec<(usize, Tie)>,
     /// A fixed wall beyond the last body.
     pub wall: bool,
     /// Mass that falls onto a body, or out of it.
@@ -111,10 +111,10 @@ impl Line {
             placed.push((number, outline));
             let between = number == 0 && self.lies(LineSpring::Between);
             end += high - low
-                + match (between, self.tied) {
-                    (true, _) => SPRING,
-                    (_, Some(_)) => TIED_GAP,
-                    _ => GAP,
+                + match between {
+                    true => SPRING,
+                    false if self.tied.iter().any(|(behind, _)| *behind == number) => TIED_GAP,
+                    false => GAP,
                 };
         }
         let mut ends = [-OVERHANG, end - GAP + if self.wall { WALL_GAP } else { OVERHANG }];
@@ -186,15 +186,13 @@ impl Line {
             draw_cord(canvas, top, hook);
             draw_support(canvas, hook, -up, CEILING_HALF);
         }
-        if let Some(tie) = self.tied {
-            for pair in placed.windows(2) {
-                let [(_, first), (_, second)] = pair else { continue };
-                let face = |body: &Body, side: f64| body.centre() + frame.along * (side * body.support(frame.along));
-                let [from, to] = [face(first, 1.0), face(second, -1.0)];
-                match tie {
-                    Tie::Slack => draw_slack(canvas, from, to),
-                    Tie::Firm => draw_cord(canvas, from, to),
-                }
+        for (behind, tie) in &self.tied {
+            let Some([(_, first), (_, second)]) = placed.get(*behind..behind.saturating_add(2)) else { continue };
+            let face = |body: &Body, side: f64| body.centre() + frame.along * (side * body.support(frame.along));
+            let [from, to] = [face(first, 1.0), face(second, -1.0)];
+            match tie {
+                Tie::Slack => draw_slack(canvas, from, to),
+                Tie::Firm => draw_cord(canvas, from, to),
             }
         }
     }

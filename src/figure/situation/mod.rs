@@ -15,6 +15,7 @@ mod pulley;
 mod ramp;
 mod ride;
 mod space;
+mod strung;
 mod swing;
 mod vane;
 
@@ -34,6 +35,7 @@ pub use pulley::{Pulley, PulleySide, Rest};
 pub use ramp::Ramp;
 pub use ride::{Face, Ride};
 pub use space::Space;
+pub use strung::Strung;
 pub use swing::{Swing, SwingBy, SwingEnd};
 pub use vane::Vane;
 
@@ -85,6 +87,8 @@ pub enum Layout {
     Conical(Conical),
     /// A body at a place in space.
     Space(Space),
+    /// Bodies joined by strings.
+    Strung(Strung),
     /// A jet that a vane turns.
     Vane(Vane),
 }
@@ -122,6 +126,7 @@ impl Situation {
             Layout::Bowl(bowl) => bowl.draw(&mut canvas),
             Layout::Conical(conical) => conical.draw(&mut canvas),
             Layout::Space(space) => space.draw(&mut canvas),
+            Layout::Strung(strung) => strung.draw(&mut canvas),
             Layout::Vane(vane) => vane.draw(&mut canvas),
         }
         // The axes go below everything, labels included.

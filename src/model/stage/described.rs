@@ -94,10 +94,13 @@ impl<'a> Description<'a> {
                 let noun = if own.radius.is_some() { "slide" } else { "swing" };
                 Self { bodies: carried(&own.body, own.on.as_deref()), ..Self::lasting(noun) }
             }
-            Stage::Taut(own) => Self {
-                bodies: between(own.between.each_ref().map(String::as_str)),
-                ..Self::sudden("jerk of the string")
-            },
+            Stage::Taut(own) => {
+                let [key, noun] = match &own.strings[..] {
+                    [] => ["between", "jerk of the string"],
+                    _ => ["strings", "jerk of the strings"],
+                };
+                Self { bodies: own.jerked().into_iter().map(|body| (body, Some(key))).collect(), ..Self::sudden(noun) }
+            }
             Stage::Connected(own) => Self {
                 bodies: vec![(&own.trailing.body, Some("trailing")), (&own.leading.body, Some("leading"))],
                 ..Self::lasting("motion on the string")

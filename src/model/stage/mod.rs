@@ -44,6 +44,7 @@ mod strike;
 mod surface;
 mod swing;
 mod taut;
+mod taut_together;
 mod thrust;
 mod thrust_motion;
 mod tow;

@@ -4,6 +4,7 @@ use crate::Builder;
 use crate::Reason;
 use crate::frame::Frame;
 use crate::pair::Pair;
+use crate::taut_string::TautString;
 use crate::weight_in_contact::Lasting;
 use momentous_expr::Expr;
 use momentous_fault::Path;
@@ -15,13 +16,15 @@ use momentous_solve::Relation;
 
 impl Builder<'_> {
     pub(crate) fn taut(&mut self, index: usize, stage: &Taut, path: &Path) {
+        let Some(between) = &stage.between else { return self.jerked_together(index, stage, path) };
         let normal = match &stage.along {
             Some(term) => self.direction(term, &path.key("along")),
             None => self.first_axis(),
         };
         let frame = Frame { normal };
         self.frames[index] = Some(frame.clone());
-        let bodies = [stage.between[0].as_str(), stage.between[1].as_str()];
+        self.strings.push(TautString { jerk: index, ends: between.clone(), direction: frame.normal.clone() });
+        let bodies = between.each_ref().map(String::as_str);
         let [first, second] = bodies.map(|body| self.called(body));
         let before = bodies.map(|body| self.split(body, index + 1, index, &frame));
         let after = bodies.map(|body| self.split(body, index + 2, index, &frame));

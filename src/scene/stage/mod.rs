@@ -58,7 +58,7 @@ pub use spring::{Ends, Spring};
 pub use stream::Stream;
 pub use strike::Strike;
 pub use swing::{Place, Swing, UpOrDown};
-pub use taut::Taut;
+pub use taut::{JerkedString, Taut};
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 pub use tow::{Tow, Towed};
 pub use until::{Halt, Until};

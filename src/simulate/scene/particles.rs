@@ -113,6 +113,11 @@ impl Force {
         Self { on: vec![(on, along)], strength: Strength::Resistance { linear, quadratic } }
     }
 
+    /// A cord that gives way: it pulls by so much for each metre per second by which it gets longer.
+    pub(super) fn damper(on: Lines, linear: f64) -> Self {
+        Self { on, strength: Strength::Resistance { linear, quadratic: 0.0 } }
+    }
+
     pub(super) fn strength(&self, time: f64, state: &[f64]) -> f64 {
         match &self.strength {
             Strength::InTime(strength) => strength(time),

@@ -110,7 +110,12 @@ pub fn situation(dice: &mut Dice) -> Drawing {
                 (place, dice.chance(60).then(|| name("k")))
             }),
             hung: dice.chance(20).then_some(0),
-            tied: dice.chance(20).then(|| if dice.chance(50) { Tie::Slack } else { Tie::Firm }),
+            tied: if dice.chance(20) {
+                let tie = if dice.chance(50) { Tie::Slack } else { Tie::Firm };
+                (0..3).map(|behind| (behind, tie)).collect()
+            } else {
+                Vec::new()
+            },
             wall: dice.chance(20),
             grains: None,
         }),

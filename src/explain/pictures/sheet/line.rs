@@ -24,6 +24,7 @@ use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
 use super::super::words::sentences;
 use super::super::words::situation_wording;
+use super::strung;
 
 /// The bodies before a stage; after the last one, where nothing is given of them before. In a solution with their momenta.
 pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
@@ -66,7 +67,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         slope: slope.and_then(|(_, label)| label),
         spring: spring(quantities, &names, stage),
         hung: hung(quantities, &names).filter(|_| !upright),
-        tied: tied(quantities, stage),
+        tied: tied(quantities, &names, stage),
         wall: has_wall(quantities, stage),
         grains: grains.map(|(grains, _)| grains),
         bodies: if shows_before { until_they_part(quantities, stage, bodies) } else { alone(bodies) },
@@ -130,20 +131,24 @@ fn order(quantities: &Quantities<'_>, stage: usize) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
     let place = |order: &Vec<String>, body: &str| order.iter().position(|own| own == body);
     for own in &quantities.scene().stages {
-        let (first, second) = if let Stage::Tow(tow) = own {
-            (tow.rear.body.as_str(), tow.front.body.as_str())
+        let pairs = if let Stage::Tow(tow) = own {
+            vec![[tow.rear.body.as_str(), tow.front.body.as_str()]]
+        } else if let Stage::Taut(taut) = own {
+            taut.ends()
         } else if let Stage::Impact(impact) = own
             && let Some(Partners::Bodies(first, second)) = impact.partners()
         {
-            (first, second)
+            vec![[first, second]]
         } else {
             continue;
         };
-        match (place(&order, first), place(&order, second)) {
-            (None, None) => order.extend([first.to_owned(), second.to_owned()]),
-            (Some(behind), None) => order.insert(behind + 1, second.to_owned()),
-            (None, Some(ahead)) => order.insert(ahead, first.to_owned()),
-            (Some(_), Some(_)) => {}
+        for [first, second] in pairs {
+            match (place(&order, first), place(&order, second)) {
+                (None, None) => order.extend([first.to_owned(), second.to_owned()]),
+                (Some(behind), None) => order.insert(behind + 1, second.to_owned()),
+                (None, Some(ahead)) => order.insert(ahead, first.to_owned()),
+                (Some(_), Some(_)) => {}
+            }
         }
     }
     let alive = quantities.timeline.alive(stage + 1);
@@ -196,10 +201,24 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
     Some((place, quantities.label_of(&spring.stiffness)))
 }
 
-/// What connects the bodies that move in a stage.
-fn tied(quantities: &Quantities<'_>, stage: usize) -> Option<Tie> {
-    let own = quantities.scene().stages.get(stage)?;
-    if let Stage::Taut(_) = own { Some(Tie::Slack) } else { matches!(own, Stage::Tow(_)).then_some(Tie::Firm) }
+/// What connects bodies that follow each other in a stage: the position of the one behind, and what ties it to the next.
+fn tied(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Vec<(usize, Tie)> {
+    let stages = &quantities.scene().stages;
+    let Some(own) = stages.get(stage) else { return Vec::new() };
+    let (tie, pairs) = if let Stage::Taut(taut) = own {
+        (Tie::Slack, taut.ends())
+    } else if let Stage::Tow(tow) = own {
+        (Tie::Firm, vec![[tow.rear.body.as_str(), tow.front.body.as_str()]])
+    } else if let Some((_, taut)) = strung::jerked(stages, stage) {
+        // What is struck pulls the others along at once.
+        (Tie::Firm, taut.ends())
+    } else {
+        return Vec::new();
+    };
+    let is_tied =
+        |behind: &str, ahead: &str| pairs.iter().any(|own| *own == [behind, ahead] || *own == [ahead, behind]);
+    let next = names.windows(2).enumerate();
+    next.filter(|(_, pair)| is_tied(pair[0], pair[1])).map(|(behind, _)| (behind, tie)).collect()
 }
 
 /// What falls onto one of the bodies in a stage, or out of it, and how that is said.

@@ -12,4 +12,5 @@ pub(super) mod ramp;
 pub(super) mod revolution;
 pub(super) mod ride;
 pub(super) mod stream;
+pub(super) mod strung;
 pub(super) mod swing;

@@ -11,7 +11,6 @@ use momentous_figure::Rest;
 use momentous_figure::Situation;
 use momentous_scene::stage::Connected;
 use momentous_scene::stage::Strand;
-use momentous_scene::stage::Taut;
 
 use super::super::quantities::Quantities;
 use super::super::quantities::SKETCHED;
@@ -66,8 +65,8 @@ pub(in super::super) fn connected(quantities: &Quantities<'_>, index: usize, sta
 }
 
 /// Two bodies that hang on a slack string over a pulley.
-pub(in super::super) fn taut(quantities: &Quantities<'_>, index: usize, stage: &Taut) -> Drawing {
-    let [trailing, leading] = stage.between.each_ref().map(|body| (body.as_str(), Rest::Hanging));
+pub(in super::super) fn taut(quantities: &Quantities<'_>, index: usize, between: &[String; 2]) -> Drawing {
+    let [trailing, leading] = between.each_ref().map(|body| (body.as_str(), Rest::Hanging));
     situation(quantities, index, sides(trailing, leading))
 }
 

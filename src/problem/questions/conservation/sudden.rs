@@ -141,6 +141,10 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
             ("the impact is elastic", "in the impact, kinetic energy is transferred, and part of it is lost")
         }
         Some(Stage::Strike(_)) => (SAME, "in the impact, kinetic energy is transferred"),
+        Some(Stage::Taut(own)) if !own.strings.is_empty() => (
+            SAME,
+            "the strings become taut inelastically: the ends of each then have the same velocity along it, and kinetic energy is lost",
+        ),
         Some(Stage::Taut(_)) => (
             SAME,
             "the string becomes taut inelastically: both bodies then have the same velocity along it, and kinetic energy is lost",
