@@ -1,4 +1,4 @@
-//! The examples of `docs/language.md` are problems that work, and its tables are complete.
+//! The examples of the pages on the language are problems that work, and its tables are complete.
 
 use std::collections::BTreeSet;
 
@@ -7,18 +7,19 @@ use momentous::grade::{Rubric, Verdict};
 use momentous::problem::json_schema;
 
 use crate::blocks::blocks;
+use crate::pages::{PAGES, language};
 use crate::works;
 
-const LANGUAGE: &str = include_str!("../../docs/language.md");
 const MARKING: &str = include_str!("../../docs/marking.md");
 
 #[test]
 fn every_example_is_a_problem_that_works() {
-    let examples: Vec<_> = blocks(LANGUAGE).into_iter().filter(|block| block.language == "yaml").collect();
     let mut ids = BTreeSet::new();
-    for example in &examples {
-        let problem = works::works(&format!("docs/language.md:{}", example.line), &example.text);
-        assert!(ids.insert(problem.id().to_owned()), "{} stands there twice", problem.id());
+    for (path, page) in PAGES {
+        for example in blocks(page).iter().filter(|block| block.language == "yaml") {
+            let problem = works::works(&format!("{path}:{}", example.line), &example.text);
+            assert!(ids.insert(problem.id().to_owned()), "{} stands there twice", problem.id());
+        }
     }
     assert!(ids.len() > 12, "only {} examples were found", ids.len());
 }
@@ -26,6 +27,7 @@ fn every_example_is_a_problem_that_works() {
 /// The kinds of stage in the schema, each with an example of its own.
 #[test]
 fn every_stage_has_an_example() {
+    let language = language();
     let schema = serde_json::to_value(json_schema()).unwrap();
     let stages = schema["$defs"]["Stage"]["oneOf"].as_array().unwrap();
     assert!(stages.len() > 6);
@@ -35,17 +37,18 @@ fn every_stage_has_an_example() {
         if key == "torque" {
             continue;
         }
-        assert!(LANGUAGE.contains(&format!("    - {key}:")), "there is no example of `{key}`");
+        assert!(language.contains(&format!("    - {key}:")), "there is no example of `{key}`");
     }
 }
 
 #[test]
 fn every_key_is_mentioned() {
+    let language = language();
     let schema = serde_json::to_value(json_schema()).unwrap();
     let definitions = schema["$defs"].as_object().unwrap().values().chain([&schema]);
     let keys = definitions.filter_map(|definition| definition["properties"].as_object()).flat_map(|keys| keys.keys());
     let missing: BTreeSet<&String> =
-        keys.filter(|key| !LANGUAGE.contains(&format!("`{key}")) && !LANGUAGE.contains(&format!("{key}: "))).collect();
+        keys.filter(|key| !language.contains(&format!("`{key}")) && !language.contains(&format!("{key}: "))).collect();
     assert_eq!(missing, BTreeSet::new());
 }
 
@@ -60,8 +63,9 @@ fn every_verdict_is_listed_with_its_worth() {
 
 #[test]
 fn every_promise_is_listed() {
+    let language = language();
     for promise in Promise::all() {
         let row = format!("| `{}` | {} |", promise.name(), promise.sentence());
-        assert!(LANGUAGE.contains(&row), "docs/language.md lacks the row {row}");
+        assert!(language.contains(&row), "the pages on the language lack the row {row}");
     }
 }

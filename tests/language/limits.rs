@@ -1,4 +1,4 @@
-//! What one problem may ask for (`docs/language.md`, *Limits*): as much as the limit is taken, one more is refused at its place.
+//! What one problem may ask for (`docs/language/reference.md`, *Limits*): as much as the limit is taken, one more is refused at its place.
 
 use momentous::fault::Source;
 use momentous::problem::{LONGEST_FILE, compile, load};

@@ -13,6 +13,7 @@ mod golden;
 mod limits;
 mod load_properties;
 mod other_values;
+mod pages;
 mod schema;
 mod sheet_numbers;
 mod stages;

@@ -12,8 +12,7 @@ use momentous::render::Renderer;
 use momentous::scene::Stage;
 
 use crate::blocks::blocks;
-
-const LANGUAGE: &str = include_str!("../../docs/language.md");
+use crate::pages::language;
 
 /// What the schema calls another word for a kind: for `moment`.
 const OTHER_WORD: &str = "torque";
@@ -66,7 +65,7 @@ fn has_figure(worked: Worked<'_>) -> bool {
 
 /// What the examples of the language have, one example for each problem that is written out.
 fn examples() -> BTreeSet<&'static str> {
-    let whole = blocks(LANGUAGE).into_iter().filter(|block| block.language == "yaml");
+    let whole = blocks(&language()).into_iter().filter(|block| block.language == "yaml");
     let loaded = whole.filter_map(|block| load(Source::new("language.yaml", &block.text)).ok());
     loaded.flat_map(|loaded| loaded.draft.scene.stages.iter().map(Stage::key).collect::<Vec<_>>()).collect()
 }
@@ -74,7 +73,7 @@ fn examples() -> BTreeSet<&'static str> {
 #[test]
 fn every_kind_of_stage_is_known_wherever_it_must_be() {
     let (all, examples, renderer) = (all(), examples(), Renderer::new(None).unwrap());
-    let headings: String = LANGUAGE.lines().filter(|line| line.starts_with("### ")).collect();
+    let headings: String = language().lines().filter(|line| line.starts_with("## ")).collect();
     let kinds = kinds();
     let mut missing = Vec::new();
     for kind in &kinds {
@@ -99,8 +98,8 @@ fn every_kind_of_stage_is_known_wherever_it_must_be() {
             ("src/model: its words", own.iter().any(|read| some_variant(&read.problem, phrase))),
             ("src/simulate: what judges its answers", own.iter().any(witnessed)),
             ("src/explain: its figure", seen.iter().any(|read| some_variant(&read.problem, has_figure))),
-            ("docs/language.md: its section", headings.contains(&format!("`{kind}`"))),
-            ("docs/language.md: an example", examples.contains(kind.as_str())),
+            ("docs/language: its section", headings.contains(&format!("`{kind}`"))),
+            ("docs/language: an example", examples.contains(kind.as_str())),
             ("the bank or tests/fixtures/pictures: a problem", !own.is_empty()),
         ] {
             if !is_known {

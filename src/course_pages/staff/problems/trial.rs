@@ -50,7 +50,7 @@ fn tried(turn: Turn, program: Option<&Path>, text: &str) -> io::Result<Trial> {
         Ended::Exit(2) => Trial::Not(printed),
         Ended::Exit(_) | Ended::TooMuch | Ended::TooLong => Trial::Not(format!(
             "the file takes more than {} seconds or too much memory to compile\n\
-             help: ask for less in one problem: fewer bodies, stages and questions; docs/language.md names the limits",
+             help: ask for less in one problem: fewer bodies, stages and questions; docs/language/reference.md names the limits",
             LONGEST.as_secs()
         )),
     })
