@@ -20,7 +20,7 @@ Examples:
   momentous page impact -o practice/                          a folder for a web space
   momentous page impact --scorm -o practice.zip               a package of SCORM 1.2 for a learning platform
 
-The page draws variants, marks answers, shows worked solutions and both simulators without a server, by the same engine as this
+The page draws variants, marks answers, shows worked solutions and the simulators without a server, by the same engine as this
 program. Whoever has it can have every solution: it is for practice.";
 
 /// The module for browsers, where the program was built with it.

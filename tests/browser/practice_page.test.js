@@ -116,7 +116,7 @@ test("a file from disk shows, marks and solves without a network", { skip }, asy
   await close();
 });
 
-for (const simulator of ["Collision", "Restitution"]) {
+for (const simulator of ["Collision", "Collision in the plane", "Restitution"]) {
   test(`the ${simulator.toLowerCase()} simulator runs from disk`, { skip }, async () => {
     made("impact/two-carts", "-o", "practice.html");
     const { page, complaints, close } = await strict_page(browser, { offline: true, bypassCSP: true });

@@ -72,7 +72,10 @@ impl StageRun<'_> {
         }
         self.by(Procedure::Contact);
         let integrator = Integrator { tolerance: self.tolerance, longest: LONGEST / self.shorter };
-        let end = self.go(&system, integrator, &Until::Event(&left))?;
+        // The cords give way ever more slowly, so that the instant of the last stretch is known to few figures: a whole number of
+        // seconds after it is the same however finely it is found.
+        let last = self.try_out(&system, integrator, &Until::Event(&left))?.time;
+        let end = self.go(&system, integrator, &Until::Time((last * self.shorter).ceil() / self.shorter))?;
         self.remark("The duration of the jerk is not given: it is drawn as seconds. Each position is measured from where the jerk begins.");
         let impulses: Vec<f64> = (0..lines.len()).map(|own| end.state[6 * names.len() + own]).collect();
         for (string, impulse) in stage.strings.iter().zip(&impulses) {
