@@ -198,8 +198,12 @@ fn every_stage_has_its_diagram() {
 
 /// The names that a label may stand for: a quantity, and its vector where it is a component or a speed.
 fn spellings(name: &str) -> BTreeSet<String> {
-    let vector = name.split('.').next().unwrap_or(name);
-    let vector = if name.contains('[') { name } else { vector };
+    // A figure shows one stage, so that its names need none.
+    let of_any_stage = match (name.find('['), name.rfind(']')) {
+        (Some(open), Some(close)) => format!("{}{}", &name[..open], &name[close + 1..]),
+        _ => name.to_owned(),
+    };
+    let vector = of_any_stage.split('.').next().unwrap_or(name);
     [name, vector].iter().map(|name| name_math(name).plain()).collect()
 }
 

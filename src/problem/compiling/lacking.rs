@@ -63,8 +63,10 @@ impl Lacking<'_> {
                 let also = self.also(planner, enough);
                 let is_fixed =
                     || self.stuck.remaining.iter().all(|own| planner.is_fixed(self.system, &self.stuck.known, *own));
-                let first = also.first().and_then(|first| first.first()).copied().filter(|_| is_fixed());
-                let open = first.filter(|first| self.does_not_matter(planner, *first));
+                let alone = also.iter().filter_map(|set| if let [only] = set[..] { Some(only) } else { None });
+                let alone: Vec<Symbol> = if is_fixed() { alone.collect() } else { Vec::new() };
+                // Of quantities none of which matters, one may be the easiest to prove it of.
+                let open = alone.into_iter().find(|own| self.does_not_matter(planner, *own));
                 Ways { also, open, ..Ways::default() }
             }
             Reason::NoTactic { equations, unknowns } => match self.open_scale(planner, equations, unknowns) {
