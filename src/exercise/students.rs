@@ -29,7 +29,8 @@ impl Exercise {
                 // Nobody types what is left of a zero.
                 PartKind::Number(number) if worked.is_nothing(number.symbol) => self.printed(part),
                 PartKind::Number(number) if worked.answers(number).len() > 1 => self.printed(part),
-                PartKind::Number(number) => match values(number).get(&number.symbol) {
+                // Where a root is taken of what is nothing, rounding on the way may leave no value.
+                PartKind::Number(number) => match values(number).get(&number.symbol).filter(|own| own.is_finite()) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),
                     None => self.printed(part),
                 },

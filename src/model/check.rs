@@ -116,6 +116,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
     let timeline = Timeline::new(scene);
     for (index, stage) in scene.stages.iter().enumerate() {
         let at = at.key("stages").index(index).key(stage.key());
+        faults.extend(super::space::without_polar_axes(scene, stage).map(|fault| fault.at_path(at.clone())));
         for (name, key) in Description::of(scene, stage).bodies {
             if timeline.since(name, index + 1).is_none() {
                 let path = key.map_or_else(|| at.clone(), |key| at.key(key));

@@ -108,5 +108,6 @@ impl Builder<'_> {
         };
         let influences: Vec<Influence> = here().map(noted).collect();
         self.influences.extend(influences);
+        self.guides_balance(stage);
     }
 }

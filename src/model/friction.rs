@@ -16,6 +16,7 @@ use momentous_solve::Relation;
 use super::Builder;
 use super::Integral;
 use super::Name;
+use super::Opposing;
 use super::Passage;
 use super::QuantityKind;
 use super::Reason;
@@ -91,7 +92,7 @@ impl Builder<'_> {
             let sign = Expr::integer(pushed.sign);
             let forces = vec![sign.clone() * contact.along, -(sign.clone() * contact.kinetic * contact.normal)];
             let ends = [contact.before, contact.after].map(|speed| sign.clone() * speed);
-            self.push_over(pushed, forces, distance, ends);
+            self.push_over(pushed, forces, distance, ends, Some(Opposing::Friction));
         }
     }
 
@@ -184,12 +185,19 @@ impl Builder<'_> {
                 let normal = contact.normal.substitute(&|symbol| (symbol == clock).then(|| end.clone()));
                 self.require(normal, Relation::AtLeast, Expr::zero(), reason.clone());
             }
-            self.passages.push(Passage { place: clock, ends: ends.clone(), kinetic: contact.normal.clone(), reason });
+            self.passages.push(Passage {
+                place: clock,
+                ends: ends.clone(),
+                kinetic: contact.normal.clone(),
+                reason,
+                way: None,
+            });
         }
         let net = contact.net();
         let Some(gained) = net.definite(clock, begins, &clock.into()).filter(|_| net.contains(clock)) else { return };
         let start = if moves { self.mass(pushed.body) * contact.before.clone() } else { Expr::zero() };
-        self.passages.push(Passage { place: clock, ends, kinetic: start + gained, reason: Reason::StopsEarly(name) });
+        let reason = Reason::StopsEarly(name);
+        self.passages.push(Passage { place: clock, ends, kinetic: start + gained, reason, way: None });
     }
 
     /// A body that starts from rest: it slides from the time at which the push reaches the threshold, at once, or not at all. One that
@@ -249,9 +257,21 @@ impl Builder<'_> {
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-        let reason = Reason::Beyond(name.clone());
-        stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
-        stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), backwards));
+        for (push, reason) in [(along.clone(), Reason::Beyond(name.clone())), (-along.clone(), backwards)] {
+            for time in if changes { vec![start, end] } else { vec![end] } {
+                let held = self.condition(at(&push, time), Relation::AtMost, at(threshold, time), reason.clone());
+                stays.conditions.push(held);
+            }
+            if changes {
+                self.passages.push(Passage {
+                    place: pushed.clock,
+                    ends: [start.clone(), end.clone()],
+                    kinetic: threshold.clone() - push,
+                    reason,
+                    way: Some((self.choices.len(), stays.what.clone())),
+                });
+            }
+        }
         ways.push(stays);
         if may_move {
             for way in &mut ways {

@@ -15,6 +15,7 @@ use super::Effect;
 use super::Impulse;
 use super::Influence;
 use super::QuantityKind;
+use super::Work;
 use super::frame::Direction;
 
 /// The guide of a body, read.
@@ -132,6 +133,30 @@ impl Builder<'_> {
         }
         self.neglect(format!("friction with {}", guide.by), "the problem gives none");
         reaction
+    }
+
+    /// The force of a guide makes up for what the others, where all of them are known, would give its body across its line.
+    pub(super) fn guides_balance(&mut self, stage: usize) {
+        for place in 0..self.influences.len() {
+            let own = self.influences[place].clone();
+            let Some(guide) = Some(&own.on).filter(|_| own.stage == stage).and_then(|body| self.guided(body)) else {
+                continue;
+            };
+            if own.called != guide.by || !matches!(own.work, Work::Nothing) {
+                continue;
+            }
+            let across = self.components(&guide.across());
+            let others = self.influences.iter().enumerate();
+            let others = others.filter(|(at, other)| *at != place && other.stage == stage && other.on == own.on);
+            let known = |other: &Influence| -> Option<Vec<Expr>> {
+                let term = |effect: &Effect| if let Effect::Of(term) = effect { Some(term.clone()) } else { None };
+                (0..across.len()).map(|position| term(other.along(position))).collect()
+            };
+            let Some(others) = others.map(|(_, other)| known(other)).collect::<Option<Vec<_>>>() else { continue };
+            let pressed = Expr::sum(others.iter().map(|force| dot(force, &across)));
+            let force = across.iter().map(|part| Effect::Of((-(pressed.clone() * part.clone())).simplify()));
+            self.influences[place] = Influence { force: force.collect(), work: Work::Balances, ..own };
+        }
     }
 
     /// Mass and velocities of bodies at an instant.

@@ -35,6 +35,8 @@ pub enum Effect {
 pub enum Work {
     /// It acts at right angles to the motion.
     Nothing,
+    /// The same, where it makes up for what the other forces, which are all known, would give the body there.
+    Balances,
     /// Work where its force is not zero.
     OfForce,
     /// Work where this is not zero, and how that is said.

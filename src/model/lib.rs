@@ -70,7 +70,7 @@ pub use name::{Instant, Name, VectorName, component_name};
 pub use passage::Passage;
 pub use printed_graph::PrintedGraph;
 pub use quantity_kind::{QuantityKind, VectorKind};
-pub use reason::{Reason, Warning};
+pub use reason::{Opposing, Reason, Warning};
 pub use taut_string::TautString;
 pub use timeline::Timeline;
 

@@ -138,13 +138,17 @@ impl Name {
         let (kind, tail) = QuantityKind::parse(rest);
         let subject = tail.trim_end_matches(|letter: char| letter.is_ascii_digit());
         let digits = &tail[subject.len()..];
+        // What holds an operator is a term of several names.
+        let plain = |text: &str| text.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
+        if ![named.as_deref(), component.as_deref()].into_iter().flatten().all(plain) {
+            return None;
+        }
         let instant = match (digits, named) {
             ("", None) => None,
             ("", Some(named)) => Some(Instant::Named(named)),
             (digits, None) => Some(Instant::Number(digits.parse().ok()?)),
             (_, Some(_)) => return None,
         };
-        let plain = |text: &str| text.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
         let subject = subject.to_owned();
         let base = kind.spelling();
         (!base.is_empty() && plain(&base) && plain(&subject)).then_some(Self {

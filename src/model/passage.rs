@@ -12,8 +12,10 @@ pub struct Passage {
     pub place: Symbol,
     /// Where the way begins and ends.
     pub ends: [Expr; 2],
-    /// The kinetic energy at the position.
+    /// The kinetic energy at the position, or what else must not become negative.
     pub kinetic: Expr,
     /// What to say where the body does not get through.
     pub reason: Reason,
+    /// The only way of going to which it belongs, where a stage can go in several: the position of the choice, and what happens.
+    pub way: Option<(usize, String)>,
 }

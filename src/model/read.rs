@@ -77,6 +77,8 @@ impl Builder<'_> {
     /// meaning of the place where it stands.
     pub(super) fn read(&mut self, term: &Term, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
         let text = term.0.trim();
+        let fraction = fraction_with_a_unit(text, dimension);
+        let text = fraction.as_deref().unwrap_or(text);
         if is_bare_name(text) && self.resolve(text).is_none() {
             let symbol = self.symbol_of(Name::written(text), dimension, meaning);
             self.free.insert(symbol);
@@ -324,4 +326,14 @@ fn is_beyond_numbers(expr: &Expr) -> bool {
         return expr.as_number().is_none() && (size.is_nan() || size >= 1e300);
     }
     expr.children().any(is_beyond_numbers)
+}
+
+/// `16/3 J` as `16 J/3`, where that is what is measured so: the unit is that of the whole.
+fn fraction_with_a_unit(text: &str, dimension: Dimension) -> Option<String> {
+    let (above, rest) = text.split_once('/')?;
+    let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.')?;
+    let (below, unit) = rest.split_at(end);
+    let whole = format!("{} {}", above.trim(), unit.trim());
+    let is_meant = |quantity: Quantity| dimension != Dimension::NONE && quantity.unit.dimension() == dimension;
+    Quantity::parse(&whole).is_ok_and(is_meant).then(|| format!("{whole}/{below}"))
 }

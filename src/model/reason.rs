@@ -1,5 +1,16 @@
 //! Why a root or a way is not possible.
 
+/// What acts against the motion of a body, whichever way it moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Opposing {
+    /// Friction of bodies that slide.
+    #[error("friction")]
+    Friction,
+    /// A resistance that grows with the square of the speed.
+    #[error("the resistance")]
+    Resistance,
+}
+
 /// Why a root is not a solution, or a way not the one that a scene takes: what would be so if a condition were broken.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Reason {
@@ -92,6 +103,9 @@ pub enum Reason {
     /// The same at the start or the end of a stage.
     #[error("{0} would move the other way at the {1} of {2}")]
     MovesBackAt(String, String, String),
+    /// A body would move the other way, against which friction or a resistance is not written.
+    #[error("{0}, and {1} would act the other way, too")]
+    Against(Box<Reason>, Opposing),
     /// A body would come to rest before the end of the way along which forces act on it.
     #[error("{0} would come to rest before it had gone the whole way")]
     TurnsBack(String),
@@ -166,6 +180,11 @@ pub enum Reason {
     /// A distance from the centre that an orbit does not have.
     #[error("{0} would not come to that distance: its orbit lies between its least and its greatest distance")]
     OffTheOrbit(String),
+    /// A body would move away from the centre before its nearest point, or towards it behind it.
+    #[error(
+        "{0} moves away from the centre in the half turn behind its nearest point, and towards it in the other half"
+    )]
+    RecedesElsewhere(String),
     /// A body that a push finds at rest moves already.
     #[error("{0} moves when the push begins")]
     MovesAlready(String),
@@ -196,6 +215,9 @@ pub enum Reason {
     /// A stage would end before it starts.
     #[error("{0} would end before it starts")]
     EndsEarly(String),
+    /// A stage would last a period longer.
+    #[error("{0} would end a period later")]
+    EndsLate(String),
     /// A stage lasts longer than what acts in it is known.
     #[error("the stage lasts longer than the time for which {0} is given")]
     OutlastsForce(String),
@@ -233,7 +255,7 @@ pub enum Warning {
     EnergyCreated,
     /// A body would move the other way than its stage says.
     Reverses,
-    /// A cord or a string would go slack.
+    /// The cord of a body that swings would go slack, where a rod would push, or it would leave its track.
     GoesSlack,
     /// Weight, which a short contact leaves out, would give a tenth or more of the change of momentum.
     WeightNeglected,
@@ -260,8 +282,6 @@ impl Reason {
             Self::NoCatchingUp(..)
             | Self::LiesAhead(..)
             | Self::NotCompressed(..)
-            | Self::StaysSlack(..)
-            | Self::NoneIsJerked
             | Self::NotMet(..)
             | Self::NothingExchanged(..)
             | Self::NotReached(..)
@@ -270,25 +290,38 @@ impl Reason {
             | Self::NegativeLoss
             | Self::CreatesEnergy
             | Self::NegativeRestitution
-            | Self::RestitutionAboveOne
-            | Self::GainsMass(..) => Warning::EnergyCreated,
-            Self::StopsEarly(..)
-            | Self::SlidesBackwards(..)
-            | Self::MovesBack(..)
+            | Self::RestitutionAboveOne => Warning::EnergyCreated,
+            Self::MovesBack(..)
             | Self::MovesBackAt(..)
             | Self::SwingsBack(..)
             | Self::AlreadySwingsBack(..)
-            | Self::SlidesUp(..)
-            | Self::Downwards(..) => Warning::Reverses,
-            Self::Slack(..) | Self::CordSlack(..) | Self::LeavesTrack(..) => Warning::GoesSlack,
+            | Self::SlidesUp(..) => Warning::Reverses,
+            Self::CordSlack(..) | Self::LeavesTrack(..) => Warning::GoesSlack,
             Self::WeightNotNegligible(..) => Warning::WeightNeglected,
             _ => return None,
         })
     }
 
+    /// The same where something acts against the motion: then another way of moving is no matter of what an author allows.
+    pub(super) fn against(self, opposing: Option<Opposing>) -> Self {
+        match opposing {
+            Some(opposing) => Self::Against(Box::new(self), opposing),
+            None => self,
+        }
+    }
+
+    /// Whether it only tells one way in which a stage can go from the other one.
+    #[must_use]
+    pub fn tells_ways(&self) -> bool {
+        matches!(self, Self::HeldBack(_) | Self::DrivenOn(_))
+    }
+
     /// Whether it says in which stage it is so.
     #[must_use]
     pub fn names_its_stage(&self) -> bool {
+        if let Self::Against(own, _) = self {
+            return own.names_its_stage();
+        }
         matches!(
             self,
             Self::MovesBackAt(..)
@@ -305,21 +338,32 @@ impl Reason {
     /// Whether it is so because the motion goes the other way than its stage says.
     #[must_use]
     pub fn is_of_direction(&self) -> bool {
-        matches!(
-            self,
-            Self::MovesBack(_)
-                | Self::MovesBackAt(..)
-                | Self::SlidesBackwards(_)
-                | Self::SlidesOtherWay(..)
-                | Self::SwingsBack(_)
-                | Self::AlreadySwingsBack(_)
-        )
+        match self {
+            Self::Against(own, _) => own.is_of_direction(),
+            // One that turns back on its way has no one direction.
+            Self::MovesBackAt(_, end, _) => end == "start",
+            _ => matches!(
+                self,
+                Self::MovesBack(_)
+                    | Self::SlidesBackwards(_)
+                    | Self::SlidesOtherWay(..)
+                    | Self::SwingsBack(_)
+                    | Self::AlreadySwingsBack(_)
+            ),
+        }
     }
 
     /// What else an author may write for what happens then, where the scene has words for it.
     #[must_use]
     pub fn way_out(&self) -> Option<&'static str> {
         Some(match self {
+            Self::Against(..) | Self::StopsEarly(_) | Self::SlidesBackwards(_) => {
+                "a motion is told the way it goes, and one that turns back is a stage for each way"
+            }
+            Self::BeyondBeforeStart | Self::BeyondBackwards(_) => {
+                "a body that starts against its axis needs a `direction` in that stage; otherwise give other values"
+            }
+            Self::Slack(_) => "it cannot push: let the stage end before it goes slack",
             Self::Unsupported(..) => "ask for nothing of it afterwards; a `push` can name it, too (`bodies`)",
             Self::StringStretches(..) => {
                 "where the strings are jerked together, write one `taut` with all of them: `strings: [{ between: [A, B] }, { between: [B, C] }]`; where both move on together, one body with the mass of both, or a `tow` with the forces on each"

@@ -111,6 +111,14 @@ fn not_fixed(scene: &Scene, timeline: &Timeline, stage: &Stage, point: &str) -> 
     Some(unknown("point", point, &known))
 }
 
+/// A stage that has no equations in polar axes, in a scene that has them; those that turn about a point say so themselves.
+pub(super) fn without_polar_axes(scene: &Scene, stage: &Stage) -> Option<Fault> {
+    let has_none = matches!(scene.axes, Axes::Polar(_)) && Description::of(scene, stage).axes.is_empty();
+    let message = format!("`{}` has no equations in polar axes", stage.key());
+    let help = "write `axes: { x: to the right, y: upwards }`; polar axes are for `central` and `bowl`";
+    has_none.then(|| Fault::new(Code::Value, message).help(help))
+}
+
 /// A stage with other axes than its equations have.
 fn other_axes(stage: &Stage, wanted: &[usize]) -> Fault {
     let (needs, help) = match wanted {

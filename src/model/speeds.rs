@@ -12,6 +12,7 @@ use momentous_solve::Relation;
 
 use super::Builder;
 use super::Name;
+use super::Opposing;
 use super::QuantityKind;
 use super::Reason;
 use super::builder::SECOND_COST;
@@ -36,6 +37,7 @@ impl Builder<'_> {
         body: &str,
         direction: Option<&Term>,
         stops: bool,
+        opposing: Option<Opposing>,
         path: &Path,
     ) -> Speeds {
         if stops {
@@ -54,7 +56,7 @@ impl Builder<'_> {
         // A square has no sign, and the velocity itself is what the reader knows.
         let energies = [&start, &end].map(|velocity| energy::specific_kinetic(std::slice::from_ref(velocity)));
         let [before, after] = [start, end].map(|velocity| Expr::integer(sign) * velocity);
-        self.moves_along(index, body, [&before, &after]);
+        self.moves_along(index, body, [&before, &after], opposing);
         Speeds { before, after, energies, sign }
     }
 
@@ -109,10 +111,10 @@ impl Builder<'_> {
     }
 
     /// The body moves the way that its stage says, from start to end.
-    pub(super) fn moves_along(&mut self, index: usize, body: &str, ends: [&Expr; 2]) {
+    pub(super) fn moves_along(&mut self, index: usize, body: &str, ends: [&Expr; 2], opposing: Option<Opposing>) {
         let (name, phrase) = (self.called(body), self.stage_phrase(index));
         for (speed, end) in ends.into_iter().zip(["start", "end"]) {
-            let reason = Reason::MovesBackAt(name.clone(), end.to_owned(), phrase.clone());
+            let reason = Reason::MovesBackAt(name.clone(), end.to_owned(), phrase.clone()).against(opposing);
             if !speed.is_zero() {
                 self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
             }

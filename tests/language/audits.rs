@@ -97,7 +97,7 @@ const FOUND: &[(&str, &str, Promise, &str, &str)] = &[
     (KINDS, "allow: [one-sheet]\n", Promise::Variety, "noted", "the same answers"),
     (ONE_CONSTANT, "", Promise::Varies, "kept", ""),
     (REBOUNDING, "", Promise::Draws, "broken", "attempts: in the push, the crate would have to slide"),
-    (REBOUNDING, "", Promise::Draws, "broken", "write `direction` in that stage, or `allow: [reverses]`"),
+    (REBOUNDING, "", Promise::Draws, "broken", "if that is meant, write `direction` in that stage"),
     (THROWN, "", Promise::Neglected, "noted", "% of the change of momentum of the ball"),
 ];
 

@@ -160,13 +160,25 @@ fn laws(
 ) -> Vec<Block> {
     let leaf = display.worked.leaf();
     let mut blocks = Vec::new();
-    if let [first, ..] = &leaf.words[..] {
+    if let Some(first) = ways_taken(display).next() {
         blocks.push(Block::text(&format!("{}.", capitalised(first))));
     }
     for (position, (step, script)) in leaf.answer_steps().iter().zip(scripts).enumerate() {
         blocks.extend(write(position, step, script));
     }
     without_repetition(blocks)
+}
+
+/// What happens in the stages that can go in several ways, where an equation of that way leads to the answer.
+fn ways_taken(display: Display<'_>) -> impl Iterator<Item = &str> {
+    let leaf = display.worked.leaf();
+    let used = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+    let used: BTreeSet<usize> = used.filter_map(|own| leaf.system.equations.get(*own)).map(|own| own.tag).collect();
+    let choices = &display.worked.problem.model().choices;
+    choices.iter().zip(&leaf.words).filter_map(move |(ways, what)| {
+        let way = ways.iter().find(|way| way.what == *what)?;
+        way.equations.iter().any(|own| used.contains(&own.tag)).then_some(way.what.as_str())
+    })
 }
 
 /// Leaves out a sentence that says of the next equation what was just said of the one before.

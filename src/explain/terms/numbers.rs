@@ -33,6 +33,9 @@ use super::term::Term;
 /// The most digits of a given that was converted to another unit.
 const MOST_DIGITS: usize = 8;
 
+/// The share of terms that cancel within which they come out as nothing, where each is printed with at most eight figures.
+const CANCELLED: f64 = 1e-7;
+
 /// A number that is printed as it is.
 pub(crate) struct Exact {
     math: Math,
@@ -187,7 +190,15 @@ impl Display<'_> {
     /// Enters a number that is no quantity of the problem: the value of a term.
     pub(crate) fn enter_value(self, ledger: &mut Ledger, term: &Expr, unit: f64, item: Item) {
         let mentions: Vec<Symbol> = term.symbols().into_iter().collect();
-        self.enter_rounded(ledger, item, self.bounded(term).for_print(), unit);
+        let value = self.bounded(term).for_print();
+        match term {
+            // Terms that cancel leave nothing within the figures with which they are printed.
+            Expr::Sum(parts) if value == 0.0 => {
+                let size: f64 = parts.iter().map(|part| self.bounded(part).for_print().abs()).sum();
+                ledger.exact(item, value, unit, (0.5 * unit).max(CANCELLED * size));
+            }
+            _ => self.enter_rounded(ledger, item, value, unit),
+        }
         self.enter_line(ledger, term, &mentions, item);
     }
 

@@ -3,6 +3,7 @@
 use crate::Because;
 use crate::Builder;
 use crate::Influence;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use momentous_expr::Expr;
@@ -107,8 +108,10 @@ impl Builder<'_> {
                 energy::work_energy(kinetic(&|side| side.before.clone()), works, kinetic(&|side| side.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, sides);
         }
+        let rubs = [&stage.trailing, &stage.leading].iter().any(|strand| strand.friction.is_some());
+        let opposing = rubs.then_some(Opposing::Friction);
         for speed in [&leading.before, &leading.after].into_iter().filter(|speed| !speed.is_zero()) {
-            let reason = Reason::MovesBack(leading.name.clone());
+            let reason = Reason::MovesBack(leading.name.clone()).against(opposing);
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         self.require(tension, Relation::AtLeast, Expr::zero(), Reason::Slack("the string".to_owned()));

@@ -29,7 +29,12 @@ impl Builder<'_> {
             for (position, axis) in axes.iter().enumerate() {
                 if self.downwards(position).is_some() {
                     let fault = Fault::new(Code::Value, "bodies do not keep their velocity when weight acts");
-                    self.faults.push(fault.help("use `flight`, or remove `plane: vertical`").at_path(path.clone()));
+                    let help = if self.guided(body).is_some() {
+                        "use a `push` with `forces: []` for a body that a guide holds, a `flight` for others, or remove `plane: vertical`"
+                    } else {
+                        "use `flight`, or remove `plane: vertical`"
+                    };
+                    self.faults.push(fault.help(help).at_path(path.clone()));
                     return;
                 }
                 let [before, after] = [index + 1, index + 2].map(|instant| self.place(body, instant, *axis));

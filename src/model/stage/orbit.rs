@@ -4,6 +4,8 @@ use crate::Builder;
 use crate::Name;
 use crate::QuantityKind;
 use crate::Reason;
+use crate::alternative::Alternative;
+use crate::builder::LAW_COST;
 use crate::builder::SECOND_COST;
 use momentous_expr::Expr;
 use momentous_fault::Path;
@@ -112,6 +114,7 @@ impl Builder<'_> {
             let momentum = (radius.clone() * across.clone(), (round.gravity.clone() * parameter.clone()).sqrt());
             self.law(&orbit::ORBIT_SHAPE, index, because, momentum);
             let angle = self.angle_from_nearest(round, instant);
+            self.recedes_behind_the_nearest(round, radial, &angle);
             let shape = Expr::one() + eccentricity.clone() * angle.cos();
             let from_focus = radius.clone() * shape.clone();
             self.law(&orbit::CONIC, index, because, (from_focus, parameter.clone()));
@@ -125,7 +128,13 @@ impl Builder<'_> {
             self.law(&orbit::ORBIT_TIME, index, "equal areas take equal times", (since.clone(), value));
             times.push(since);
         }
-        self.time_between(round, &times);
+        self.time_between(round, &times, Some(&period));
+    }
+
+    /// Half a turn behind the nearest point a body moves outwards, on the other half inwards.
+    fn recedes_behind_the_nearest(&mut self, round: &Round<'_>, radial: &Expr, angle: &Expr) {
+        let reason = Reason::RecedesElsewhere(round.name.clone());
+        self.require(radial.clone() * angle.clone().sin(), Relation::AtLeast, Expr::zero(), reason);
     }
 
     /// Where both radial velocities are told, as at the nearest and the farthest point, energy and angular momentum together give the
@@ -200,6 +209,7 @@ impl Builder<'_> {
             let momentum = (radius.clone() * across.clone(), (round.gravity.clone() * twice.clone()).sqrt());
             self.law(&orbit::ORBIT_SHAPE, index, because, momentum);
             let angle = self.angle_from_nearest(round, instant);
+            self.recedes_behind_the_nearest(round, radial, &angle);
             let from_focus = radius.clone() * (Expr::one() + angle.cos());
             self.law(&orbit::CONIC, index, because, (from_focus, twice.clone()));
             let since = self.time_since_nearest(round, instant);
@@ -207,7 +217,7 @@ impl Builder<'_> {
             self.law(&orbit::ORBIT_TIME, index, "equal areas take equal times", (since.clone(), value));
             times.push(since);
         }
-        self.time_between(round, &times);
+        self.time_between(round, &times, None);
     }
 
     fn angle_from_nearest(&mut self, round: &Round<'_>, instant: usize) -> Expr {
@@ -220,12 +230,33 @@ impl Builder<'_> {
         self.symbol(Name::of(QuantityKind::Time, round.body).at(instant), meaning).into()
     }
 
-    fn time_between(&mut self, round: &Round<'_>, times: &[Expr]) {
+    /// The time from one position to the other: on an ellipse a body that has passed the farthest point in between is counted towards the
+    /// nearest point of the next revolution.
+    fn time_between(&mut self, round: &Round<'_>, times: &[Expr], period: Option<&Expr>) {
         let [before, after] = times else { return };
         let meaning = "the time from the first position to the second";
         let time = Expr::from(self.symbol(self.in_stage(QuantityKind::Duration, "", round.index), meaning));
         self.lasting[round.index] = Some(time.clone());
-        let sides = (time, after.clone() - before.clone());
-        self.law(&kinematics::CLOCK, Some(round.index), "both times are measured from the nearest point", sides);
+        let because = "both times are measured from the nearest point";
+        let same = (time.clone(), after.clone() - before.clone());
+        let early = Reason::EndsEarly(self.stage_phrase(round.index));
+        let Some(period) = period else {
+            self.law(&kinematics::CLOCK, Some(round.index), because, same);
+            return self.require(after.clone(), Relation::AtLeast, before.clone(), early);
+        };
+        let next = (time, Expr::sum([after.clone(), period.clone(), -before.clone()]));
+        let passes = format!("{because}, and the next nearest point is a period later");
+        let late = Reason::EndsLate(self.stage_phrase(round.index));
+        let ways = [
+            ("does not pass the farthest point", because.to_owned(), same, Relation::AtLeast, early),
+            ("passes the farthest point", passes, next, Relation::Less, late),
+        ];
+        let ways = ways.map(|(what, because, sides, relation, reason)| Alternative {
+            what: format!("{} {what}", round.name),
+            equations: vec![self.stated(LAW_COST, &kinematics::CLOCK, Some(round.index), because, sides, None)],
+            conditions: vec![self.condition(after.clone(), relation, before.clone(), reason)],
+            still: None,
+        });
+        self.choices.push(ways.into());
     }
 }

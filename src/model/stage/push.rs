@@ -5,6 +5,7 @@ use crate::Builder;
 use crate::Impulse;
 use crate::Integral;
 use crate::Name;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::forces::Acts;
@@ -154,7 +155,7 @@ impl Builder<'_> {
             let mut forces: Vec<Expr> = forces.collect();
             forces.push(self.weight_on_slope(body, &pushed.incline));
             let ends = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
-            self.push_over(pushed, forces, distance, ends);
+            self.push_over(pushed, forces, distance, ends, None);
         }
         let acts = Acts { stage: index, on: body, during: [start, end] };
         if on_slope {
@@ -232,6 +233,7 @@ impl Builder<'_> {
         forces: Vec<Expr>,
         distance: &Expr,
         [before, after]: [Expr; 2],
+        opposing: Option<Opposing>,
     ) {
         let name = self.called(pushed.body);
         let mass = self.mass(pushed.body);
@@ -242,7 +244,7 @@ impl Builder<'_> {
         let because = format!("the forces on {name} do work over the distance");
         self.law(&energy::WORK_ENERGY, Some(pushed.index), because, energy::work_energy(start, works, stop));
         let [before, end] = [before, end].map(|velocity| Expr::integer(pushed.sign) * velocity);
-        self.moves_along(pushed.index, pushed.body, [&before, &end]);
+        self.moves_along(pushed.index, pushed.body, [&before, &end], opposing);
     }
     /// The impulse of weight along the axis of that position, in a vertical plane.
     pub(crate) fn weight_impulse(&mut self, mass: &Expr, position: usize, start: &Expr, end: &Expr) -> Option<Expr> {

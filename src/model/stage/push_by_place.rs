@@ -5,6 +5,7 @@ use crate::Effect;
 use crate::Influence;
 use crate::Integral;
 use crate::Name;
+use crate::Opposing;
 use crate::Passage;
 use crate::QuantityKind;
 use crate::Reason;
@@ -92,9 +93,10 @@ impl Builder<'_> {
         let [start, stop] = energies;
         let because = format!("the forces on {name} do work over the distance");
         self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start.clone(), works, stop));
-        self.moves_along(index, body, [&(sign.clone() * before), &(sign.clone() * after)]);
+        let opposing = rubs.then_some(Opposing::Friction);
+        self.moves_along(index, body, [&(sign.clone() * before), &(sign.clone() * after)], opposing);
         if pushed.over.is_none() {
-            let reason = Reason::MovesBack(name.clone());
+            let reason = Reason::MovesBack(name.clone()).against(opposing);
             self.require(sign * (ends[1].clone() - ends[0].clone()), Relation::AtLeast, Expr::zero(), reason);
         }
         let net = Expr::sum(forces).simplify();
@@ -164,5 +166,5 @@ impl Builder<'_> {
 /// The way through which a net force acts; none where the force has no integral, which is a fault already.
 fn passage(net: &Expr, place: Symbol, [start, end]: [&Expr; 2], kinetic: &Expr, reason: Reason) -> Option<Passage> {
     let work = net.definite(place, start, &place.into())?;
-    Some(Passage { place, ends: [start.clone(), end.clone()], kinetic: kinetic.clone() + work, reason })
+    Some(Passage { place, ends: [start.clone(), end.clone()], kinetic: kinetic.clone() + work, reason, way: None })
 }

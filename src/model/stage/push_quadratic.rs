@@ -3,6 +3,7 @@
 use crate::Alternative;
 use crate::Because;
 use crate::Builder;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::builder::LAW_COST;
@@ -72,14 +73,15 @@ impl Builder<'_> {
             self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("until")));
             return;
         }
-        self.moves_along(index, body, [&before, &after]);
+        self.moves_along(index, body, [&before, &after], Some(Opposing::Resistance));
         let way = if let Some(over) = &pushed.over {
             let sides = (to, from + sign * over.clone());
             self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
             over.clone()
         } else {
             let way = sign * (to - from);
-            self.require(way.clone(), Relation::AtLeast, Expr::zero(), Reason::MovesBack(name.clone()));
+            let reason = Reason::MovesBack(name.clone()).against(Some(Opposing::Resistance));
+            self.require(way.clone(), Relation::AtLeast, Expr::zero(), reason);
             way
         };
         let because = format!("the resistance grows with the square of the speed of {name}");
@@ -141,7 +143,7 @@ impl Builder<'_> {
         let reason = Reason::DrivenOn(own.name.clone());
         let held = self.condition(own.others.clone(), Relation::Less, Expr::zero(), reason);
         // Past rest the tangent would begin anew.
-        let reason = Reason::MovesBack(own.name.clone());
+        let reason = Reason::MovesBack(own.name.clone()).against(Some(Opposing::Resistance));
         let moves = self.condition(angle(before), Relation::AtLeast, turned, reason);
         let mut conditions = vec![held];
         conditions.extend((!after.is_zero()).then_some(moves));

@@ -78,7 +78,7 @@ impl Builder<'_> {
             let sides = (to, from + moved.clone());
             self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
             let [before, after] = [&before, &after].map(|velocity| Expr::integer(pushed.sign) * velocity.clone());
-            self.moves_along(index, body, [&before, &after]);
+            self.moves_along(index, body, [&before, &after], None);
         }
         let nets = [&before, &after].map(|velocity| steady.clone() - resists.clone() * velocity.clone());
         self.rates_along(pushed, axis, nets);

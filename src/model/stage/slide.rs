@@ -3,6 +3,7 @@
 use crate::Builder;
 use crate::Effect;
 use crate::Influence;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::forces::Acts;
@@ -38,7 +39,8 @@ impl Builder<'_> {
         let name = self.called(body);
         let phrase = self.stage_phrase(index);
         let stops = stage.until == Some(Halt::Rest);
-        let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
+        let opposing = stage.friction.as_ref().map(|_| Opposing::Friction);
+        let way = self.one_way(index, body, stage.direction.as_ref(), stops, opposing, path);
         if stage.height.is_none() {
             self.stays_on_a_level_floor(index, body);
             self.keeps_its_direction(index, body, &way);

@@ -4,6 +4,7 @@ use crate::Alternative;
 use crate::Builder;
 use crate::Effect;
 use crate::Influence;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::builder::LAW_COST;
@@ -141,7 +142,8 @@ impl Builder<'_> {
         let name = self.called(body);
         let mass = self.mass(body);
         let stops = stage.until == Some(Until::Rest);
-        let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
+        let opposing = stage.friction.as_ref().map(|_| Opposing::Friction);
+        let way = self.one_way(index, body, stage.direction.as_ref(), stops, opposing, path);
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {
             let meaning = "the coefficient of kinetic friction";

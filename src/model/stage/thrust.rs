@@ -5,6 +5,7 @@ use crate::Alternative;
 use crate::Builder;
 use crate::Impulse;
 use crate::Influence;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::builder::LAW_COST;
@@ -269,7 +270,8 @@ impl Builder<'_> {
         let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
         // The resistance is written against a motion along the axis.
         for velocity in [&before, &after] {
-            self.require(velocity.clone(), Relation::AtLeast, Expr::zero(), Reason::MovesBack(name.clone()));
+            let reason = Reason::MovesBack(name.clone()).against(Some(Opposing::Resistance));
+            self.require(velocity.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         let [even, ratio] =
             [QuantityKind::TerminalSpeed, QuantityKind::SpeedRatio].map(|kind| self.in_stage(kind, "", burn.index));

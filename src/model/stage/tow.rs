@@ -7,6 +7,7 @@ use crate::Direction;
 use crate::ForceKind;
 use crate::Impulse;
 use crate::Influence;
+use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::forces::Acts;
@@ -77,8 +78,9 @@ impl Builder<'_> {
             self.goes_the_whole_way(&front.name, kinetic(&|_| front.before.clone()), works.clone());
             self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
         }
+        let opposing = stage.both().iter().any(|own| own.friction.is_some()).then_some(Opposing::Friction);
         for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
-            let reason = Reason::MovesBack(front.name.clone());
+            let reason = Reason::MovesBack(front.name.clone()).against(opposing);
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");

@@ -101,10 +101,9 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
         let is_not_real = matches!(reason.rejection(), Some(Rejection::NotReal(_)));
         let nearest = if is_not_real { sampler.nearest_solutions() } else { None };
-        let help = match (nearest, reason.allowed_by()) {
-            (Some(changes), _) => format!("there is a solution with {changes}; or give other values"),
-            (None, Some(name)) => format!("give other values; if it is meant so, write `allow: [{name}]`"),
-            (None, None) => reason.way_out().unwrap_or("give fewer or other values").to_owned(),
+        let help = match nearest {
+            Some(changes) => format!("there is a solution with {changes}; or give other values"),
+            None => reason.help(),
         };
         Some(fault.help(help).at_path(path))
     };

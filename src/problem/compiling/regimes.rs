@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_model::Model;
 use momentous_model::Warning;
@@ -11,6 +12,7 @@ use momentous_solve::Cause;
 use momentous_solve::Condition;
 use momentous_solve::Equation;
 use momentous_solve::Outcome;
+use momentous_solve::Plan;
 use momentous_solve::Planner;
 use momentous_solve::Precision;
 use momentous_solve::Program;
@@ -97,7 +99,7 @@ impl Regimes {
                     continue;
                 }
             };
-            let audit = planner.audit(&system, told, &planned);
+            let audit = judged(planner, &system, told, &planned, conditions);
             let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
                 .map_err(|unknown| Unplanned::Unknown(unknown.to_string()))?;
             programs.push(program);
@@ -133,6 +135,30 @@ impl Regimes {
     pub fn inputs(&self) -> &[Symbol] {
         &self.inputs
     }
+}
+
+/// The audit of a plan, in which whatever the author's conditions compare is found, too, where it follows: none is passed over.
+fn judged(
+    planner: &mut Planner,
+    system: &System,
+    told: &BTreeSet<Symbol>,
+    plan: &Plan,
+    conditions: &[Condition],
+) -> Audit {
+    let audit = planner.audit(system, told, plan);
+    let found = |plan: &Plan| -> BTreeSet<Symbol> {
+        told.iter().copied().chain(plan.steps.iter().flat_map(|step| step.unknowns.iter().copied())).collect()
+    };
+    let compared = conditions.iter().flat_map(|own| [&own.left, &own.right]).flat_map(Expr::symbols);
+    let of_the_scene: BTreeSet<Symbol> = system.equations.iter().flat_map(Equation::symbols).collect();
+    let judged = found(&audit.plan);
+    let open: Vec<Symbol> = compared.filter(|own| of_the_scene.contains(own) && !judged.contains(own)).collect();
+    if open.is_empty() {
+        return audit;
+    }
+    let Ok(further) = planner.plan(system, &found(plan), &open) else { return audit };
+    let steps = plan.steps.iter().chain(&further.steps).cloned().collect();
+    Audit { answer_steps: audit.answer_steps, ..planner.audit(system, told, &Plan { steps }) }
 }
 
 /// The memory of solving: kept between variants, so that a replay allocates little.
@@ -226,8 +252,12 @@ impl Scratch {
 
     /// The roots that are not solutions.
     pub(crate) fn dead(&self, regimes: &Regimes) -> Vec<Dead> {
-        let tried = self.taken.unwrap_or(0);
-        let Some(outcome) = regimes.tree.outcome(tried, &self.workspace) else { return Vec::new() };
+        self.dead_of(regimes, self.leaf())
+    }
+
+    /// The roots that are not solutions in one of the ways that were tried.
+    pub(crate) fn dead_of(&self, regimes: &Regimes, leaf: usize) -> Vec<Dead> {
+        let Some(outcome) = regimes.tree.outcome(leaf, &self.workspace) else { return Vec::new() };
         let dead = outcome.dead().iter().map(|death| Dead {
             step: death.step,
             cause: death.cause,

@@ -120,6 +120,21 @@ impl NoVariant {
         if let Some(Rejection::Condition { reason, .. }) = self.rejection() { reason.way_out() } else { None }
     }
 
+    /// What an author may write for such numbers.
+    #[must_use]
+    pub fn help(&self) -> String {
+        let key = self.settled_by().map(|key| format!("`{key}` in that stage"));
+        if let Some(out) = self.way_out() {
+            return key.map_or_else(|| out.to_owned(), |key| format!("if it is meant so, write {key}: {out}"));
+        }
+        let allowed = self.allowed_by().map(|name| format!("`allow: [{name}]`"));
+        let meant: Vec<String> = [key, allowed].into_iter().flatten().collect();
+        if meant.is_empty() {
+            return "give fewer or other values".to_owned();
+        }
+        format!("give other values; if it is meant so, write {}", meant.join(", or "))
+    }
+
     /// The name under which an author may allow what numbers were rejected for, where there is one.
     #[must_use]
     pub fn allowed_by(&self) -> Option<&'static str> {

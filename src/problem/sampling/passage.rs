@@ -30,7 +30,9 @@ const NARROWED: usize = 40;
 impl Sampler<'_> {
     /// Why a body does not get to the end of its way with the numbers solved last.
     pub(super) fn turned_back(&self) -> Option<&Reason> {
-        let passages = self.problem.model().passages.iter();
+        let words = &self.form.solver.leaf(self.scratch.leaf()).words;
+        let is_taken = |own: &&Passage| own.way.as_ref().is_none_or(|(choice, what)| words.get(*choice) == Some(what));
+        let passages = self.problem.model().passages.iter().filter(is_taken);
         passages.filter(|own| self.turns_back(own)).map(|own| &own.reason).next()
     }
 

@@ -38,9 +38,18 @@ impl Sampler<'_> {
             (Some(forward), _) if asked.0.dead(asked.1).is_empty() => (&self.forward, forward),
             _ => asked,
         };
-        let dead = scratch.dead(regimes);
-        let leaf = regimes.leaf(scratch.leaf());
         let model = self.problem.model();
+        let tells_ways = |position: &usize| {
+            let conditions = &regimes.leaf(*position).system.conditions;
+            scratch.dead_of(regimes, *position).into_iter().any(|dead| {
+                let Cause::Condition(own) = dead.cause else { return false };
+                conditions.get(own).and_then(|own| model.reasons.get(own.tag)).is_some_and(Reason::tells_ways)
+            })
+        };
+        // A way that the values do not lead to says nothing of why the one to which they lead has no solution.
+        let taken = if several == 0 { (0..regimes.leaves().len()).find(|own| !tells_ways(own)) } else { None };
+        let position = taken.unwrap_or_else(|| scratch.leaf());
+        let (dead, leaf) = (scratch.dead_of(regimes, position), regimes.leaf(position));
         // What was followed furthest was nearest to a solution; of two, the one that the author asks for.
         let is_other = |dead: &Dead| {
             let Cause::Condition(position) = dead.cause else { return false };

@@ -174,7 +174,7 @@ impl<'a> StageRun<'a> {
                 }
                 self.note_here(name, whole, scale);
                 if self.values.axes().len() == 2 {
-                    self.note_here(&format!("angle_{name}"), libm::atan2(vector[1], vector[0]), 1.0);
+                    self.note_here(&format!("angle_{name}"), libm::atan2(vector[1], vector[0]), scale / whole);
                 }
             }
         }

@@ -10,6 +10,9 @@ use super::vector::{Vector, ZERO, add, cross, less, part, size, times};
 /// How long they are watched, in s.
 const WATCHED: f64 = 1.0;
 
+/// The share of a distance that counts as what a velocity is a difference of: places are rounded so much finer than velocities may be off.
+const ROUNDED: f64 = 1e-5;
+
 /// Strips of the area that a radius sweeps meanwhile.
 const STRIPS: u32 = 64;
 
@@ -27,7 +30,10 @@ pub fn watch(
     let one = |vector: Vector| along(&values, asked).map(|axis| part(vector, axis));
     match (asked.base, asked.subject) {
         ("r" | "v", "G") => of_centre(&values, alive, asked, &|body| watched.gone(body, None)),
-        ("v_rel", body) => Some((one(watched.gone(body, Some("G"))?)?, size(watched.gone(body, None)?))),
+        ("v_rel", body) => {
+            let far = ROUNDED * size(watched.at(body, 2.0 * WATCHED, Some("G"))?) / WATCHED;
+            Some((one(watched.gone(body, Some("G"))?)?, size(watched.gone(body, None)?).max(far)))
+        }
         ("T", "G") => {
             let whole: f64 = alive.iter().map(|body| values.mass(body).ok()).sum::<Option<f64>>()?;
             let (mean, scale) = mean(&values, alive, &|body| watched.gone(body, None))?;

@@ -275,7 +275,10 @@ impl Real for Precise {
             (Sign::Negative, Sign::Zero) => return Self::Angle(-Rational::ONE / Rational::from(2)),
             _ => {}
         }
-        let cut = self.sign() == Sign::Unsure && x.sign() != Sign::Positive;
+        let (unsure, x_sign) = (self.sign() == Sign::Unsure, x.sign());
+        let cut = unsure && x_sign != Sign::Positive && x_sign != Sign::Negative;
+        // Half a turn one way is half a turn the other way: on either side of the cut it is counted one way.
+        let counted_on = unsure && x_sign == Sign::Negative;
         self.balls(x, |y, x| {
             let spread = y.radius.clone() + x.radius.clone();
             let square = y.middle.clone() * y.middle.clone() + x.middle.clone() * x.middle.clone();
@@ -285,6 +288,7 @@ impl Real for Precise {
                 return Self::Ball(Ball { middle: float(0), radius: small(4) });
             }
             let value = y.middle.with_precision(BITS).value().atan2(&x.middle.with_precision(BITS).value());
+            let value = if counted_on && value < Float::ZERO { value + float(2) * Ball::pi().middle } else { value };
             Self::Ball(Ball::rounded(value, spread / divisor(free)))
         })
     }

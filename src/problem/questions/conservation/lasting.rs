@@ -44,7 +44,7 @@ pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
     let acting = on_system(balance, builder);
     let mut tests = Vec::new();
     let by_force: Vec<&Influence> = (acting.iter().copied())
-        .filter(|own| matches!(own.work, Work::OfForce) && !own.is_within(&balance.ask.of))
+        .filter(|own| matches!(own.work, Work::OfForce | Work::Balances) && !own.is_within(&balance.ask.of))
         .collect();
     for position in 0..builder.axis_letters().len() {
         for moving in moving_alike(&by_force, balance, builder) {
@@ -86,7 +86,7 @@ pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         }
     }
     let across: Vec<String> = (acting.iter())
-        .filter(|own| matches!(own.work, Work::Nothing) && !own.is_within(&balance.ask.of))
+        .filter(|own| matches!(own.work, Work::Nothing | Work::Balances) && !own.is_within(&balance.ask.of))
         .map(|own| own.called.clone())
         .collect();
     let straight = || {
@@ -233,7 +233,7 @@ fn net<'e>(
             Effect::Of(term) => terms.push(term.clone()),
             Effect::Open => is_open = true,
         }
-        if !words.contains(&said) {
+        if !said.is_empty() && !words.contains(&said) {
             words.push(said);
         }
     }
@@ -251,6 +251,10 @@ fn impulse(own: &Influence, builder: &Builder<'_>) -> String {
     format!("{} exerts an external impulse on {}", own.called, builder.name_of(&own.on))
 }
 
+/// What it says where it does work; no word of what acts at right angles to the motion.
 fn work(own: &Influence, builder: &Builder<'_>) -> String {
+    if matches!(own.work, Work::Balances) {
+        return String::new();
+    }
     format!("{} does work on {}", own.called, builder.name_of(&own.on))
 }

@@ -156,7 +156,7 @@ impl StageRun<'_> {
         let integrator = self.integrator(pair.soon(radius));
         let end = self.go(&system, integrator, &Until::Event(&left))?;
         let ends = [system.state(), end.state];
-        Ok(Swung { ends, forces: ends.map(|state| radius * system.tension(0.0, &state).abs()) })
+        Ok(Swung { ends, forces: ends.map(|state| -radius * system.tension(0.0, &state)) })
     }
 
     /// Up or down along an arc, and along another one that bends back: level at both ends.

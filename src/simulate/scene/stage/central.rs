@@ -25,6 +25,9 @@ enum Law {
 /// A direction whose sine, seen from the nearest point, is at most this is that of an apsis.
 const APSIS: f64 = 1e-9;
 
+/// The turning points that a particle passes at most before it comes to its goal for the first time along the way told.
+const MOST_TURNS: usize = 2;
+
 impl Law {
     fn inwards(self, distance: f64) -> f64 {
         match self {
@@ -76,6 +79,28 @@ impl Pull {
         [u, v, pull * x, pull * y, (x * v - y * u) / 2.0]
     }
 
+    /// The last turning point before the particle comes to a distance along the way told, outwards (1) or inwards (-1), and along which it
+    /// then comes there.
+    fn before(
+        &self,
+        start: (f64, State),
+        goal: f64,
+        arrives: Option<f64>,
+    ) -> Result<((f64, State), f64), NothingToSimulate> {
+        let ahead = if goal >= distance(&start.1) { 1.0 } else { -1.0 };
+        let radial = outwards(&start.1);
+        let (mut from, mut sense) = (start, if radial == 0.0 { ahead } else { radial.signum() });
+        for _ in 0..MOST_TURNS {
+            let arrives = arrives.unwrap_or(sense);
+            if sense * arrives > 0.0 && sense * (goal - distance(&from.1)) > 0.0 {
+                break;
+            }
+            from = self.to(from, &|state| sense * outwards(state))?;
+            sense = -sense;
+        }
+        Ok((from, sense))
+    }
+
     fn to(&self, from: (f64, State), stop: &dyn Fn(&State) -> f64) -> Result<(f64, State), NothingToSimulate> {
         self.integrator.event(from.0, from.1, &|_, state| self.slope(state), &|_, state| stop(state))
     }
@@ -117,13 +142,16 @@ impl StageRun<'_> {
         let mut shown = 0.0;
         self.note_there(body, first, &start.1);
         if let Ok(goal) = goal {
-            let sense = if goal >= length { 1.0 } else { -1.0 };
+            let is_known = stage.spring.is_some() || told.is_some();
+            // Along which way it comes there, where it comes there along one; at an apsis it just turns.
+            let arrives = named("v", first + 1, ".r").ok().filter(|own| is_known && own.abs() > APSIS * across.abs());
+            let (from, sense) = pull.before(start, goal, arrives.map(f64::signum))?;
             let left = |state: &State| sense * (goal - distance(state));
             let closing = |state: &State| sense * outwards(state);
-            let whole = (goal - length).abs();
+            let whole = (goal - distance(&from.1)).abs();
             let reach = Goal { left: &left, closing: &closing, whole, time: length / across.abs() };
-            let tried = pull.to(start, &|state| reach.passed(state))?;
-            let (time, mut end) = pull.to(start, &reach.end(&tried.1))?;
+            let tried = pull.to(from, &|state| reach.passed(state))?;
+            let (time, mut end) = pull.to(from, &reach.end(&tried.1))?;
             // Whatever the force was, it leaves the particle with the radial velocity that is told.
             if let (None, None, Ok(told)) = (&stage.spring, told, named("v", first + 1, ".r")) {
                 end = with_radial(&end, told);
@@ -136,15 +164,11 @@ impl StageRun<'_> {
                     (self.values.term(&spring.stiffness)?, self.values.or_zero(spring.unstretched.as_ref())?);
                 self.note_stored([length, distance(&end)].map(|own| own - slack), |own| stiffness * own);
             }
-            if stage.spring.is_some() || told.is_some() {
-                // It comes back to the same distance with the opposite radial part.
-                let turned = named("v", first + 1, ".r").is_ok_and(|told| told * outwards(&end) < 0.0);
-                let radial = if turned { -outwards(&end) } else { outwards(&end) };
-                self.note(&format!("v_{body}{}.r", first + 1), radial, across);
+            if is_known {
+                self.note(&format!("v_{body}{}.r", first + 1), outwards(&end), across);
             }
             self.note_here("areal_rate", end[4] / time, 0.0);
-            // From one turning point to the other it is half a period either way, and the laws count times from the nearer one.
-            if radial == 0.0 && reach.is_crossed(&tried.1) {
+            if arrives.is_some() && reach.is_crossed(&tried.1) {
                 self.note_here("dt", time, 0.0);
             }
         }

@@ -115,8 +115,10 @@ impl StageRun<'_> {
         }
         if let Ok(mass) = self.values.mass(body) {
             let impulse = times(mass, less(after.value, before.value));
-            self.note_vector(&format!("J_{body}"), impulse);
-            self.note_average_force(body, impulse, end - start);
+            let scale = mass * (before.off + after.off) / self.tolerance;
+            self.note_vector_of(&format!("J_{body}"), impulse, scale);
+            let mean = times(1.0 / (end - start), impulse);
+            self.note_vector_of(&format!("F_avg_{body}"), mean, scale / (end - start));
         }
         self.note_duration(None, end - start);
         self.film_motion(body, &told, first)

@@ -106,7 +106,7 @@ impl StageRun<'_> {
         self.note_term(stage.height.as_ref(), rise, length);
         if let (Ok(mass), true) = (self.values.mass(body), told.is_some()) {
             for (instant, state) in [(instant, before), (instant + 1, after)] {
-                let tension = length * system.tension(0.0, &state).abs();
+                let tension = -length * system.tension(0.0, &state);
                 let force = if stage.radius.is_some() { "N" } else { "tension" };
                 self.note(&format!("{force}_{body}{instant}"), tension, mass * gravity);
             }
