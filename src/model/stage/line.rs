@@ -59,7 +59,7 @@ impl Builder<'_> {
     }
 
     /// How far a body moves in a stage; none where that does not follow from its velocities alone.
-    fn gone(&mut self, body: &str, index: usize, axis: Axis) -> Option<Expr> {
+    pub(super) fn gone(&mut self, body: &str, index: usize, axis: Axis) -> Option<Expr> {
         let stage = self.scene.stages.get(index)?;
         let evenly = self.mean_velocity(body, index, axis);
         let before = self.velocity(body, index + 1, axis);

@@ -24,6 +24,7 @@ mod moment;
 mod motion;
 mod orbit;
 mod order;
+mod parted;
 mod push;
 mod push_by_place;
 mod push_changing;
@@ -109,6 +110,7 @@ impl Builder<'_> {
             self.leaves_others_unheld(index, stage);
             self.strings_hold(index, stage);
             self.order_on_the_line(index);
+            self.stays_parted(index);
             self.reasons_of_stages.push(first..self.reasons.len());
         }
     }
