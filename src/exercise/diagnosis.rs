@@ -27,8 +27,10 @@ impl Marking<'_> {
             }
             let exactly = own.verdict == Verdict::RoundingSlip;
             let found = self.misjudged(place).or_else(|| {
-                let possible = self.possible(self.suspects(place, exactly)?, &right);
-                self.diagnosis(unexplained(own.verdict, possible))
+                let suspects = self.suspects(place, exactly)?;
+                let possible = self.possible(suspects.clone(), &right);
+                let found = if possible.is_empty() { self.in_one_part(place, suspects) } else { possible };
+                self.diagnosis(unexplained(own.verdict, found))
             });
             let Some(diagnosis) = found else { continue };
             if exactly {
@@ -64,7 +66,8 @@ impl Marking<'_> {
     fn suspects(&self, place: usize, exactly: bool) -> Option<Vec<&Mistake>> {
         match self.answered(place)? {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), written) => {
-                let answer = diagnose::number(right, written).filter(|own| !diagnose::is_coarse(right, *own))?;
+                let answer =
+                    diagnose::number(right, written).filter(|own| !diagnose::is_coarse(right, written, *own))?;
                 let (mistakes, values) = self.outcomes(|all, mistake, add| {
                     // Numbers that come of other data may be anywhere: nearness alone says nothing of them.
                     let exactly = exactly || mistake.is_of_data();
@@ -110,6 +113,19 @@ impl Marking<'_> {
             };
             mistakes.retain(keeps);
         }
+        mistakes
+    }
+
+    /// Of mistakes that would have made right answers wrong those that agree in every figure: they were made in this part only.
+    fn in_one_part<'m>(&self, place: usize, mut mistakes: Vec<&'m Mistake>) -> Vec<&'m Mistake> {
+        let Some((PartKind::Number(number), grade::ExpectedKind::Number(right), written)) = self.answered(place) else {
+            return Vec::new();
+        };
+        let Some(answer) = diagnose::number(right, written) else { return Vec::new() };
+        let simulated = self.simulated.get_or_init(|| self.worked.simulated());
+        mistakes.retain(|mistake| {
+            simulated.answers(mistake, number).iter().any(|value| diagnose::is_rounded(right, answer, *value))
+        });
         mistakes
     }
 

@@ -4,13 +4,15 @@ use std::fmt;
 use std::str::FromStr;
 
 use momentous_problem::Problem;
+use momentous_render::SeedWord;
 
-/// A seed as it stands on a sheet: `7`, or `7-kmbtrs` where a secret was used.
+/// A seed as it stands on a sheet: `7`, or `7-kmbtrs` where a secret was used, and `s96136557916552` where it is large.
 ///
 /// ```
 /// use momentous_exercise::SheetSeed;
 /// let seed: SheetSeed = "7-kmbtrs".parse()?;
 /// assert_eq!((seed.number, seed.mark.as_deref(), seed.to_string()), (7, Some("kmbtrs"), "7-kmbtrs".to_owned()));
+/// assert_eq!("s96136557916552".parse::<SheetSeed>()?, "96136557916552".parse()?);
 /// assert!("7-".parse::<SheetSeed>().is_err() && "-7".parse::<SheetSeed>().is_err());
 /// # Ok::<(), String>(())
 /// ```
@@ -59,7 +61,7 @@ impl SheetSeed {
 
 impl fmt::Display for SheetSeed {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{}", self.number)?;
+        write!(out, "{}", SeedWord(self.number))?;
         self.mark.as_ref().map_or(Ok(()), |mark| write!(out, "-{mark}"))
     }
 }
@@ -72,10 +74,12 @@ impl FromStr for SheetSeed {
             Some((number, mark)) => (number, Some(mark.to_lowercase())),
             None => (text.trim(), None),
         };
+        let number = number.strip_prefix([SeedWord::LETTER, SeedWord::LETTER.to_ascii_uppercase()]).unwrap_or(number);
         let is_mark = |mark: &String| !mark.is_empty() && mark.bytes().all(|letter| letter.is_ascii_lowercase());
         let number = number.parse().ok().filter(|_| mark.as_ref().is_none_or(is_mark));
-        number
-            .map(|number| Self { number, mark })
-            .ok_or_else(|| format!("a seed is a whole number from 0 to {}, as on the sheet: 7 or 7-kmbtrs", u64::MAX))
+        number.map(|number| Self { number, mark }).ok_or_else(|| {
+            let largest = u64::MAX;
+            format!("a seed is a whole number from 0 to {largest}, as on the sheet: 7, 7-kmbtrs or s96136557916552")
+        })
     }
 }

@@ -6,12 +6,14 @@ use std::fmt;
 use std::io::BufRead;
 use std::sync::Arc;
 
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 use momentous_problem::Scheme;
 
 use super::issued::{Derivation, SeedSource, VariantRef};
 use super::sheet_numbers::SheetNumbers;
+use super::sheet_seed::SheetSeed;
+use super::spoilt_seed::SpoiltSeed;
 use super::submission::excerpt;
 use super::table::Table;
 use super::together::hash;
@@ -31,7 +33,7 @@ pub struct Listed {
     /// Student, problem, form and seed of each sheet, as a hash: classes are large.
     sheets: FxHashMap<u64, HandedOut>,
     /// The same without the seed.
-    asked: FxHashSet<u64>,
+    asked: FxHashMap<u64, u64>,
     digests: BTreeMap<String, String>,
     /// The marks of the secrets with which they were drawn, empty for none; nothing where the table does not say it.
     secrets: BTreeSet<String>,
@@ -99,6 +101,18 @@ impl Sheets {
         }
     }
 
+    /// The seed of a student's sheet, where there is one.
+    #[must_use]
+    pub fn seed(&self, student: &str, problem: &str, form: &str) -> Option<u64> {
+        match self {
+            Self::Listed(listed) => listed.asked.get(&hash((student, problem, form))).copied(),
+            Self::Derived(derived) => {
+                let seeds = SeedSource { derivation: derived.derivation, secret: derived.secret.as_deref() };
+                derived.students.contains(student).then(|| seeds.seed(student, problem, form))
+            }
+        }
+    }
+
     /// The digest of the problem's file when the sheets were made, where the table says it.
     #[must_use]
     pub fn digest(&self, problem: &str) -> Option<&str> {
@@ -135,8 +149,7 @@ impl Listed {
         while let Some((line, row)) = table.next_row() {
             let read = row.and_then(|row| {
                 let cell = |column: Option<usize>| column.map_or("", |column| row.cell(column));
-                let seed =
-                    row.cell(seed).parse().map_err(|_| format!("`{}` is not a seed", excerpt(row.cell(seed))))?;
+                let seed = listed_seed(row.cell(seed))?;
                 let variant = VariantRef { problem: row.cell(problem), form: cell(form), seed };
                 let scheme = match cell(scheme) {
                     "" => Scheme::Solvable,
@@ -187,18 +200,30 @@ impl Listed {
     /// Adds the sheet of a student.
     pub fn add(&mut self, student: &str, variant: VariantRef<'_>, handed_out: HandedOut) {
         self.sheets.insert(hash((student, variant)), handed_out);
-        self.asked.insert(hash((student, variant.problem, variant.form)));
+        self.asked.insert(hash((student, variant.problem, variant.form)), variant.seed);
     }
 
     fn handed_out(&self, student: &str, variant: VariantRef<'_>) -> Result<HandedOut, NotIssued> {
         if let Some(handed_out) = self.sheets.get(&hash((student, variant))) {
             Ok(handed_out.clone())
-        } else if self.asked.contains(&hash((student, variant.problem, variant.form))) {
+        } else if self.asked.contains_key(&hash((student, variant.problem, variant.form))) {
             Err(NotIssued::OtherSeed)
         } else {
             Err(NotIssued::NotAsked)
         }
     }
+}
+
+/// The seed in a cell of a table of seeds, with or without the mark of a secret.
+fn listed_seed(cell: &str) -> Result<u64, String> {
+    if SpoiltSeed::read(cell).is_some() {
+        return Err(format!(
+            "`{}` is what a spreadsheet leaves of a seed\n\
+             help: make the table again with the roster: `momentous generate` writes it beside the sheets",
+            excerpt(cell)
+        ));
+    }
+    cell.parse::<SheetSeed>().map(|seed| seed.number).map_err(|_| format!("`{}` is not a seed", excerpt(cell)))
 }
 
 impl Derived {

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use momentous_exercise::ItemAnswers;
 use momentous_exercise::ItemPart;
+use momentous_render::SeedWord;
 
 use super::question::{Asking, Question};
 use super::target::Target;
@@ -84,7 +85,7 @@ impl Coded {
             scheme: identity.scheme,
             given: Some(question.item.given.to_string()),
             form: identity.form.clone(),
-            seed: identity.seed.map(|seed| format!("{seed}{mark}")).unwrap_or_default(),
+            seed: identity.seed.map(|seed| format!("{}{mark}", SeedWord(seed))).unwrap_or_default(),
             parts: question.asked.iter().map(part).collect(),
         }
     }

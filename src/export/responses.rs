@@ -10,6 +10,9 @@ const NOTHING: &str = "-";
 /// The headings under which students are known, the surest first: those of Moodle, then those of Canvas.
 const STUDENTS: [&str; 6] = ["ID number", "Email address", "Username", "sis_id", "id", "name"];
 
+/// The headings under which the number of an attempt stands, as Canvas and Brightspace write them.
+const ATTEMPTS: [&str; 3] = ["attempt", "Attempt #", "Attempt number"];
+
 /// A table of responses, known by its headings.
 ///
 /// In Moodle's table the text of a question, in which its code stands, is a cell of the row, and the response to it stands under a
@@ -61,6 +64,13 @@ impl<'c> Responses<'c> {
     #[must_use]
     pub fn is_of_canvas(&self) -> bool {
         self.headings.iter().any(|own| self.code_in(own).is_some())
+    }
+
+    /// The number of the attempt, where the table says it.
+    #[must_use]
+    pub fn attempt(&self, cells: &[&str]) -> Option<u64> {
+        let is_number = |own: &String| ATTEMPTS.iter().any(|name| own.trim().eq_ignore_ascii_case(name));
+        cells.get(self.headings.iter().position(is_number)?)?.trim().parse().ok()
     }
 
     /// What a row says.

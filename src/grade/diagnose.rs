@@ -24,7 +24,7 @@ pub struct Diagnosis {
 }
 
 /// Beyond rounding at the end, an answer may come from values that were rounded on the way: this share of it.
-const ROUNDED_ON_THE_WAY: f64 = 0.006;
+const ROUNDED_ON_THE_WAY: f64 = 0.004;
 
 /// Whether a verdict leaves open where the answer comes from.
 #[must_use]
@@ -201,9 +201,16 @@ fn rounding(value: f64, figures: usize) -> f64 {
     half_unit(value, figures) * 1.001 + 1e-9 * value.abs()
 }
 
-/// Whether an answer is the right one cut to two figures: rounding, not a wrong method.
+/// Whether an answer is the right one cut to two figures, and written with no more: rounding, not a wrong method.
 #[must_use]
-pub fn is_coarse(expected: &ExpectedNumber, answer: f64) -> bool {
+pub fn is_coarse(expected: &ExpectedNumber, written: &Answer, answer: f64) -> bool {
+    let is_whole = |own: &NumberAnswer| match own.written {
+        Written::Figures { least, .. } => least >= expected.figures,
+        Written::Computed => true,
+    };
+    if matches!(written, Answer::Number(own) if is_whole(own)) {
+        return false;
+    }
     if expected.figures <= 2 || expected.whole || (answer - expected.value).abs() > 0.1 * expected.value.abs() {
         return false;
     }

@@ -19,8 +19,6 @@ pub enum Message {
     NegativeMagnitude,
     /// A pound was read as a mass.
     PoundsAsMass,
-    /// A zero without a unit.
-    ZeroWithoutUnit,
     /// Fewer figures than asked; how many are.
     TooFewFigures(usize),
     /// More figures than asked; how many are.
@@ -45,6 +43,8 @@ pub enum Message {
     SomeValues,
     /// What is wrong with an angle, a vector or an interval, without anything to fill in.
     Slip(Verdict),
+    /// What lies on the other side of the right boundary.
+    OtherSide,
     /// Components exchanged; whether they are normal and tangential ones.
     ComponentsExchanged {
         /// Whether the axes are those of a contact.

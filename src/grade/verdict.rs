@@ -157,7 +157,12 @@ const TABLE: &[(Verdict, &str, &str, Worth)] = &[
         "the right end points, but one is included that must not be, or the other way round",
         Part(1, 2),
     ),
-    (Verdict::IntervalHalf, "interval_half", "an interval with one right end point", Part(0, 1)),
+    (
+        Verdict::IntervalHalf,
+        "interval_half",
+        "an interval with one right end point, or one on the other side of the right boundary",
+        Part(0, 1),
+    ),
     (Verdict::FormulaFactor, "formula_factor", "a formula that is right except for a constant factor", Part(0, 1)),
     (
         Verdict::FormulaDimension,

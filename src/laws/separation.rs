@@ -113,7 +113,7 @@ pub const RELATIVE_WAY: Law = Law {
     signs: "Positive along the axis.",
     when: "Always.",
     source: "Kinematics.",
-    wrong: &[],
+    wrong: wrong::separation::RELATIVE_WAY,
 };
 
 /// The laws of this chapter.

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
+use momentous_laws::force::WEIGHT;
 use momentous_laws::restitution::RESTITUTION;
 use momentous_laws::restitution::RESTITUTION_SURFACE;
 use momentous_laws::wrong::data::ALTERED;
@@ -19,6 +20,7 @@ use momentous_solve::System;
 
 use super::Mistaken;
 use super::Model;
+use super::Name;
 use super::QuantityKind;
 use super::mistaken::unit_acceleration;
 
@@ -42,14 +44,36 @@ impl Model {
             let groups = groups.map(|group| group.into_iter().filter(|own| !is_zero(own)).collect::<Vec<_>>());
             let unit = one(row.givens, units);
             for in_place in groups.flat_map(|group| self.alterations(&group, row.how, &unit, told)) {
-                let (system, wrong) = altered(system, used, &in_place);
-                if !wrong.is_empty() {
-                    let places = in_place.len();
-                    mistaken.push(Mistaken { of: row.of, instance: None, places, wrong, system });
+                for changed in self.places(row.givens, system, used, &in_place) {
+                    let (system, wrong) = altered(system, used, &changed, &in_place);
+                    if !wrong.is_empty() {
+                        let places = in_place.len();
+                        mistaken.push(Mistaken { of: row.of, instance: None, places, wrong, system });
+                    }
                 }
             }
         }
         mistaken
+    }
+
+    /// The sets of equations in which givens are got wrong: all together, or each by itself.
+    fn places(
+        &self,
+        givens: Givens,
+        system: &System,
+        used: &BTreeSet<usize>,
+        in_place: &InPlace,
+    ) -> Vec<BTreeSet<usize>> {
+        if !givens.is_of_one_equation() {
+            return vec![used.clone()];
+        }
+        let is_touched = |place: &&usize| {
+            let equation = system.equations.get(**place);
+            let law = equation.and_then(|own| self.instances.get(own.tag)).map(|own| own.law);
+            equation.is_some_and(|own| own.symbols().iter().any(|symbol| in_place.contains_key(symbol)))
+                && law != Some(&WEIGHT)
+        };
+        used.iter().filter(is_touched).map(|place| BTreeSet::from([*place])).collect()
     }
 
     /// The givens of a kind, those together that can be compared with each other.
@@ -59,13 +83,36 @@ impl Model {
         let weights = || of(&|own| self.name(own).kind == QuantityKind::Weight);
         match givens {
             Givens::Masses => vec![measured(Dimension::MASS), weights()],
+            Givens::MassesOfOneEquation => vec![self.unknown_too(system, Dimension::MASS)],
+            Givens::VelocitiesOfOneEquation => vec![self.unknown_too(system, Dimension::VELOCITY)],
             Givens::Velocities => vec![measured(Dimension::VELOCITY), measured(Dimension::new(0, 0, -1))],
             Givens::Gravity if weights().is_empty() => vec![of(&|own| self.name(own).kind == QuantityKind::Gravity)],
             Givens::Gravity => Vec::new(),
             Givens::Angles => vec![of(&|own| self.is_direction(own))],
             Givens::Durations => vec![measured(Dimension::TIME)],
             Givens::Restitutions => vec![self.restitutions(system, told)],
+            Givens::RestitutionOfHeights => {
+                let is_counted = |own: &&Equation| matches!(own.statement, Statement::FirstInteger { .. });
+                vec![self.pure_numbers(system, told, &is_counted)]
+            }
         }
+    }
+
+    /// Every quantity of a dimension in the equations, given or not.
+    fn unknown_too(&self, system: &System, dimension: Dimension) -> Vec<Symbol> {
+        let all = system.equations.iter().flat_map(Equation::symbols).collect::<BTreeSet<_>>();
+        all.into_iter().filter(|own| self.symbols.entry(*own).dimension == dimension).collect()
+    }
+
+    /// The same quantity of a group at other instants, or of other bodies at the same instant, for each of them.
+    fn elsewhere(&self, group: &[Symbol], is_elsewhere: &dyn Fn(&Name, &Name) -> bool) -> Vec<InPlace> {
+        let is_taken = |own: Symbol, other: Symbol| {
+            let (name, taken) = (self.name(own), self.name(other));
+            name.kind == taken.kind && name.component == taken.component && is_elsewhere(name, taken)
+        };
+        let pairs = group.iter().flat_map(|own| group.iter().map(move |other| (*own, *other)));
+        let taken = pairs.filter(|(own, other)| is_taken(*own, *other));
+        taken.map(|(own, other)| InPlace::from([(own, Expr::from(other))])).collect()
     }
 
     /// The coefficients of restitution: the pure numbers in the law of restitution.
@@ -74,7 +121,17 @@ impl Model {
             let law = self.instances.get(equation.tag).map(|own| own.law);
             law.is_some_and(|law| [&RESTITUTION, &RESTITUTION_SURFACE].contains(&law))
         };
-        let symbols = system.equations.iter().filter(is_restitution).flat_map(Equation::symbols);
+        self.pure_numbers(system, told, &is_restitution)
+    }
+
+    /// The given pure numbers in some equations, without angles.
+    fn pure_numbers(
+        &self,
+        system: &System,
+        told: &BTreeSet<Symbol>,
+        is_sought: &dyn Fn(&&Equation) -> bool,
+    ) -> Vec<Symbol> {
+        let symbols = system.equations.iter().filter(is_sought).flat_map(Equation::symbols);
         let numbers = symbols.filter(|own| told.contains(own) && self.symbols.entry(*own).dimension == Dimension::NONE);
         numbers.filter(|own| !self.is_direction(*own)).collect::<BTreeSet<_>>().into_iter().collect()
     }
@@ -109,6 +166,20 @@ impl Model {
                 }
                 _ => Vec::new(),
             },
+            Alteration::Missing if group.len() > 1 => each(&|_| Expr::zero()),
+            Alteration::Together if group.len() > 1 => each(&|_| Expr::sum(group.iter().map(|own| Expr::from(*own)))),
+            Alteration::Missing | Alteration::Together => Vec::new(),
+            Alteration::Copied => {
+                let pairs = group.iter().flat_map(|own| group.iter().map(move |other| (*own, *other)));
+                let unlike = pairs.filter(|(own, other)| own != other);
+                unlike.map(|(own, other)| InPlace::from([(own, Expr::from(other))])).collect()
+            }
+            Alteration::AtAnotherInstant => {
+                self.elsewhere(group, &|own, other| own.subject == other.subject && own.instant != other.instant)
+            }
+            Alteration::OfAnotherBody => {
+                self.elsewhere(group, &|own, other| own.subject != other.subject && own.instant == other.instant)
+            }
             Alteration::Zero => {
                 let mut ways = each(&|_| Expr::zero());
                 if group.len() > 1 {
@@ -128,6 +199,7 @@ impl Model {
             Alteration::Reversed => each(&|own| -Expr::from(own)),
             Alteration::One => each(&|_| one.clone()),
             Alteration::Squared => each(&|own| Expr::from(own).powi(2)),
+            Alteration::Rooted => each(&|own| Expr::from(own).sqrt()),
         }
     }
 
@@ -148,19 +220,39 @@ impl Model {
 fn one(givens: Givens, units: UnitSystem) -> Expr {
     match givens {
         Givens::Gravity => unit_acceleration(units),
-        Givens::Masses | Givens::Velocities | Givens::Angles | Givens::Durations | Givens::Restitutions => Expr::one(),
+        Givens::Masses
+        | Givens::MassesOfOneEquation
+        | Givens::Velocities
+        | Givens::VelocitiesOfOneEquation
+        | Givens::Angles
+        | Givens::Durations
+        | Givens::Restitutions
+        | Givens::RestitutionOfHeights => Expr::one(),
     }
 }
 
 /// The used equations with other things in the place of givens, and which of them that changes.
-fn altered(system: &System, used: &BTreeSet<usize>, in_place: &InPlace) -> (System, BTreeSet<usize>) {
+fn altered(
+    system: &System,
+    used: &BTreeSet<usize>,
+    changed: &BTreeSet<usize>,
+    in_place: &InPlace,
+) -> (System, BTreeSet<usize>) {
     let change = |side: &Expr| side.substitute(&|symbol| in_place.get(&symbol).cloned()).simplify();
     let (mut equations, mut wrong) = (Vec::new(), BTreeSet::new());
-    for equation in used.iter().filter_map(|place| system.equations.get(*place)) {
-        let is_touched = equation.symbols().iter().any(|symbol| in_place.contains_key(symbol));
+    for (place, equation) in used.iter().filter_map(|place| Some((place, system.equations.get(*place)?))) {
+        let is_touched =
+            changed.contains(place) && equation.symbols().iter().any(|symbol| in_place.contains_key(symbol));
         match &equation.statement {
             Statement::Equal { left, right } if is_touched => {
                 let statement = Statement::Equal { left: change(left), right: change(right) };
+                wrong.insert(equations.len());
+                equations.push(Equation { statement, ..equation.clone() });
+            }
+            Statement::FirstInteger { unknown, from, left, relation, right } if is_touched => {
+                let (left, right) = (change(left), change(right));
+                let statement =
+                    Statement::FirstInteger { unknown: *unknown, from: *from, left, relation: *relation, right };
                 wrong.insert(equations.len());
                 equations.push(Equation { statement, ..equation.clone() });
             }

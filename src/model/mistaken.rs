@@ -9,6 +9,7 @@ use momentous_laws::Sides;
 use momentous_laws::wrong::Misconception;
 use momentous_laws::wrong::Taught;
 use momentous_laws::wrong::Wrong;
+use momentous_laws::wrong::geometry::ANYWHERE;
 use momentous_quantity::UnitSystem;
 use momentous_solve::Equation;
 use momentous_solve::Statement;
@@ -106,8 +107,9 @@ impl Model {
             known,
             unit_acceleration: &unit_acceleration,
         };
-        let forms = instance.law.wrong.iter();
-        let ways = forms.flat_map(|form| {
+        let of_law = instance.law.wrong;
+        let elsewhere = ANYWHERE.iter().filter(|form| !of_law.iter().any(|of_law| of_law.of == form.of));
+        let ways = of_law.iter().chain(elsewhere).flat_map(|form| {
             let written = (form.write)(&law).into_iter().enumerate();
             written
                 .map(|(variant, wrong)| WrongUse { of: form.of, equation, instance: tag, variant, wrong })

@@ -25,6 +25,7 @@ mod page;
 #[cfg(feature = "pdf")]
 mod press;
 mod renderer;
+mod seed_word;
 mod site;
 mod templates;
 mod typst;
@@ -44,4 +45,5 @@ pub use page::{Heading, Identity, Key, KeyRow, Page, Sheet, SheetPart, SheetPlac
 #[cfg(feature = "pdf")]
 pub use press::Press;
 pub use renderer::Renderer;
+pub use seed_word::SeedWord;
 pub use site::Site;

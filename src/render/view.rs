@@ -18,6 +18,7 @@ use super::equation;
 use super::fade::fade;
 use super::key_groups::{Group, groups};
 use super::page::{Heading, Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
+use super::seed_word::SeedWord;
 use super::writer::Writer;
 use super::writers::writer;
 
@@ -266,7 +267,7 @@ fn identity(identity: &Identity) -> Value {
         ("problem", identity.problem.as_str().into()),
         ("form", identity.form.clone().into()),
         // A seed has 64 bits; as text it reaches every template whole.
-        ("seed", identity.seed.map(|seed| format!("{seed}{mark}")).into()),
+        ("seed", identity.seed.map(|seed| format!("{}{mark}", SeedWord(seed))).into()),
         ("digest", identity.digest.clone().into()),
         ("scheme", identity.scheme.into()),
     ])

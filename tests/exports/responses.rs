@@ -74,7 +74,7 @@ fn responses_of_moodle_are_marked_and_make_a_gradebook() {
         first.code, second.code, first.code
     );
     let [marks, gradebook] = graded(folder.path(), &responses);
-    assert_eq!(gradebook.lines().collect::<Vec<_>>()[0], "Email address,momentous");
+    assert_eq!(gradebook.lines().collect::<Vec<_>>()[0], "Email address,responses");
     let points = |student: &str| {
         let row = gradebook.lines().find(|line| line.starts_with(student)).unwrap();
         row.split(',').nth(1).unwrap().parse::<f64>().unwrap()
@@ -99,7 +99,7 @@ fn responses_of_canvas_are_marked_and_make_a_gradebook() {
     );
     let [marks, gradebook] = graded(folder.path(), &responses);
     let points = first.parts[0].field.points + first.parts[1].field.points;
-    assert_eq!(gradebook, format!("Student,ID,Section,momentous\n17,17,,{points}\n18,18,,0\n"));
+    assert_eq!(gradebook, format!("Student,ID,Section,responses\n17,17,,{points}\n18,18,,0\n"));
     // Each field has a variant of its own, of which the other parts were not asked.
     let verdicts: Vec<&str> = marks.lines().skip(1).filter_map(|line| line.split(',').nth(9)).collect();
     let count = |verdict: &str| verdicts.iter().filter(|own| **own == verdict).count();
@@ -219,5 +219,33 @@ fn rows_are_attempts_of_which_one_counts_and_a_row_of_nobody_is_refused() {
         let gradebook = fs::read_to_string(folder.path().join("grades.csv")).unwrap();
         let found: f64 = gradebook.lines().nth(1).unwrap().split(',').nth(1).unwrap().parse().unwrap();
         assert!((found - points).abs() < 1e-9, "{rule:?}: {gradebook}");
+    }
+}
+
+#[test]
+fn attempts_are_in_the_order_of_their_numbers_and_two_slots_of_one_problem_stay_two() {
+    let folder = tempfile::tempdir().unwrap();
+    exported(folder.path(), "moodle");
+    let [first, second] = [1, 2].map(|seed| item("impact/two-carts", seed));
+    let right = |of: &Item| format!("part 1: {}; part 2: {}; part 3: {}", number(of, 0), number(of, 1), number(of, 2));
+    let (one, other) = (&first.code, &second.code);
+    // The second attempt stands first; it is right in both slots, the first in one.
+    let responses = format!(
+        "OrgDefinedId,Attempt #,Question 1,Response 1,Question 2,Response 2\n17,2,[{one}],{},[{other}],{}\n17,1,[{other}],{},[{one}],-\n",
+        right(&first),
+        right(&second),
+        right(&second),
+    );
+    fs::write(folder.path().join("responses.csv"), responses).unwrap();
+    let total: u32 = first.parts.iter().map(|part| part.field.points).sum();
+    for (rule, points) in [("last", 2 * total), ("first", total), ("best", 2 * total)] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_momentous"));
+        command.current_dir(folder.path()).args(["grade", "responses.csv", "--codes", "codes.jsonl"]);
+        command.args(["--student", "OrgDefinedId", "--title", "Quiz 3", "--attempts", rule]);
+        // Nothing is carried from one attempt to the other, so that the empty slot stays wrong.
+        command.args(["-o", "marks.csv", "--gradebook", "grades.csv"]).assert().code(1);
+        let gradebook = fs::read_to_string(folder.path().join("grades.csv")).unwrap();
+        let expected = format!("OrgDefinedId,Quiz 3 Points Grade,End-of-Line Indicator\n17,{points},#\n");
+        assert_eq!(gradebook, expected, "{rule}");
     }
 }

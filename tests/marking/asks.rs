@@ -87,7 +87,7 @@ fn a_range_is_asked_by_what_holds_in_it() {
         ("(0.25, 1]", "right"),
         ("e > 0.25", "right"),
         ("e >= 0.25", "interval_ends"),
-        ("e < 0.25", "wrong"),
+        ("e < 0.25", "interval_half"),
         ("0.5 < e <= 1", "interval_half"),
         ("e > 0.5", "wrong"),
     ];

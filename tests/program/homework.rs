@@ -185,7 +185,7 @@ fn marks_are_those_of_the_problems_one_by_one_in_the_points_of_the_homework() {
             let typed: serde_json::Map<String, Value> =
                 cells.map(|(part, cell)| (part.to_owned(), (*cell).into())).collect();
             let line = serde_json::json!({ "student": row[0], "problem": "impact/two-carts", "form": problem["form"],
-                "seed": problem["seed"], "answers": typed });
+                "seed": format!("s{}", problem["seed"]), "answers": typed });
             table.extend([line.to_string(), "\n".to_owned()]);
         }
     }

@@ -19,6 +19,7 @@ mod issued_numbers;
 mod readme;
 #[path = "../support/room.rs"]
 mod room;
+mod spoilt_seeds;
 mod term;
 mod trust;
 mod trusted_tables;

@@ -133,7 +133,7 @@ fn sheets_of_an_earlier_version_stay_valid() {
     // By Python, as in the test of the derivation.
     let old = row("s17", "3788136342373", "");
     assert!(
-        room.read("old-teacher/seeds.csv").contains(",forward,3788136342373,2,m_A = "),
+        room.read("old-teacher/seeds.csv").contains(",forward,s3788136342373,2,m_A = "),
         "{}",
         room.read("old-teacher/seeds.csv")
     );

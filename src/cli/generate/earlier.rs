@@ -10,6 +10,8 @@ use crate::cli::failure::Failure;
 use crate::cli::failure::tell;
 use crate::cli::table;
 use crate::exercise::SeedSource;
+use crate::exercise::SheetSeed;
+use crate::exercise::SpoiltSeed;
 use crate::problem::Scheme;
 
 use super::asked::Asked;
@@ -24,12 +26,20 @@ struct Row {
     student: String,
     problem: String,
     form: String,
-    seed: u64,
+    seed: String,
     /// How its numbers were drawn; the first version did not write it.
     scheme: Option<u32>,
     /// The beginning of the names of its files; earlier versions did not write it.
     #[serde(default)]
     file: String,
+}
+
+impl Row {
+    /// Whether its seed is this one, whole or as a spreadsheet has left it.
+    fn has(&self, seed: u64) -> bool {
+        let whole = self.seed.parse::<SheetSeed>().is_ok_and(|own| own.number == seed);
+        whole || SpoiltSeed::read(&self.seed).is_some_and(|own| own.is_of(seed))
+    }
 }
 
 /// The table of seeds of an earlier run.
@@ -61,7 +71,7 @@ impl Earlier {
                     && asked
                         .iter()
                         .filter(|own| asked_by(row, own))
-                        .any(|own| [student, &row.student].iter().any(|id| own.seed_of(id, seeds) == row.seed))
+                        .any(|own| [student, &row.student].iter().any(|id| row.has(own.seed_of(id, seeds))))
             };
             if rows.iter().all(is_same) {
                 return Ok(Self(rows));

@@ -10,6 +10,7 @@ use crate::exercise::SeedSource;
 use crate::exercise::Student;
 use crate::exercise::defused;
 use crate::problem::Scheme;
+use crate::render::SeedWord;
 
 use super::asked::Asked;
 use super::names;
@@ -70,7 +71,7 @@ impl Roster {
                 // A seed without numbers has no sheet, which is told where sheets are made.
                 let drawn = drawer.as_mut().and_then(|drawer| drawer.draw_by(seed, scheme).ok());
                 let given = drawn.map(|exercise| exercise.sheet_numbers().to_string()).unwrap_or_default();
-                let (digest, seed) = (&own.problem.loaded().digests.draw, seed.to_string());
+                let (digest, seed) = (&own.problem.loaded().digests.draw, SeedWord(seed).to_string());
                 let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), sitter.file_stem(&own.stem));
                 let (id, name, problem) = (&sitter.student.id, &sitter.student.name, own.problem.id());
                 let row =

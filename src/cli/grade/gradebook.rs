@@ -16,8 +16,10 @@ use crate::quantity::Rational;
 
 use super::register::Entry;
 
-/// The column of the points.
-const POINTS: &str = "momentous";
+/// The column by which Brightspace knows students, and what it wants behind the title and at the end of each row.
+const BRIGHTSPACE: &str = "OrgDefinedId";
+const POINTS_GRADE: &str = " Points Grade";
+const END_OF_LINE: [&str; 2] = ["End-of-Line Indicator", "#"];
 
 /// The headings of Canvas before the points. It finds students by their number; the other two only have to be there.
 const CANVAS: [&str; 3] = ["Student", "ID", "Section"];
@@ -61,26 +63,32 @@ pub(super) enum Students {
     Canvas,
 }
 
+/// The numbers of attempts that a table says, by its lines.
+pub(super) type Numbers = BTreeMap<u64, u64>;
+
 /// The points so far.
 pub(super) struct Gradebook {
     path: PathBuf,
+    /// The heading of the points.
+    title: String,
     students: Students,
-    /// Which attempt counts, where each row of the table is one; nothing where rows are problems, which are added up.
-    attempts: Option<Attempts>,
-    /// By student and attempt.
-    points: BTreeMap<String, BTreeMap<u64, Rational>>,
+    /// Which attempt counts, where each row of the table is one, and the numbers that the table gives them; nothing where rows are
+    /// problems, which are added up.
+    attempts: Option<(Attempts, Numbers)>,
+    /// By student and attempt: its number, and its line.
+    points: BTreeMap<String, BTreeMap<(u64, u64), Rational>>,
 }
 
 impl Gradebook {
-    pub(super) fn to(path: &Path, students: Students, attempts: Option<Attempts>) -> Self {
-        Self { path: path.to_owned(), students, attempts, points: BTreeMap::new() }
+    pub(super) fn to(path: &Path, title: String, students: Students, attempts: Option<(Attempts, Numbers)>) -> Self {
+        Self { path: path.to_owned(), title, students, attempts, points: BTreeMap::new() }
     }
 
     /// Adds what counts of a report.
     pub(super) fn add(&mut self, entry: &Entry, report: &Report) {
-        let attempt = match (self.attempts, &entry.submission.place) {
-            (Some(_), Place::Line(line)) => *line,
-            _ => 0,
+        let attempt = match (&self.attempts, &entry.submission.place) {
+            (Some((_, numbers)), Place::Line(line)) => (numbers.get(line).copied().unwrap_or(*line), *line),
+            _ => (0, 0),
         };
         let student = self.points.entry(entry.submission.key(Key::Student).to_owned()).or_default();
         let points = student.entry(attempt).or_default();
@@ -98,13 +106,18 @@ impl Gradebook {
             Students::Column(heading) => vec![heading],
             Students::Canvas => CANVAS.to_vec(),
         };
-        table.write_record(headings.iter().copied().chain([POINTS])).map_err(unwritten)?;
+        let is_of_brightspace = headings.iter().any(|own| own.eq_ignore_ascii_case(BRIGHTSPACE));
+        let [end, mark] = END_OF_LINE.map(|text| is_of_brightspace.then_some(text));
+        let title = format!("{}{}", self.title, if is_of_brightspace { POINTS_GRADE } else { "" });
+        let title = defused(&title);
+        table.write_record(headings.iter().copied().chain([&*title]).chain(end)).map_err(unwritten)?;
         for (student, attempts) in &self.points {
             let attempts: Vec<Rational> = attempts.values().cloned().collect();
-            let points = self.attempts.unwrap_or_default().counted(&attempts);
+            let counts = self.attempts.as_ref().map(|(counts, _)| *counts).unwrap_or_default();
+            let points = counts.counted(&attempts);
             let points = points.to_f64().value().to_string();
             let who = [student.as_str(), student, ""].into_iter().take(headings.len());
-            let cells = who.chain([points.as_str()]).map(|cell| defused(cell).into_owned());
+            let cells = who.chain([points.as_str()]).chain(mark).map(|cell| defused(cell).into_owned());
             table.write_record(cells).map_err(unwritten)?;
         }
         let bytes = table.into_inner().map_err(|error| Failure::unusable(error.to_string()))?;

@@ -10,6 +10,7 @@ use crate::cli::generate::NUMBER;
 use crate::cli::table;
 use crate::exercise::{Column, HandedOut, Key, Listed, Place, SeedSource, Submission, VariantRef, excerpt};
 use crate::problem::Scheme;
+use crate::render::SeedWord;
 
 use super::register::Next;
 use super::worth::Worths;
@@ -34,6 +35,8 @@ pub(super) struct Variant {
 pub(super) struct Answers {
     pub(super) submissions: Vec<(u64, Next)>,
     pub(super) worths: Worths,
+    /// The title of the homework.
+    pub(super) title: String,
 }
 
 /// What a table of seeds says of the sheets of a homework.
@@ -90,7 +93,7 @@ pub(super) fn derived(
             let variant = VariantRef { problem: slot.problem.id(), form: slot.form_name(), seed };
             listed.add(student, variant, HandedOut { scheme, given: None });
             let (problem, form) = (variant.problem.to_owned(), variant.form.to_owned());
-            drawn.insert((student.clone(), number), Variant { problem, form, seed: seed.to_string() });
+            drawn.insert((student.clone(), number), Variant { problem, form, seed: SeedWord(seed).to_string() });
         }
     }
     (drawn, listed)
@@ -144,7 +147,8 @@ pub(super) fn answers(path: &Path, homework: &Homework, drawn: &Drawn) -> Result
     }
     // Attempts at one problem stand together.
     found.sort_by_key(|(place, _)| *place);
-    Ok(Answers { submissions: found.into_iter().map(|((.., line), next)| (line, next)).collect(), worths })
+    let submissions = found.into_iter().map(|((.., line), next)| (line, next)).collect();
+    Ok(Answers { submissions, worths, title: homework.title.clone() })
 }
 
 /// What stands under a heading.

@@ -18,6 +18,7 @@ use crate::exercise::Submission;
 use crate::exercise::VariantRef;
 use crate::export::printable;
 use crate::grade::PartReport;
+use crate::render::SeedWord;
 
 use super::spool::{Spool, WaitingText};
 
@@ -69,7 +70,7 @@ impl Junit {
         let trouble = Trouble { element, kind: Some(part.verdict.code()), message: &part.message };
         let student = submission.key(Key::Student);
         let who = if student.is_empty() { format!("line {}", submission.place) } else { student.to_owned() };
-        let name = format!("{who}, seed {}: {}", variant.seed, part.id);
+        let name = format!("{who}, seed {}: {}", SeedWord(variant.seed), part.id);
         self.case(variant.problem, &name, (!part.verdict.is_right()).then_some(trouble))
     }
 

@@ -137,9 +137,12 @@ pub(super) struct Grade {
     /// The column of responses by which students are known; by default the first usual one
     #[arg(long, value_name = "HEADING", requires = "codes")]
     student: Option<String>,
-    /// Write the points of each student to this file, as the gradebooks of Moodle and Canvas import them
+    /// Write the points of each student to this file, as the gradebooks of Moodle, Canvas and Brightspace import them
     #[arg(long, value_name = "FILE", requires = "submissions")]
     gradebook: Option<PathBuf>,
+    /// The title above the points in the gradebook; by default that of the homework, or the name of the file of submissions
+    #[arg(long, value_name = "TEXT", requires = "gradebook")]
+    title: Option<String>,
     /// Which attempt counts in the gradebook, where the rows of responses are attempts
     #[arg(long, value_enum, default_value_t, requires = "codes")]
     attempts: gradebook::Attempts,

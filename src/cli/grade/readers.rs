@@ -9,7 +9,7 @@ use crate::grade::RowCounts;
 
 use super::Grade;
 use super::changes::Changes;
-use super::gradebook::{Gradebook, Students};
+use super::gradebook::{Gradebook, Numbers, Students};
 use super::junit::Junit;
 use super::marked::Marked;
 use super::problems::Met;
@@ -24,7 +24,7 @@ pub(super) struct Readers {
 }
 
 impl Readers {
-    pub(super) fn of(grade: &Grade, students: Students) -> Result<Self, Failure> {
+    pub(super) fn of(grade: &Grade, students: Students, numbers: Numbers, title: String) -> Result<Self, Failure> {
         Ok(Self {
             changes: grade
                 .changes
@@ -34,8 +34,8 @@ impl Readers {
             gathering: grade.summary.as_ref().map(|_| Gathering::default()),
             junit: grade.junit.as_deref().map(Junit::to).transpose()?,
             gradebook: grade.gradebook.as_deref().map(|path| {
-                let attempts = grade.codes.as_ref().map(|_| grade.attempts);
-                Gradebook::to(path, students, attempts)
+                let attempts = grade.codes.as_ref().map(|_| (grade.attempts, numbers));
+                Gradebook::to(path, title, students, attempts)
             }),
         })
     }

@@ -12,6 +12,7 @@ use crate::exercise::NotIssued;
 use crate::exercise::Place;
 use crate::exercise::SheetSeed;
 use crate::exercise::Sheets;
+use crate::exercise::SpoiltSeed;
 use crate::exercise::Standing;
 use crate::exercise::Submission;
 use crate::exercise::Together;
@@ -21,6 +22,7 @@ use crate::exercise::excerpt;
 use crate::grade::PartReport;
 use crate::grade::Seen;
 use crate::problem::Scheme;
+use crate::render::SeedWord;
 
 use super::problems::{Met, Problems};
 use super::worth::{Earned, Worth, Worths};
@@ -75,6 +77,8 @@ pub(super) struct Register {
     sheets: Option<Sheets>,
     /// What sheets are worth in a homework.
     worths: Worths,
+    /// Whether every row is an attempt at a quiz of another program, of which each begins anew.
+    begins_anew: bool,
     /// How the numbers of sheets were drawn of which nobody says it.
     scheme: Scheme,
     together: Together,
@@ -94,6 +98,7 @@ impl Register {
             problems,
             sheets,
             worths: Worths::new(),
+            begins_anew: false,
             scheme,
             together: Together::default(),
             looked_at: 0,
@@ -107,6 +112,12 @@ impl Register {
     /// The same with sheets of a homework, which are worth so much.
     pub(super) fn with_worths(mut self, worths: Worths) -> Self {
         self.worths = worths;
+        self
+    }
+
+    /// The same with rows that are attempts at a quiz of another program, where that is so: nothing is carried from one to the next.
+    pub(super) fn of_responses(mut self, begins_anew: bool) -> Self {
+        self.begins_anew = begins_anew;
         self
     }
 
@@ -163,6 +174,7 @@ impl Register {
             self.other_secret = Some(message.clone());
             return Err(message);
         }
+        self.check_spoilt(submission, &met)?;
         let question = met.question(submission)?;
         let attempt = submission.number(Key::Attempt, 1)?;
         let [hints, further] = [submission.number(Key::Hints, 0)?, submission.number(Key::FurtherHints, 0)?];
@@ -181,7 +193,7 @@ impl Register {
         self.note_a_change(&met);
         let is_beside = match self.together.add(student, variant, number) {
             Standing::First => false,
-            Standing::Beside => true,
+            Standing::Beside => !self.begins_anew,
             Standing::OneTooMany => {
                 return Err("the student has more attempts at this sheet than can be marked together".to_owned());
             }
@@ -209,6 +221,31 @@ impl Register {
         let keys = [Key::Student, Key::Problem, Key::Form, Key::Seed].map(|key| submission.key(key).to_owned());
         let worth = self.worths.get(&keys).cloned();
         Ok(Facts { question, handed_out, not_issued, is_beside, attempt, seen, worth })
+    }
+
+    /// Whether a spreadsheet has left the whole seed.
+    fn check_spoilt(&self, submission: &Submission, met: &Met) -> Result<(), String> {
+        let (student, cell) = (submission.key(Key::Student), submission.key(Key::Seed));
+        let Some(spoilt) = SpoiltSeed::read(cell) else { return Ok(()) };
+        let name = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
+        let form = open::form(&met.problem, name).ok().and_then(|place| met.problem.forms().get(place));
+        let form = form.and_then(|form| form.question.name.as_deref()).unwrap_or_default();
+        let issued = self.sheets.as_ref().and_then(|sheets| sheets.seed(student, met.problem.id(), form));
+        if issued.is_some_and(|seed| seed.to_string() == cell) {
+            return Ok(());
+        }
+        let what = format!("`{}` is what a spreadsheet leaves of a seed", excerpt(cell));
+        Err(match issued.filter(|seed| spoilt.is_of(*seed)) {
+            Some(seed) => format!(
+                "{what}: that of the sheet of `{}` is {word}\nhelp: write {word} into the cell; with its letter it stays as it is",
+                excerpt(student),
+                word = SeedWord(seed)
+            ),
+            None => format!(
+                "{what}: its last digits are lost\n\
+                 help: copy the seed from the sheet; --sheets or --roster tells it for each student"
+            ),
+        })
     }
 
     /// How the sheet was handed out, as the row says it.

@@ -16,14 +16,19 @@ use crate::export::Responses;
 use crate::fault::Input;
 use crate::problem::Scheme;
 
-use super::gradebook::Students;
+use super::gradebook::{Numbers, Students};
 use super::register::Next;
 
 /// The longest file of codes, in bytes.
 const LARGEST: u64 = 1 << 28;
 
-/// Submissions with their numbers, and how their students are known.
-pub(super) type Read = (Vec<(u64, Next)>, Students);
+/// Submissions with the lines on which they stand.
+pub(super) struct Read {
+    pub submissions: Vec<(u64, Next)>,
+    /// How their students are known.
+    pub students: Students,
+    pub numbers: Numbers,
+}
 
 /// The submissions in a table of responses. Those of a student to the same variant stand together.
 pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<Read, Failure> {
@@ -35,10 +40,12 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
     let headings: Vec<String> = row.map_err(failed)?.cells().map(str::to_owned).collect();
     let responses = Responses::new(&codes, &headings, student).map_err(failed)?;
     let mut found: Vec<(String, &str, u64, Next)> = Vec::new();
+    let mut numbers = Numbers::new();
     while let Some((line, row)) = rows.next_row() {
         match row {
             Ok(row) => {
                 let cells: Vec<&str> = row.cells().collect();
+                numbers.extend(responses.attempt(&cells).map(|number| (line, number)));
                 if responses.answers_for_nobody(&cells) {
                     let message = format!(
                         "nothing stands under `{}`, by which students are known\nhelp: fill it in, or name another column with --student",
@@ -65,7 +72,8 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
     found.sort_by(|left, right| (&left.0, left.1).cmp(&(&right.0, right.1)));
     let students =
         if responses.is_of_canvas() { Students::Canvas } else { Students::Column(responses.student().to_owned()) };
-    Ok((found.into_iter().map(|(_, _, line, next)| (line, next)).collect(), students))
+    let submissions = found.into_iter().map(|(_, _, line, next)| (line, next)).collect();
+    Ok(Read { submissions, students, numbers })
 }
 
 /// What `momentous export --codes` wrote.

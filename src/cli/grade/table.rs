@@ -18,7 +18,7 @@ use crate::grade::RowCounts;
 use crate::problem::secret_mark;
 
 use super::Grade;
-use super::gradebook::Students;
+use super::gradebook::{Numbers, Students};
 use super::homework;
 use super::homework::{Answers, Drawn};
 use super::legibility::Legibility;
@@ -53,19 +53,22 @@ impl Grade {
         }
         let problems = Problems::here(&self.problem, secret, self.decimal.into())?;
         let (mut worths, mut students) = (Worths::new(), Students::Column(STUDENT.to_owned()));
+        let (mut numbers, mut title) = (Numbers::new(), self.title(path));
         let source = match (answers, &self.codes) {
             (Some(answers), _) => {
                 worths = answers.worths;
+                title = self.title.clone().unwrap_or(answers.title);
                 Source::Responses(answers.submissions.into_iter())
             }
             (None, None) => Source::open(path)?,
             (None, Some(codes)) => {
-                let (responses, known) = responses::read(path, codes, self.student.as_deref())?;
-                students = known;
-                Source::Responses(responses.into_iter())
+                let read = responses::read(path, codes, self.student.as_deref())?;
+                (students, numbers) = (read.students, read.numbers);
+                Source::Responses(read.submissions.into_iter())
             }
         };
-        let register = Register::new(problems, sheets, self.scheme).with_worths(worths);
+        let register =
+            Register::new(problems, sheets, self.scheme).with_worths(worths).of_responses(self.codes.is_some());
         let mut reader =
             if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
         let mut chunk = reader.chunk();
@@ -74,7 +77,7 @@ impl Grade {
             table::of(path, &format!("in most rows, {message}\n{nothing}"))
         })?;
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
-        let mut readers = Readers::of(self, students)?;
+        let mut readers = Readers::of(self, students, numbers, title)?;
         let (mut exit, mut counts, mut legibility) = (Exit::Fine, RowCounts::default(), Legibility::default());
         while !chunk.is_empty() {
             let (format, keep, problems) = (sink.format(), readers.are_there(), reader.problems());
@@ -121,6 +124,12 @@ impl Grade {
             None if counts.refused > 0 => Exit::Unusable,
             None => exit,
         })
+    }
+
+    /// The heading of the points in the gradebook: each quiz has its own, so that none is imported over another.
+    fn title(&self, path: &Path) -> String {
+        let stem = || path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        self.title.clone().unwrap_or_else(stem)
     }
 
     /// Whether nothing that is read would be written over.

@@ -27,7 +27,6 @@ impl Catalogue for English {
             }
             Message::NegativeMagnitude => "This quantity is a magnitude: write it without a minus sign.",
             Message::PoundsAsMass => "Pounds and ounces are read as masses here (`lbm`); elsewhere they are forces.",
-            Message::ZeroWithoutUnit => "Write the unit of a zero, too.",
             Message::LastFigure => "The last figure is off: keep one more significant figure in intermediate steps.",
             Message::RoundingSlip => {
                 "Nearly right: where did you round? Keep one more significant figure until the end."
@@ -50,6 +49,9 @@ impl Catalogue for English {
             Message::NoAttemptLeft => "No attempts were left: this one does not count.",
             Message::EarlierStands => "Your earlier answer stands.",
             Message::RightBefore => "This part was right before: the new answer is not marked.",
+            Message::OtherSide => {
+                "The boundary is right. On which side of it does the condition hold? Try a value on each side."
+            }
             Message::BodiesSwapped => "Which body does this belong to?",
             Message::ComponentsExchanged { of_contact: false } => "Which component belongs to which axis?",
             Message::ComponentsExchanged { of_contact: true } => {

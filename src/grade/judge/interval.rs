@@ -28,6 +28,9 @@ pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Jud
             Judgement::of(Verdict::Right, Message::Right)
         };
     }
+    if is_other_side(expected, answer) {
+        return Judgement::of(Verdict::IntervalHalf, Message::OtherSide);
+    }
     let wrong: Vec<&&Judgement> = judged.iter().filter(|judgement| !judgement.verdict.is_right()).collect();
     match wrong.as_slice() {
         // The same slip at every end, such as a missing unit, is that slip.
@@ -39,6 +42,16 @@ pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Jud
         _ if right > 0 => Judgement::of(Verdict::IntervalHalf, Message::Slip(Verdict::IntervalHalf)),
         _ => Judgement::of(Verdict::Wrong, Message::Wrong),
     }
+}
+
+/// Whether the answer begins where the right interval ends, or ends where that begins: what lies on the other side of the boundary.
+fn is_other_side(expected: &ExpectedInterval, answer: &IntervalAnswer) -> bool {
+    let crossed = [(&expected.low, &answer.high), (&expected.high, &answer.low)];
+    let meets = |asked: &Option<ExpectedEnd>, given: &Option<EndAnswer>| {
+        let boundary = asked.as_ref().filter(|asked| !asked.own);
+        boundary.is_some() && end(boundary, given.as_ref(), answer).is_some_and(|found| found.verdict.is_right())
+    };
+    crossed.into_iter().any(|(asked, given)| meets(asked, given))
 }
 
 fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &IntervalAnswer) -> Found {

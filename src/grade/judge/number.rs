@@ -144,8 +144,9 @@ fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
         }
     }
     let judgement = fitting(target, answer, &directed, as_written, false);
-    if answer.number.is_zero() && as_written == Found::Right {
-        return judgement.noted(Message::ZeroWithoutUnit);
+    // Nothing is nothing in every unit.
+    if answer.number.is_zero() {
+        return judgement;
     }
     judgement.with_unit(Verdict::UnitMissing, Message::UnitMissing)
 }

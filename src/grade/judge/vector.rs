@@ -26,7 +26,7 @@ pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgeme
     if unit.is_none() && !asked.is_none() {
         let nothing = answer.components.iter().all(Number::is_zero) && as_written == Some(Verdict::Right);
         if nothing {
-            return judged(as_written, expected).noted(Message::ZeroWithoutUnit);
+            return judged(as_written, expected);
         }
         return with_unit(Verdict::UnitMissing, Message::UnitMissing);
     }

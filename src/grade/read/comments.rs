@@ -39,6 +39,8 @@ const OF_LENGTHS: [&str; 10] = [
     "above the ground",
     "above the floor",
 ];
+/// Behind an energy.
+const OF_ENERGIES: [&str; 5] = ["of energy", "of kinetic energy", "of mechanical energy", "of heat", "as heat"];
 /// Behind the size of a vector, which has no direction of its own here.
 const OF_SIZES: [&str; 12] = [
     "against the motion",
@@ -108,6 +110,7 @@ fn says_nothing(comment: &str, asked: Asked<'_>) -> bool {
     let into = || lower.strip_prefix("into the ").is_some_and(|what| INTO.contains(&what));
     is(&OF_ALL)
         || dimension == Dimension::TIME && is(&OF_TIMES)
+        || dimension == Dimension::ENERGY && is(&OF_ENERGIES)
         || dimension == Dimension::LENGTH && asked.senses.is_none() && (is(&OF_LENGTHS) || into())
 }
 

@@ -149,6 +149,13 @@ pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &RATE_KEPT, write: |law| [arms(law, 2), together(law)].concat() },
     WrongForm { of: &RADIUS_SQUARED, write: |law| arms(law, -1) },
 ];
+/// `v_1^2 r_1 = v_2^2 r_2`.
+pub const BY_ROOT: Misconception = Misconception {
+    id: "speed-of-circular-orbits",
+    does: "compares the speeds as on two circles, by the square root of the distance",
+    ask: "Does the body move on a circle at both instants? What stays the same on this path?",
+    hint: "The speeds on different circles belong to different motions; on one path distance times transverse velocity stays the same.",
+};
 /// Wrong forms of conservation.
 pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
@@ -165,6 +172,7 @@ pub const CENTRAL: &[WrongForm] = &[
     WrongForm { of: &VELOCITY_KEPT, write: |law| radius_to(law, 0) },
     WrongForm { of: &RATE_KEPT, write: |law| radius_to(law, -1) },
     WrongForm { of: &RADIUS_SQUARED, write: |law| radius_to(law, 2) },
+    WrongForm { of: &BY_ROOT, write: by_root },
 ];
 /// Wrong forms of the areal rate.
 pub const AREAL: &[WrongForm] =
@@ -305,6 +313,10 @@ fn together(law: &Taught<'_>) -> Vec<Wrong> {
 }
 
 /// Both sides with another power of the radius.
+fn by_root(law: &Taught<'_>) -> Vec<Wrong> {
+    law.replaced(&|symbol| law.is(symbol, Dimension::LENGTH).then(|| Expr::from(symbol).sqrt()))
+}
+
 fn radius_to(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
     law.replaced(&|symbol| law.is(symbol, Dimension::LENGTH).then(|| Expr::from(symbol).powi(power)))
 }

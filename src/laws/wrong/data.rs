@@ -1,8 +1,10 @@
 //! Mistakes about the data: a given left out or put in the place of another, and the right value of another quantity.
 
 use super::Misconception;
+use super::bouncing::HEIGHT_BY_E;
 use super::geometry::COMPONENT_FOR_MAGNITUDE;
 use super::momentum::GRAVITY_REVERSED;
+use super::momentum::OTHER_MASS;
 
 /// The masses of two bodies in each other's place.
 pub const MASSES_EXCHANGED: Misconception = Misconception {
@@ -111,13 +113,46 @@ pub const ANOTHER_QUANTITY: Misconception = Misconception {
     hint: "Your value is that of another quantity in this problem. One step is still missing, or one is too many.",
 };
 
+/// The mass of all for that of one.
+pub const TOTAL_MASS: Misconception = Misconception {
+    id: "total-mass-for-one",
+    does: "uses the mass of all bodies where that of one belongs",
+    ask: "Which body does each of your equations speak of, and what is the mass of that body alone?",
+    hint: "Only where bodies move together does the sum of their masses stand in an equation.",
+};
+/// The velocity of another instant in one place.
+pub const OTHER_INSTANT: Misconception = Misconception {
+    id: "velocity-of-another-instant",
+    does: "uses the velocity that a body has at another instant",
+    ask: "At which instant is each velocity in your equations taken?",
+    hint: "Number the instants, before and after each event, and give every velocity in your equations its number.",
+};
+/// The velocity of another body in one place.
+pub const OTHER_BODY: Misconception = Misconception {
+    id: "velocity-of-another-body",
+    does: "uses the velocity of another body",
+    ask: "Whose velocity is each of those in your equations?",
+    hint: "The mass and the velocity in a momentum, or in an energy, belong to the same body.",
+};
+/// An angle on the other side of the line.
+pub const ANGLE_REVERSED: Misconception = Misconception {
+    id: "given-angle-reversed",
+    does: "turns a given angle to the other side of the line from which it is measured",
+    ask: "On which side of the line does each given angle lie?",
+    hint: "Draw every arrow with its angle: those on opposite sides of the line have components of opposite signs across it.",
+};
+
 /// Which givens a mistake is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Givens {
     /// Masses, and weights in their place.
     Masses,
+    /// Masses as they stand in one equation, given or found from weights.
+    MassesOfOneEquation,
     /// Velocities, and angular velocities.
     Velocities,
+    /// Velocities as they stand in one equation, given or not.
+    VelocitiesOfOneEquation,
     /// The acceleration of free fall, where no weight is given.
     Gravity,
     /// Angles.
@@ -126,6 +161,16 @@ pub enum Givens {
     Durations,
     /// Coefficients of restitution.
     Restitutions,
+    /// The coefficient of restitution of bounces that are counted.
+    RestitutionOfHeights,
+}
+
+impl Givens {
+    /// Whether they are got wrong in one equation, and right in the others.
+    #[must_use]
+    pub fn is_of_one_equation(self) -> bool {
+        matches!(self, Self::MassesOfOneEquation | Self::VelocitiesOfOneEquation)
+    }
 }
 
 /// What a student puts in the place of givens.
@@ -135,6 +180,16 @@ pub enum Alteration {
     Exchanged,
     /// All of them have the value of the first.
     Equal,
+    /// One of them has the value of another.
+    Copied,
+    /// One of them has the value of the same quantity at another instant.
+    AtAnotherInstant,
+    /// One of them has the value of the same quantity of another body.
+    OfAnotherBody,
+    /// One of them has the value of all together.
+    Together,
+    /// One of them is zero.
+    Missing,
     /// One of them is zero; or all of them, or all but one.
     Zero,
     /// One of them is zero, and what is found from it has the opposite sign: a change without its direction.
@@ -147,6 +202,8 @@ pub enum Alteration {
     One,
     /// One of them is squared.
     Squared,
+    /// The square root of one of them.
+    Rooted,
 }
 
 /// A mistake about what is given.
@@ -165,17 +222,24 @@ pub const ALTERED: &[Altered] = &[
     Altered { of: &MASSES_EXCHANGED, givens: Givens::Masses, how: Alteration::Exchanged },
     Altered { of: &MASSES_EQUAL, givens: Givens::Masses, how: Alteration::Equal },
     Altered { of: &MASS_LEFT_OUT, givens: Givens::Masses, how: Alteration::Zero },
+    Altered { of: &MASS_LEFT_OUT, givens: Givens::MassesOfOneEquation, how: Alteration::Missing },
+    Altered { of: &OTHER_MASS, givens: Givens::MassesOfOneEquation, how: Alteration::Copied },
+    Altered { of: &TOTAL_MASS, givens: Givens::MassesOfOneEquation, how: Alteration::Together },
     Altered { of: &VELOCITY_LEFT_OUT, givens: Givens::Velocities, how: Alteration::Zero },
     Altered { of: &VELOCITY_LEFT_OUT, givens: Givens::Velocities, how: Alteration::OnlyChange },
+    Altered { of: &OTHER_INSTANT, givens: Givens::VelocitiesOfOneEquation, how: Alteration::AtAnotherInstant },
+    Altered { of: &OTHER_BODY, givens: Givens::VelocitiesOfOneEquation, how: Alteration::OfAnotherBody },
     Altered { of: &WEIGHT_FOR_MASS, givens: Givens::Masses, how: Alteration::Weighed },
     Altered { of: &VELOCITY_REVERSED, givens: Givens::Velocities, how: Alteration::Reversed },
     Altered { of: &GRAVITY_LEFT_OUT, givens: Givens::Gravity, how: Alteration::Zero },
     Altered { of: &MASS_AS_WEIGHT, givens: Givens::Gravity, how: Alteration::One },
     Altered { of: &GRAVITY_REVERSED, givens: Givens::Gravity, how: Alteration::Reversed },
     Altered { of: &ANGLE_LEFT_OUT, givens: Givens::Angles, how: Alteration::Zero },
+    Altered { of: &ANGLE_REVERSED, givens: Givens::Angles, how: Alteration::Reversed },
     Altered { of: &DURATION_LEFT_OUT, givens: Givens::Durations, how: Alteration::One },
     Altered { of: &COEFFICIENTS_EXCHANGED, givens: Givens::Restitutions, how: Alteration::Exchanged },
     Altered { of: &RESTITUTION_SQUARED, givens: Givens::Restitutions, how: Alteration::Squared },
+    Altered { of: &HEIGHT_BY_E, givens: Givens::RestitutionOfHeights, how: Alteration::Rooted },
 ];
 
 /// The mistakes of writing down the value of another quantity.

@@ -8,12 +8,14 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
-use super::momentum::FRICTION_FORGOTTEN;
-use super::momentum::FRICTION_REVERSED;
+use super::friction::FRICTION_COEFFICIENT;
+use super::friction::FRICTION_FORGOTTEN;
+use super::friction::FRICTION_REVERSED;
+use super::friction::friction_forgotten;
+use super::friction::friction_reversed;
+use super::friction::friction_whole;
+use super::friction::rubs;
 use super::momentum::OTHER_WEIGHT;
-use super::momentum::friction_forgotten;
-use super::momentum::friction_reversed;
-use super::momentum::rubs;
 use super::rewrite::factors;
 use super::rewrite::one;
 use super::rewrite::terms;
@@ -75,6 +77,13 @@ pub const WEIGHT_WORK_REVERSED: Misconception = Misconception {
     ask: "Does weight speed the body up or slow it down here?",
     hint: "Compare the direction of the weight with that in which the body moves.",
 };
+/// `m v_x^2 / 2`.
+pub const ONE_COMPONENT: Misconception = Misconception {
+    id: "energy-of-one-component",
+    does: "counts one component of a velocity only in a kinetic energy",
+    ask: "Which speed stands in a kinetic energy: that along one axis, or the whole?",
+    hint: "The square of the speed is the sum of the squares of its components, whichever of them the impact changes.",
+};
 /// `k s^2`.
 pub const SPRING_HALF: Misconception = Misconception {
     id: "spring-half-forgotten",
@@ -114,6 +123,7 @@ pub const WORK: &[WrongForm] = &[
     WrongForm { of: &HALF, write: |law| law.both(|side| kinetic_doubled(law, side)) },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
+    WrongForm { of: &FRICTION_COEFFICIENT, write: friction_whole },
     WrongForm { of: &WEIGHT_WORK, write: weight_work_forgotten },
     WrongForm { of: &WEIGHT_WORK_REVERSED, write: |law| law.both(|side| weight_work(law, side)) },
     WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
@@ -133,6 +143,7 @@ pub const KINETIC: &[WrongForm] = &[
     WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) },
     WrongForm { of: &SQUARE, write: square },
     WrongForm { of: &ONE_BODY, write: one_body },
+    WrongForm { of: &ONE_COMPONENT, write: |law| [one_component(law, 0), one_component(law, 1)].concat() },
 ];
 /// Wrong forms of the loss.
 pub const LOSS: &[WrongForm] = &[
@@ -212,6 +223,21 @@ fn spring_doubled(law: &Taught<'_>, side: &Expr) -> Expr {
     let spring = Dimension::new(1, 0, -2);
     let parts = terms(side);
     Expr::sum(parts.into_iter().map(|part| if law.has(&part, spring) { Expr::integer(2) * part } else { part }))
+}
+
+/// Of every squared speed the square of one component.
+fn one_component(law: &Taught<'_>, place: usize) -> Vec<Wrong> {
+    fn within(law: &Taught<'_>, term: &Expr, place: usize) -> Expr {
+        let is_square = |part: &Expr| match part {
+            Expr::Power(pair) => pair.1 == Expr::integer(2) && law.is_velocity(&pair.0),
+            _ => false,
+        };
+        match term {
+            Expr::Sum(parts) if parts.iter().all(is_square) => parts.get(place).unwrap_or(term).clone(),
+            other => other.map_children(|part| within(law, part, place)),
+        }
+    }
+    law.both(|side| within(law, side, place))
 }
 
 pub(super) fn square(law: &Taught<'_>) -> Vec<Wrong> {

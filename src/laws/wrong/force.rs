@@ -8,6 +8,8 @@ use super::Wrong;
 use super::WrongForm;
 use super::geometry::TANGENT_INVERTED;
 use super::geometry::tangent_inverted;
+use super::momentum::GRAVITY_REVERSED;
+use super::momentum::WEIGHT_AS_MASS;
 use super::rewrite::ends_averaged;
 use super::rewrite::factors;
 use super::rewrite::half_peak;
@@ -72,12 +74,12 @@ pub const ONLY_TURNED: Misconception = Misconception {
     ask: "Which forces act on the body there, and which of them have a component towards the centre?",
     hint: "The weight turns the body together with the normal force or the tension.",
 };
-/// Pounds of weight as pounds of mass.
-pub const WEIGHT_AS_MASS: Misconception = Misconception {
-    id: "weight-as-mass",
-    does: "uses a weight as a mass",
-    ask: "Is a weight or a mass given? Which of the two enters the momentum?",
-    hint: "A weight is a force; the mass is the weight divided by the acceleration of free fall.",
+/// `m g - N = m v^2 / R` at the lowest point.
+pub const AWAY_FROM_CENTRE: Misconception = Misconception {
+    id: "acceleration-away-from-the-centre",
+    does: "lets the forces on a circle add up to one that points away from the centre",
+    ask: "Towards which point does the velocity turn? Which way must the sum of the forces point?",
+    hint: "At the lowest point the centre is above the body, so the force upwards is the larger one.",
 };
 /// `N = m g` under an inclined push.
 pub const NORMAL_IS_WEIGHT: Misconception = Misconception {
@@ -105,6 +107,8 @@ pub const STATIC_KINETIC: Misconception = Misconception {
 pub const TRACK: &[WrongForm] = &[
     WrongForm { of: &TURN_FORGOTTEN, write: |law| one((law.left(), Expr::zero())) },
     WrongForm { of: &ONLY_TURNED, write: |law| law.without(&|term| law.has_gravity(term)) },
+    WrongForm { of: &GRAVITY_REVERSED, write: gravity_reversed },
+    WrongForm { of: &AWAY_FROM_CENTRE, write: |law| one((law.left(), -law.right())) },
 ];
 /// Wrong forms of the tension of a cord.
 pub const CORD: &[WrongForm] = TRACK;
@@ -116,7 +120,7 @@ pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
     WrongForm { of: &HALF_PEAK, write: half_peak },
     WrongForm { of: &FROM_ZERO, write: from_zero },
-    WrongForm { of: &super::momentum::FRICTION_FORGOTTEN, write: friction_forgotten },
+    WrongForm { of: &super::friction::FRICTION_FORGOTTEN, write: friction_forgotten },
 ];
 /// Wrong forms of the work of a force that depends on the position.
 pub const WORK: &[WrongForm] = &[WrongForm { of: &VALUE_TIMES_DISTANCE, write: value_times_time }];
@@ -150,6 +154,12 @@ fn from_zero(law: &Taught<'_>) -> Vec<Wrong> {
 
 fn friction_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     law.replaced(&|symbol| (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(Expr::zero))
+}
+
+/// The weight towards the centre where it points away from it, or the reverse.
+fn gravity_reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    let reversed = |term: Expr| if law.has_gravity(&term) { -term } else { term };
+    law.both(|side| Expr::sum(terms(side).into_iter().map(reversed)))
 }
 
 /// `F = J dt`.

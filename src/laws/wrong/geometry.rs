@@ -103,9 +103,13 @@ pub const FROM_FIXED_END: Misconception = Misconception {
     ask: "From which point is the height measured, and where does the length times the cosine begin?",
     hint: "Try an angle of zero: the body is then at its lowest point, and the height must be zero.",
 };
+/// What can be got wrong in any law in which a sine or a cosine stands.
+pub const ANYWHERE: &[WrongForm] =
+    &[WrongForm { of: &SINE_COSINE, write: sine_and_cosine }, WrongForm { of: &WHOLE, write: whole }];
+
 /// Wrong forms of a height on a circle.
 pub const HEIGHT_ON_CIRCLE: &[WrongForm] =
-    &[WrongForm { of: &FROM_FIXED_END, write: from_fixed_end }, WrongForm { of: &SINE_COSINE, write: sine_and_cosine }];
+    &[WrongForm { of: &FROM_FIXED_END, write: from_fixed_end }, WrongForm { of: &SINE_COSINE, write: height_by_sine }];
 /// Wrong forms of a height in a bowl.
 pub const HEIGHT_IN_BOWL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of components.
@@ -136,6 +140,18 @@ fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {
         [Expr::Symbol(_), raised] => one((law.left(), -raised.clone())),
         _ => Vec::new(),
     }
+}
+
+/// `h = L - L sin(angle)` and `h = L sin(angle)`.
+fn height_by_sine(law: &Taught<'_>) -> Vec<Wrong> {
+    let turned = sine_and_cosine(law);
+    let bare = |wrong: &Wrong| {
+        let (left, right) = wrong.equations.first()?;
+        let raised = terms(right).into_iter().find(Expr::begins_with_minus)?;
+        Some(Wrong::from((left.clone(), -raised)))
+    };
+    let alone: Vec<Wrong> = turned.iter().filter_map(bare).collect();
+    [turned, alone].concat()
 }
 
 /// The legs of a root of a sum of squares.

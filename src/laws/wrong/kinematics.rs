@@ -11,7 +11,6 @@ use super::momentum::GRAVITY_REVERSED;
 use super::momentum::SIGN_LOST;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
-use super::rewrite::one;
 use super::rewrite::sign_lost;
 use super::rewrite::start_forgotten;
 
@@ -124,7 +123,10 @@ fn without_numbers(term: &Expr) -> Expr {
 
 fn root_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     match &law.sides.0 {
-        Expr::Power(pair) if pair.1 == Expr::integer(2) => one((pair.0.clone(), law.right())),
+        // Upwards or downwards, as the body moves.
+        Expr::Power(pair) if pair.1 == Expr::integer(2) => {
+            [law.right(), -law.right()].map(|speed| Wrong::from((pair.0.clone(), speed))).into()
+        }
         _ => Vec::new(),
     }
 }

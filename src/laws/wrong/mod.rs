@@ -8,6 +8,7 @@ pub mod concept;
 pub mod data;
 pub mod energy;
 pub mod force;
+pub mod friction;
 pub mod geometry;
 pub mod kinematics;
 pub mod mass_centre;

@@ -2,6 +2,7 @@
 
 use crate::Sides;
 use momentous_expr::Expr;
+use momentous_expr::Function;
 use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 
@@ -9,6 +10,13 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::friction::FRICTION_COEFFICIENT;
+use super::friction::FRICTION_FORGOTTEN;
+use super::friction::FRICTION_REVERSED;
+use super::friction::friction_forgotten;
+use super::friction::friction_reversed;
+use super::friction::friction_whole;
+use super::friction::rubs;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
 use super::rewrite::one;
@@ -60,13 +68,6 @@ pub const WEIGHT_FORGOTTEN: Misconception = Misconception {
     ask: "Draw every force that acts on the body in this time. Is one missing from your sum?",
     hint: "Gravity acts all the time, and over this time its impulse is not small.",
 };
-/// Friction left out.
-pub const FRICTION_FORGOTTEN: Misconception = Misconception {
-    id: "friction-forgotten",
-    does: "leaves out friction",
-    ask: "Draw every force that acts on the body in this time. Is one missing from your sum?",
-    hint: "The body slides: what does the floor do along the motion?",
-};
 /// Gravity that speeds a rising body up.
 pub const GRAVITY_REVERSED: Misconception = Misconception {
     id: "gravity-reversed",
@@ -81,13 +82,6 @@ pub const OTHER_WEIGHT: Misconception = Misconception {
     ask: "Which body presses on the surface where the two rub, and with what weight?",
     hint: "The normal force between the bodies carries the body on top, and nothing else.",
 };
-/// Friction along the motion.
-pub const FRICTION_REVERSED: Misconception = Misconception {
-    id: "friction-reversed",
-    does: "makes friction push the body forward",
-    ask: "Which way does the body slide, and which way does friction act on it?",
-    hint: "Kinetic friction always acts against the direction of sliding.",
-};
 /// Only one body of a system counted before.
 pub const PARTNER_FORGOTTEN: Misconception = Misconception {
     id: "partner-forgotten",
@@ -99,8 +93,15 @@ pub const PARTNER_FORGOTTEN: Misconception = Misconception {
 pub const ENERGY_CONSERVED: Misconception = Misconception {
     id: "energy-for-momentum",
     does: "conserves kinetic energy through an impact in which it is lost",
-    ask: "Which quantity stays the same when bodies stay together: momentum, or kinetic energy?",
-    hint: "In a plastic impact kinetic energy is lost; what is conserved follows from the impulses.",
+    ask: "Which quantity stays the same when bodies meet: momentum, or kinetic energy?",
+    hint: "Where bodies stay together, or one goes through the other, kinetic energy is lost; what is conserved follows from the impulses.",
+};
+/// `m v^2 / 2` in place of `m v`, in the balance of one body.
+pub const ENERGY_FOR_IMPULSE: Misconception = Misconception {
+    id: "energy-for-impulse",
+    does: "takes the change of kinetic energy for the impulse",
+    ask: "Does an impulse change momentum, or kinetic energy? Which power of the velocity stands in it?",
+    hint: "Momentum is mass times velocity, without a factor of one half; check the units of your answer.",
 };
 /// The common body with the mass of one part.
 pub const JOINT_MASS: Misconception = Misconception {
@@ -119,7 +120,7 @@ pub const ONE_MASS: Misconception = Misconception {
 /// The mean of two velocities.
 pub const PLAIN_MEAN: Misconception = Misconception {
     id: "velocities-averaged",
-    does: "takes the plain average of the velocities as the common velocity",
+    does: "adds velocities where momenta belong, or takes their plain average",
     ask: "Does a heavy body count more than a light one for the common velocity?",
     hint: "Write momentum, mass times velocity, for each body; velocities alone do not add.",
 };
@@ -145,6 +146,13 @@ pub const WHOLE_VELOCITY: Misconception = Misconception {
     hint: "Restitution concerns the line of impact only; across it, a smooth contact exerts no impulse.",
 };
 
+/// Pounds of weight as pounds of mass.
+pub const WEIGHT_AS_MASS: Misconception = Misconception {
+    id: "weight-as-mass",
+    does: "uses a weight as a mass",
+    ask: "Is a weight or a mass given? Which of the two enters the momentum?",
+    hint: "A weight is a force; the mass is the weight divided by the acceleration of free fall.",
+};
 /// Weight beside an impact.
 pub const WEIGHT_IN_IMPACT: Misconception = Misconception {
     id: "weight-in-impact",
@@ -170,12 +178,15 @@ pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &END_FORGOTTEN, write: end_forgotten },
     WrongForm { of: &OTHER_MASS, write: other_mass },
     WrongForm { of: &OTHER_WEIGHT, write: friction_of_other },
+    WrongForm { of: &ENERGY_FOR_IMPULSE, write: energy_for_impulse },
+    WrongForm { of: &WEIGHT_AS_MASS, write: weight_moves },
     WrongForm { of: &IMPULSE_REVERSED, write: gain_reversed },
     WrongForm { of: &WEIGHT_FORGOTTEN, write: weight_forgotten },
     WrongForm { of: &GRAVITY_REVERSED, write: weight_reversed },
     WrongForm { of: &WEIGHT_IN_IMPACT, write: weight_in_impact },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
+    WrongForm { of: &FRICTION_COEFFICIENT, write: friction_whole },
     WrongForm { of: &ONE_MASS, write: one_of_several },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
     WrongForm { of: &super::geometry::WHOLE, write: whole },
@@ -229,17 +240,28 @@ fn is_impulse_of_gravity(law: &Taught<'_>, term: &Expr) -> bool {
     law.has_gravity(term) && !law.has(term, Dimension::VELOCITY)
 }
 
-/// `m_A v_A1^2 + m_B v_B1^2 = (m_A + m_B) v^2`, where the bodies stay together.
+/// `m_A v_A1^2 + m_B v_B1^2 = (m_A + m_B) v^2`, where no coefficient says what is lost.
 fn energy_conserved(law: &Taught<'_>) -> Vec<Wrong> {
-    if law.restitution().is_some() || !joined(law) {
+    if law.restitution().is_some() {
         return Vec::new();
     }
     law.replaced(&|symbol| law.is(symbol, Dimension::VELOCITY).then(|| Expr::from(symbol).powi(2)))
 }
 
-/// Whether one velocity stands for both bodies afterwards.
-fn joined(law: &Taught<'_>) -> bool {
-    matches!(&factors(&law.sides.1)[..], [Expr::Sum(_), _]) || law.beside("same-velocity").next().is_some()
+/// `m v_1^2 / 2 + J = m v_2^2 / 2`, each with the sign of the velocity.
+fn energy_for_impulse(law: &Taught<'_>) -> Vec<Wrong> {
+    law.replaced(&|symbol| {
+        let size = || Expr::apply(Function::Abs, symbol.into());
+        law.is(symbol, Dimension::VELOCITY).then(|| Expr::product([Expr::ratio(1, 2), symbol.into(), size()]))
+    })
+}
+
+/// The weight stands for the mass where the weight itself is right.
+fn weight_moves(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(gravity) = law.symbols.find("g").filter(|_| law.has_gravity(&law.sides.0)) else { return Vec::new() };
+    let weight = Expr::from(gravity) / law.unit_acceleration.clone();
+    let weighed = |term: Expr| if law.has(&term, Dimension::VELOCITY) { weight.clone() * term } else { term };
+    law.both(|side| Expr::sum(terms(side).into_iter().map(weighed)))
 }
 
 fn joint_mass(law: &Taught<'_>) -> Vec<Wrong> {
@@ -248,16 +270,18 @@ fn joint_mass(law: &Taught<'_>) -> Vec<Wrong> {
     masses.iter().map(|mass| Wrong::from((law.left(), mass.clone() * velocity.clone()))).collect()
 }
 
-/// `v = (v_A1 + v_B1) / 2`.
+/// `v = (v_A1 + v_B1) / 2`, and `v = v_A1 + v_B1`.
 fn plain_mean(law: &Taught<'_>) -> Vec<Wrong> {
     let parts = factors(&law.sides.1);
     let [Expr::Sum(masses), velocity] = &parts[..] else { return Vec::new() };
     let velocities: Vec<Expr> =
         law.sides.0.symbols().into_iter().filter(|own| law.is(*own, Dimension::VELOCITY)).map(Expr::from).collect();
+    let sum = Wrong::from((Expr::sum(velocities.iter().cloned()), velocity.clone()));
     if velocities.len() != masses.len() {
-        return Vec::new();
+        return vec![sum];
     }
-    one((Expr::sum(velocities), Expr::integer(i64::try_from(masses.len()).unwrap_or(2)) * velocity.clone()))
+    let count = Expr::integer(i64::try_from(masses.len()).unwrap_or(2));
+    vec![Wrong::from((Expr::sum(velocities), count * velocity.clone())), sum]
 }
 
 fn partner_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
@@ -284,11 +308,13 @@ fn one_of_several(law: &Taught<'_>) -> Vec<Wrong> {
     }
     let alone = bodies.iter().flat_map(|body| {
         let own = masses(body);
-        law.without(&|term| {
+        let is_other = |term: &Expr| {
             let of = masses(term);
             let is_single = !factors(term).iter().any(|factor| matches!(factor, Expr::Sum(_)));
             is_single && !of.is_empty() && !of.iter().any(|mass| own.contains(mass))
-        })
+        };
+        // Without the forces on the others, and with all forces.
+        [law.without(&is_other), law.without(&|term| is_momentum(term) && is_other(term))].concat()
     });
     alone.collect()
 }
@@ -316,24 +342,6 @@ pub(super) fn impulse_of_weight(law: &Taught<'_>, balance: &Sides, time: &Expr) 
     let level = speeds.any(|own| law.symbols.entry(own).name.rsplit_once('.').is_some_and(|(_, axis)| axis == "x"));
     let [mass, _] = &factors(&balance.1)[..] else { return None };
     (!level).then(|| Expr::product([mass.clone(), gravity.into(), time.clone()]))
-}
-
-/// Whether friction stands in a term.
-pub(super) fn rubs(law: &Taught<'_>, term: &Expr) -> bool {
-    law.meaning("coefficient of kinetic friction").is_some_and(|mu| term.contains(mu))
-}
-
-pub(super) fn friction_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
-    law.replaced(&|symbol| (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(Expr::zero))
-}
-
-pub(super) fn friction_reversed(law: &Taught<'_>) -> Vec<Wrong> {
-    if !rubs(law, &law.sides.0) {
-        return Vec::new();
-    }
-    law.replaced(&|symbol| {
-        (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(|| -Expr::from(symbol))
-    })
 }
 
 fn same_sign(law: &Taught<'_>) -> Vec<Wrong> {

@@ -8,6 +8,7 @@ use super::Taught;
 use super::Wrong;
 use super::WrongForm;
 use super::energy::HALF;
+use super::energy::WEIGHT_WORK_REVERSED;
 use super::rewrite::one;
 
 /// `g h` far from the ground.
@@ -50,6 +51,7 @@ pub const ECCENTRICITY: Misconception = Misconception {
 pub const ENERGY: &[WrongForm] = &[
     WrongForm { of: &HALF, write: |law| law.replaced(&|symbol| speed(law, symbol)) },
     WrongForm { of: &UNIFORM_GRAVITY, write: |law| law.replaced(&|symbol| radius(law, symbol)) },
+    WrongForm { of: &WEIGHT_WORK_REVERSED, write: |law| law.replaced(&|symbol| gravity_reversed(law, symbol)) },
 ];
 /// Wrong forms of the energy of an ellipse.
 pub const ELLIPSE: &[WrongForm] = &[
@@ -67,6 +69,11 @@ pub const SHAPE: &[WrongForm] = &[WrongForm { of: &ECCENTRICITY, write: |law| la
 /// A speed that counts with twice its square.
 fn speed(law: &Taught<'_>, symbol: momentous_expr::Symbol) -> Option<Expr> {
     law.is(symbol, Dimension::VELOCITY).then(|| Expr::integer(2).sqrt() * Expr::from(symbol))
+}
+
+/// The gravity of a centre, which repels.
+fn gravity_reversed(law: &Taught<'_>, symbol: momentous_expr::Symbol) -> Option<Expr> {
+    law.is(symbol, Dimension::new(0, 3, -2)).then(|| -Expr::from(symbol))
 }
 
 fn radius(law: &Taught<'_>, symbol: momentous_expr::Symbol) -> Option<Expr> {

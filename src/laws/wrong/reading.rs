@@ -1,8 +1,8 @@
 //! Mistakes outside the laws: a given taken in another unit, a slip in writing the answer down.
 
 use super::Misconception;
-use super::force::WEIGHT_AS_MASS;
 use super::geometry::OTHER_AXIS;
+use super::momentum::WEIGHT_AS_MASS;
 
 /// Prefixes and multiples overlooked.
 pub const GRAMS: Misconception = Misconception {

@@ -179,8 +179,13 @@ fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
     let (Some([[a2, b2], [a1, _]]), Some(e)) = (velocities(law), law.coefficient(&law.sides.1)) else {
         return Vec::new();
     };
-    let rebounds = e * a1;
-    vec![(a2.clone(), -rebounds.clone()).into(), (a2, rebounds.clone()).into(), (b2, rebounds).into()]
+    let rebounds = e * a1.clone();
+    vec![
+        (a2.clone(), -rebounds.clone()).into(),
+        (a2.clone(), rebounds.clone()).into(),
+        (a2, a1 - rebounds.clone()).into(),
+        (b2, rebounds).into(),
+    ]
 }
 
 fn exchanged(law: &Taught<'_>) -> Vec<Wrong> {

@@ -1,5 +1,8 @@
 //! How wrong equations are written from right ones: terms left out, signs lost, factors exchanged.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use crate::Sides;
 use momentous_expr::Expr;
 use momentous_expr::Function;
@@ -149,9 +152,12 @@ pub(super) fn sign_lost(law: &Taught<'_>) -> Vec<Wrong> {
     ways
 }
 
-/// Every sine becomes a cosine and every cosine a sine.
+/// Every sine becomes a cosine and every cosine a sine: of the angle as it is counted, or of its size, with the sign that the component
+/// has on a drawing.
 pub(super) fn sine_and_cosine(law: &Taught<'_>) -> Vec<Wrong> {
-    law.both(turned)
+    let mut ways = law.both(turned);
+    ways.extend(law.both(|side| turned_as_drawn(side, law.known)));
+    ways
 }
 
 /// Every sine and cosine becomes one: the whole stands for a component.
@@ -170,6 +176,21 @@ fn turned(term: &Expr) -> Expr {
         Expr::Apply(Function::Sin, parts) => Expr::Apply(Function::Cos, parts.clone()),
         Expr::Apply(Function::Cos, parts) => Expr::Apply(Function::Sin, parts.clone()),
         other => other.map_children(turned),
+    }
+}
+
+/// The same with the size of each and the sign of what it stands for; an angle that is given is acute already.
+fn turned_as_drawn(term: &Expr, given: &BTreeSet<Symbol>) -> Expr {
+    let instead = |function: Function, parts: &Arc<[Expr]>| {
+        let size = Expr::apply(Function::Abs, Expr::Apply(function, parts.clone()));
+        let is_given = matches!(&parts[..], [Expr::Symbol(angle)] if given.contains(angle));
+        let sign = term.clone() / Expr::apply(Function::Abs, term.clone());
+        if is_given { Expr::Apply(function, parts.clone()) } else { sign * size }
+    };
+    match term {
+        Expr::Apply(Function::Sin, parts) => instead(Function::Cos, parts),
+        Expr::Apply(Function::Cos, parts) => instead(Function::Sin, parts),
+        other => other.map_children(|part| turned_as_drawn(part, given)),
     }
 }
 

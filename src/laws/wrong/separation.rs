@@ -27,6 +27,20 @@ pub const REVERSED: Misconception = Misconception {
     ask: "Which body's velocity is it, and relative to which other body?",
     hint: "The velocity of A relative to B is that of A minus that of B.",
 };
+/// A relative displacement as one over the ground.
+pub const ABSOLUTE_WAY: Misconception = Misconception {
+    id: "relative-displacement-as-absolute",
+    does: "mistakes a relative displacement for one over the ground",
+    ask: "Relative to what is this displacement given, and does that body move, too?",
+    hint: "The displacement over the ground is the relative one plus that of the body to which it is relative.",
+};
+/// The difference of displacements taken the wrong way round.
+pub const REVERSED_WAY: Misconception = Misconception {
+    id: "relative-displacement-reversed",
+    does: "subtracts the displacements of a relative one in the wrong order",
+    ask: "Whose displacement is it, and relative to which other body?",
+    hint: "The displacement of A relative to B is that of A minus that of B.",
+};
 /// A velocity relative to what a body was, not to what it is.
 pub const RELATIVE_TO_BEFORE: Misconception = Misconception {
     id: "relative-to-velocity-before",
@@ -85,6 +99,11 @@ pub const RELATIVE: &[WrongForm] = &[
     WrongForm { of: &ABSOLUTE, write: absolute },
     WrongForm { of: &REVERSED, write: |law| one((law.left(), -law.right())) },
     WrongForm { of: &RELATIVE_TO_BEFORE, write: relative_to_before },
+];
+/// Wrong forms of a relative displacement.
+pub const RELATIVE_WAY: &[WrongForm] = &[
+    WrongForm { of: &ABSOLUTE_WAY, write: absolute },
+    WrongForm { of: &REVERSED_WAY, write: |law| one((law.left(), -law.right())) },
 ];
 /// Wrong forms of the balance of energy.
 pub const ENERGY: &[WrongForm] =

@@ -2,6 +2,7 @@
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
+use momentous_laws::wrong::data::MASS_LEFT_OUT;
 use momentous_laws::wrong::reading::DEGREES;
 use momentous_laws::wrong::reading::SlipOf;
 use momentous_model::QuantityKind;
@@ -51,9 +52,11 @@ impl Simulated<'_> {
     ) {
         let unit = self.worked.unit_of(number);
         let told = |symbol: Symbol| self.worked.variant.value(symbol);
+        // A body without mass has no momentum: nobody who writes nothing has got there in that way.
+        let is_empty = |value: f64| value == 0.0 && *mistake.of == MASS_LEFT_OUT;
         let mut keep = |value: f64| {
             let value = value / unit;
-            if value.is_finite() && is_wanted(value) {
+            if value.is_finite() && !is_empty(value) && is_wanted(value) {
                 add(value);
             }
         };
@@ -142,12 +145,20 @@ impl Simulated<'_> {
         })
     }
 
-    /// What a mistake makes of a vector: its components in the unit of the question.
+    /// What a mistake makes of a vector: its components in the unit of the question. One that the mistake leaves alone is right.
     #[must_use]
     pub fn vectors(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
         let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.answers(mistake, own)).collect();
-        let count = each.iter().map(Vec::len).min().unwrap_or(0);
-        (0..count).map(|place| each.iter().filter_map(|values| values.get(place).copied()).collect()).collect()
+        let count = each.iter().map(Vec::len).filter(|count| *count > 0).min().unwrap_or(0);
+        let right = |own: &NumberPart| Some(self.worked.variant.value(own.symbol)?.value / self.worked.unit_of(own));
+        let one = |place: usize| {
+            let components = vector.components.iter().zip(&each);
+            components.filter_map(move |(own, values)| match &values[..] {
+                [] => right(own),
+                some => some.get(place).copied(),
+            })
+        };
+        (0..count).map(|place| one(place).collect()).collect()
     }
 }
 

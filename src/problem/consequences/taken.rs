@@ -39,6 +39,7 @@ fn confusion(model: &Model, asked: Symbol, other: Symbol) -> Option<&'static Mis
         (true, true, true) => Some(&geometry::COMPONENT_FOR_MAGNITUDE),
         (true, true, false) if same_part => Some(&data::ANOTHER_INSTANT),
         (true, false, true) if same_part => Some(&data::ANOTHER_BODY),
+        (true, false, false) if same_part => Some(&data::ANOTHER_QUANTITY),
         (true, ..) => None,
     }
 }
