@@ -35,6 +35,7 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "practice.js",
     "reading.js",
     "reach.js",
+    "refused.js",
     "restitution.js",
     "scene.js",
     "simulator.js",

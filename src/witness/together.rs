@@ -58,15 +58,7 @@ fn joined(parts: &[&Film]) -> Option<Film> {
     if parts.len() < 2 {
         return None;
     }
-    let mut whole = Film { axes: Vec::new(), ..first.clone() };
-    whole.record = Record {
-        bodies: Vec::new(),
-        walls: Vec::new(),
-        pivot: None,
-        lever: None,
-        moments: Vec::new(),
-        impacts: Vec::new(),
-    };
+    let mut whole = Film { axes: Vec::new(), record: Record::default(), ..first.clone() };
     for part in parts {
         whole.axes.extend(part.axes.iter().filter(|axis| !whole.axes.contains(axis)).cloned().collect::<Vec<_>>());
         for note in &part.notes {

@@ -41,14 +41,7 @@ impl StageRun<'_> {
         let before = motions.pop_if(same);
         let mut recorded = before.filter(ended).unwrap_or_else(|| RecordedMotion {
             components: motion.components.clone(),
-            record: Record {
-                bodies: Vec::new(),
-                walls: Vec::new(),
-                pivot: None,
-                lever: None,
-                moments: Vec::new(),
-                impacts: Vec::new(),
-            },
+            record: Record::default(),
             notes: Vec::new(),
         });
         let longest = (motion.end - motion.start.0) / f64::from(INSTANTS);

@@ -1,19 +1,9 @@
 // @ts-check
 // Where answers come from: the engine of the page in whose frame this script runs.
 
-/**
- * A call was refused: the message is for the reader.
- */
-export class Refused extends Error {
-  /**
-   * @param {{ kind: string, message: string, help?: string }} said
-   */
-  constructor(said) {
-    super(said.message);
-    this.kind = said.kind;
-    this.help = said.help;
-  }
-}
+import { Refused } from "./refused.js";
+
+export { Refused };
 
 /**
  * Asks the engine.

@@ -2,7 +2,7 @@
 // The collision on its page.
 
 import { at } from "./plot.js";
-import { Frame, arrow, greatest, picture } from "./scene.js";
+import { Frame, arrow, draw_velocity, greatest, picture } from "./scene.js";
 import { Simulator, move, one, plotted, told } from "./simulator.js";
 
 /** @typedef {import("./simulator.js").Amount} Amount */
@@ -110,12 +110,8 @@ function moved({ places, compared, bodies, velocities, bars }, time) {
     const [top, lane] = [body ? -high(body.radius) - ABOVE * u : (CENTRE + 40) * u, (LANES[place] ?? 0) * u];
     if (!body) group.setAttribute("transform", `translate(${at(curve.points, time)} 0)`);
     const velocity = at(velocities[place]?.points ?? [], time) * pace();
-    group.querySelector(".velocity")?.setAttribute("d", arrow([0, top], [velocity, 0], u));
+    draw_velocity(group, [0, top], [velocity, 0], u);
     group.querySelector(".momentum")?.setAttribute("d", arrow([0, lane], [at(momenta[place]?.points ?? [], time) * force, 0], u));
-    const tip = group.querySelector(".tip");
-    tip?.setAttribute("cx", String(velocity));
-    tip?.setAttribute("cy", String(top));
-    tip?.setAttribute("r", String(12 * u));
     if (body) group.querySelector("text")?.setAttribute("y", String(-high(body.radius) - NAME * u));
     group.querySelector(".mark")?.setAttribute("transform", `translate(0 ${(CENTRE - 4) * u}) scale(${u})`);
   }

@@ -2,7 +2,7 @@
 // The collision in the plane on its page.
 
 import { add, at } from "./plot.js";
-import { Frame, arrow, greatest, picture } from "./scene.js";
+import { Frame, arrow, draw_velocity, greatest, picture } from "./scene.js";
 import { Simulator, one, told } from "./simulator.js";
 
 /** @typedef {import("./simulator.js").Amount} Amount */
@@ -84,12 +84,8 @@ function moved({ places, heights, bodies, velocities, bars }, time) {
       -at(upwards[place]?.points ?? [], time) * factor,
     ];
     const velocity = vector(velocities[0], velocities[1], pace());
-    group.querySelector(".velocity")?.setAttribute("d", arrow([0, 0], velocity, u));
+    draw_velocity(group, [0, 0], velocity, u);
     group.querySelector(".momentum")?.setAttribute("d", arrow([0, 0], vector(along, up, force), u));
-    const tip = group.querySelector(".tip");
-    tip?.setAttribute("cx", String(velocity[0]));
-    tip?.setAttribute("cy", String(velocity[1]));
-    tip?.setAttribute("r", String(12 * u));
     const body = bodies[place];
     if (body) group.querySelector("text")?.setAttribute("y", String(-body.radius - 7 * u));
     group.querySelector(".mark")?.setAttribute("transform", `scale(${u})`);

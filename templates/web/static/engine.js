@@ -1,19 +1,9 @@
 // @ts-check
 // Where answers come from. Pages ask the engine through this file alone: here by requests to the server.
 
-/**
- * A call was refused: the message is for the reader.
- */
-export class Refused extends Error {
-  /**
-   * @param {{ kind: string, message: string, help?: string }} said
-   */
-  constructor(said) {
-    super(said.message);
-    this.kind = said.kind;
-    this.help = said.help;
-  }
-}
+import { Refused } from "./refused.js";
+
+export { Refused };
 
 const base = document.body.dataset.base ?? "";
 

@@ -2,7 +2,7 @@
 // The bouncing ball on its page, with another beside it.
 
 import { add, at } from "./plot.js";
-import { Frame, arrow, greatest, picture } from "./scene.js";
+import { Frame, arrow, draw_velocity, greatest, picture } from "./scene.js";
 import { Simulator, one, row, told } from "./simulator.js";
 
 /** @typedef {import("./simulator.js").Amount} Amount */
@@ -98,7 +98,7 @@ function moved({ places, velocity, velocities, bounces, compared, second, bars }
     }
     /** @param {Curve | undefined} of @param {number} most */
     const down = (of, most) => (-at(of?.points ?? [], time) / most) * LONGEST * u;
-    group.querySelector(".velocity")?.setAttribute("d", arrow([0, -radius], [0, down(velocities[ball], fastest)], u));
+    draw_velocity(group, [0, -radius], [0, down(velocities[ball], fastest)], u);
     group.querySelector(".momentum")?.setAttribute("d", arrow([1.5 * radius, -radius], [0, down(bars[0]?.curves[ball], largest)], u));
     const name = group.querySelector("text");
     name?.setAttribute("y", String(-radius + 5 * u));

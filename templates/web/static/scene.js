@@ -4,8 +4,9 @@
 /** @typedef {[number, number]} Pair */
 /** The free space around what is shown, in px. @typedef {{ left: number, right: number, above: number, below: number }} Room */
 
-/** The head of an arrow, in px. */
+/** The head of an arrow, and the tip by which it is taken, in px. */
 const HEAD = 9;
+const TIP = 12;
 
 /**
  * The picture of a page. One that was served without results has none, and is loaded anew as soon as there are any.
@@ -86,6 +87,21 @@ export function arrow([x, y], [dx, dy], unit) {
   /** @param {number} side */
   const barb = (side) => `M${x + dx} ${y + dy}l${-ex - side * 0.5 * ey} ${-ey + side * 0.5 * ex}`;
   return `M${x} ${y}l${dx} ${dy}${barb(1)}${barb(-1)}`;
+}
+
+/**
+ * Draws the velocity of a body, and the tip by which it is taken where it has one.
+ * @param {Element} group
+ * @param {Pair} from
+ * @param {Pair} along
+ * @param {number} unit how long a px is
+ */
+export function draw_velocity(group, from, along, unit) {
+  group.querySelector(".velocity")?.setAttribute("d", arrow(from, along, unit));
+  const tip = group.querySelector(".tip");
+  tip?.setAttribute("cx", String(from[0] + along[0]));
+  tip?.setAttribute("cy", String(from[1] + along[1]));
+  tip?.setAttribute("r", String(TIP * unit));
 }
 
 /**

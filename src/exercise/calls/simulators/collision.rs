@@ -9,8 +9,10 @@ use super::balance::{Balance, balance};
 use super::bars::{Bars, energies, momenta, velocities};
 use super::compared::Compared;
 use super::controls::{COLLISION, SimulatorRequest, outside, set};
+use super::curve::places;
 use super::magnified::{Magnified, magnified};
-use super::{Amount, Curve, Phase, ProblemOf, Refused, not_run};
+use super::meeting::{Meeting, phases};
+use super::{Amount, Curve, Phase, ProblemOf, Refused, RefusedKind, not_run};
 
 /// The problem whose scene this is.
 const PROBLEM: &str = "impact/two-carts";
@@ -67,15 +69,6 @@ pub struct CollisionResponse {
     pub compared: Option<Compared>,
 }
 
-/// The impact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Meeting {
-    /// When, from the start of what is shown.
-    pub time: Amount,
-    /// The impulse on B; that on A is its opposite.
-    pub impulse: Amount,
-}
-
 /// A cart.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CollisionBody {
@@ -103,8 +96,7 @@ impl Engine<'_> {
         world.bodies.push(Body::sphere("A", mass_a, radius_a, [place_a], [velocity_a]));
         world.bodies.push(Body::sphere("B", mass_b, radius_b, [place_b], [velocity_b]));
         if let Err(reason) = world.check() {
-            // The laws say the same as the reader's own values would be told.
-            return Err(problem.impossible().cloned().map_or_else(|| not_run(&reason), values_refused));
+            return Err(problem.refused(&reason));
         }
         if let Some(refused) = outside(COLLISION, &values) {
             return Err(refused);
@@ -115,7 +107,7 @@ impl Engine<'_> {
         let run = EventDriven.run(&world, &Budget::until(end)).map_err(|reason| not_run(&reason))?;
         let record = Record::of(&world, &run, 0.0);
         if let (Some(reason), false) = (problem.impossible(), record.impacts.is_empty()) {
-            return Err(values_refused(reason.clone()));
+            return Err(Refused::new(RefusedKind::Values, reason.clone()));
         }
         let compared = match &request.method {
             None => None,
@@ -123,10 +115,6 @@ impl Engine<'_> {
         };
         Ok(shown(&world, &record, problem, compared))
     }
-}
-
-pub(super) fn values_refused(reason: String) -> Refused {
-    Refused::new(super::RefusedKind::Values, reason)
 }
 
 /// Half the length of a cart. One that is heavier than any that can be set is refused for its mass, not for its size.
@@ -177,7 +165,7 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
         Some((value, printed)) => Amount::with_text(value, printed),
         None => Amount::new(whole - left, whole, "J"),
     };
-    let places = places(record);
+    let places = places(record, 0);
     let meeting_time = meeting.as_ref().map(|meeting| meeting.time.value);
     CollisionResponse {
         told: sentence(meeting.as_ref(), &problem),
@@ -208,29 +196,6 @@ fn sentence(meeting: Option<&Meeting>, problem: &ProblemOf) -> String {
         (None, Some(reason)) => format!("No impact: {reason}."),
         (None, None) => "No impact.".to_owned(),
     }
-}
-
-fn phases(meeting: Option<&Meeting>, end: f64) -> Vec<Phase> {
-    match meeting {
-        None => vec![Phase { until: end, words: "no impact" }],
-        Some(meeting) => {
-            let (time, contact) = (meeting.time.value, 0.01 * end);
-            vec![
-                Phase { until: time - contact, words: "approaching" },
-                Phase { until: time + contact, words: "contact" },
-                Phase { until: end, words: "separating" },
-            ]
-        }
-    }
-}
-
-fn places(record: &Record) -> Vec<Curve> {
-    let centre = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.centre.first()?]));
-    vec![
-        Curve::place("A", "body-0", record, 0),
-        Curve::place("B", "body-1", record, 1),
-        Curve::new("centre of mass", "centre", centre),
-    ]
 }
 
 fn table(places: &[Curve], meeting: Option<f64>, end: f64) -> Vec<Vec<Amount>> {

@@ -111,8 +111,8 @@ impl Compared {
         for (body, recorded) in own.bodies.iter().enumerate() {
             let name = format!("{}, {}", recorded.name, self.name);
             let role = ROLES[body.min(1)];
-            let wrong = Curve::place(name, role, own, body).dashed();
-            let right = Curve::place("", role, exact, body);
+            let wrong = Curve::place(name, role, own, [body, 0]).dashed();
+            let right = Curve::place("", role, exact, [body, 0]);
             let off = wrong.points.iter().filter_map(|[time, up]| Some((up - right.at(*time)?).abs()));
             let size = right.points.iter().map(|[_, up]| up.abs()).fold(0.0, f64::max);
             let amount = Amount::new(off.fold(0.0, f64::max), 1e2 * size, "m");

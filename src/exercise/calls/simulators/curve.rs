@@ -45,9 +45,14 @@ impl Curve {
         self
     }
 
-    /// Where a body is in the course of a run.
-    pub(super) fn place(name: impl Into<String>, role: &'static str, record: &Record, body: usize) -> Self {
-        let at = |places: &Vec<Vec<f64>>| places.get(body).and_then(|place| place.first()).copied();
+    /// Where a body is along an axis in the course of a run.
+    pub(super) fn place(
+        name: impl Into<String>,
+        role: &'static str,
+        record: &Record,
+        [body, axis]: [usize; 2],
+    ) -> Self {
+        let at = |places: &Vec<Vec<f64>>| places.get(body).and_then(|place| place.get(axis)).copied();
         let points = record.moments.iter().filter_map(|moment| Some([moment.time, at(&moment.positions)?]));
         Self::new(name, role, points)
     }
@@ -61,6 +66,16 @@ impl Curve {
         };
         Some(low + (up - low) * (time - start) / (end - start))
     }
+}
+
+/// Where two bodies and their centre of mass are along an axis.
+pub(super) fn places(record: &Record, axis: usize) -> Vec<Curve> {
+    let centre = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.centre.get(axis)?]));
+    vec![
+        Curve::place("A", "body-0", record, [0, axis]),
+        Curve::place("B", "body-1", record, [1, axis]),
+        Curve::new("centre of mass", "centre", centre),
+    ]
 }
 
 fn lies_between([start, low]: &[f64; 2], [time, up]: &[f64; 2], [end, high]: &[f64; 2], near: f64) -> bool {

@@ -2,13 +2,14 @@
 
 use serde::Serialize;
 
-use momentous_simulate::{Body, Budget, EventDriven, Method, Moment, Record, Trajectory, Vector, World};
+use momentous_simulate::{Body, Budget, EventDriven, Method, Record, Trajectory, Vector, World};
 
 use super::super::Engine;
 use super::balance::{Balance, balance};
 use super::bars::{Bars, energies, momenta, velocities};
-use super::collision::{Meeting, values_refused};
 use super::controls::{DISCS, SimulatorRequest, outside, set};
+use super::curve::places;
+use super::meeting::{Meeting, phases};
 use super::{Amount, Curve, Phase, ProblemOf, Refused, not_run};
 
 /// The problem whose scene this is.
@@ -97,7 +98,7 @@ impl Engine<'_> {
         world.bodies.push(Body::sphere("A", mass_a, RADIUS, [-APART / 2.0, -beside / 2.0], [velocity_a, 0.0]));
         world.bodies.push(Body::sphere("B", mass_b, RADIUS, [APART / 2.0, beside / 2.0], [velocity_b, 0.0]));
         if let Err(reason) = world.check() {
-            return Err(problem.impossible().cloned().map_or_else(|| not_run(&reason), values_refused));
+            return Err(problem.refused(&reason));
         }
         if let Some(refused) = outside(DISCS, &values) {
             return Err(refused);
@@ -146,7 +147,7 @@ fn shown(world: &World<2>, run: &Trajectory<2>, line: Option<f64>, problem: Prob
         time: Amount::new(impact.time, impact.time, "s"),
         impulse: Amount::new(length(&impact.impulse), 0.0, "N\u{a0}s"),
     });
-    let (places, heights) = (paths(record, 0), paths(record, 1));
+    let [places, heights] = [0, 1].map(|axis| places(record, axis));
     DiscsResponse {
         told: sentence(meeting.as_ref(), line, &problem),
         phases: phases(meeting.as_ref(), end),
@@ -204,29 +205,6 @@ fn sentence(meeting: Option<&Meeting>, line: Option<f64>, problem: &ProblemOf) -
         (_, _, Some(reason)) => format!("No impact: {reason}."),
         _ => "No impact.".to_owned(),
     }
-}
-
-fn phases(meeting: Option<&Meeting>, end: f64) -> Vec<Phase> {
-    let Some(meeting) = meeting else { return vec![Phase { until: end, words: "no impact" }] };
-    let (time, contact) = (meeting.time.value, 0.01 * end);
-    vec![
-        Phase { until: time - contact, words: "approaching" },
-        Phase { until: time + contact, words: "contact" },
-        Phase { until: end, words: "separating" },
-    ]
-}
-
-fn paths(record: &Record, axis: usize) -> Vec<Curve> {
-    let path = |body: usize| {
-        let at = move |moment: &Moment| Some([moment.time, *moment.positions.get(body)?.get(axis)?]);
-        record.moments.iter().filter_map(at)
-    };
-    let centre = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.centre.get(axis)?]));
-    vec![
-        Curve::new("A", "body-0", path(0)),
-        Curve::new("B", "body-1", path(1)),
-        Curve::new("centre of mass", "centre", centre),
-    ]
 }
 
 /// What must be seen: both discs at all times.

@@ -11,6 +11,7 @@ mod curve;
 mod discs;
 mod drop;
 mod magnified;
+mod meeting;
 mod restitution;
 mod second;
 
@@ -29,12 +30,13 @@ pub use amount::Amount;
 pub use balance::Balance;
 pub use bars::Bars;
 pub use bounces::Bounce;
-pub use collision::{CollisionBody, CollisionResponse, Meeting};
+pub use collision::{CollisionBody, CollisionResponse};
 pub use compared::{Compared, Offered, Row, USUAL_STEP};
 pub use controls::{COLLISION, Control, DISCS, RESTITUTION, SimulatorRequest};
 pub use curve::Curve;
 pub use discs::{Disc, DiscsResponse};
 pub use magnified::Magnified;
+pub use meeting::Meeting;
 pub use restitution::{LookedAt, RestitutionResponse, Sums};
 pub use second::Second;
 
@@ -68,6 +70,12 @@ impl ProblemOf {
     fn variant(&self) -> VariantRequest {
         let set = self.set.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect();
         VariantRequest { set, ..VariantRequest::drawn(self.id, None, 1) }
+    }
+
+    /// Why a scene with these values cannot be run: as the laws say it, where they leave no solution.
+    fn refused(&self, reason: &Refusal) -> Refused {
+        let impossible = self.impossible().cloned();
+        impossible.map_or_else(|| not_run(reason), |reason| Refused::new(RefusedKind::Values, reason))
     }
 
     /// Why the values leave no solution, where they do.

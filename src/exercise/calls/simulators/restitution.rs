@@ -104,11 +104,7 @@ impl Engine<'_> {
         let drop = Drop { height, restitution, terminal };
         let world = drop.world();
         if let Err(reason) = world.check() {
-            let refused = not_run(&reason);
-            return Err(problem
-                .impossible()
-                .cloned()
-                .map_or(refused, |reason| Refused::new(RefusedKind::Values, reason)));
+            return Err(problem.refused(&reason));
         }
         let with_second = values.iter().copied().chain(beside).collect::<Vec<f64>>();
         if let Some(refused) = outside(RESTITUTION, &with_second) {
@@ -234,7 +230,7 @@ fn shown(
         sums: sums.ok(),
         end,
         track: [0.0, height],
-        places: vec![Curve::place("ball", "body-0", record, 0), envelope("peaks", &bounces)],
+        places: vec![Curve::place("ball", "body-0", record, [0, 0]), envelope("peaks", &bounces)],
         velocity: Curve::new("velocity", "body-2", velocity),
         second: None,
         velocities: Vec::new(),

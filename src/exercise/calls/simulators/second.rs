@@ -41,7 +41,10 @@ pub(super) fn second(drop: &Drop, first_end: f64, limits: &Limits) -> Result<Sec
     let bounces = bounces(&run, drop.height, limits.bounces as usize);
     Ok(Second {
         rests: has_end.then(|| Amount::new(train.end(), 0.0, "s")),
-        places: [Curve::place("B", "body-1", &record, 0), Curve { role: "body-1", ..envelope("peaks of B", &bounces) }],
+        places: [
+            Curve::place("B", "body-1", &record, [0, 0]),
+            Curve { role: "body-1", ..envelope("peaks of B", &bounces) },
+        ],
         bounces,
         record,
     })
