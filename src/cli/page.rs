@@ -13,6 +13,7 @@ use super::exit::Exit;
 use super::failure::Failure;
 use super::open;
 use super::output::Output;
+use super::pages;
 
 const HELP: &str = "\
 Examples:
@@ -72,7 +73,8 @@ impl Page {
             (None, [only]) => only.clone(),
             (None, _) => "Practice".to_owned(),
         };
-        let page = PracticePage { title, problems, engine };
+        let templates = pages::templates();
+        let page = PracticePage { title, problems, engine, templates: templates.as_deref() };
         let path = &*self.output;
         if self.scorm {
             let reported = if self.score { Reported::Score } else { Reported::Completion };

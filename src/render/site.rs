@@ -26,12 +26,12 @@ impl Site {
         Ok(Self { templates: Templates::load_folder("web", Format::Html, overrides)? })
     }
 
-    /// The template of the file that holds pages and engine, so that no server is needed.
+    /// The template of the file that holds pages and engine, so that no server is needed; that of a folder in its place.
     ///
     /// # Errors
-    /// Where the template is not well formed.
-    pub fn practice_page() -> Result<Self, Faults> {
-        Ok(Self { templates: Templates::load_folder("page", Format::Html, None)? })
+    /// Where the folder cannot be read, or the template is not well formed.
+    pub fn practice_page(overrides: Option<&Path>) -> Result<Self, Faults> {
+        Ok(Self { templates: Templates::load_folder("page", Format::Html, overrides)? })
     }
 
     /// A page: the template of that name with these values. Strings are escaped; a [`super::Fragment`] is written with

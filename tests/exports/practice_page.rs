@@ -8,7 +8,12 @@ use momentous::export::{ENGINE_FILE, PAGE_FILE, PageProblem, PracticePage, Repor
 fn page() -> PracticePage<'static> {
     let text = "title: </script><script>alert(1)</script>\n".to_owned();
     let problem = PageProblem { name: "impact/evil.yaml".to_owned(), text, course: None, id: "impact/evil".to_owned() };
-    PracticePage { title: "<b>\"Carts\" & balls".to_owned(), problems: vec![problem], engine: b"the engine" }
+    PracticePage {
+        title: "<b>\"Carts\" & balls".to_owned(),
+        problems: vec![problem],
+        engine: b"the engine",
+        templates: None,
+    }
 }
 
 #[test]
@@ -25,6 +30,15 @@ fn a_page_of_a_folder_loads_its_engine_from_beside() {
     let file = page().beside_its_engine().unwrap();
     assert!(file.contains(&format!("data-beside=\"{ENGINE_FILE}\"")) && !file.contains("dGhlIGVuZ2luZQ=="));
     assert!(file.contains("connect-src 'self'") && !page().one_file().unwrap().contains("connect-src"));
+}
+
+#[test]
+fn a_template_of_a_course_takes_the_place_of_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("page")).unwrap();
+    std::fs::write(folder.path().join("page/page.tera"), "{{ title }}").unwrap();
+    let page = PracticePage { templates: Some(folder.path()), ..page() };
+    assert_eq!(page.one_file().unwrap(), "&lt;b&gt;&quot;Carts&quot; &amp; balls");
 }
 
 #[test]

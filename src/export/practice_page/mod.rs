@@ -3,6 +3,7 @@
 mod scorm;
 
 use std::io::Write;
+use std::path::Path;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::{STANDARD, URL_SAFE_NO_PAD};
@@ -71,6 +72,8 @@ pub struct PracticePage<'a> {
     pub problems: Vec<PageProblem>,
     /// The module of WebAssembly that `src/browser/build` makes, compressed with gzip.
     pub engine: &'a [u8],
+    /// The folder with the templates of a course, where there is one.
+    pub templates: Option<&'a Path>,
 }
 
 /// Where the engine is.
@@ -150,7 +153,7 @@ impl PracticePage<'_> {
             scripts: SCRIPTS.into_iter().chain(platform).chain([START]).collect(),
             is_scored: reported == Some(Reported::Score),
         };
-        Ok(Site::practice_page()?.page("page", &values)?)
+        Ok(Site::practice_page(self.templates)?.page("page", &values)?)
     }
 
     /// A name that changes with the problems.
