@@ -1,12 +1,11 @@
 //! The grades of a course: students by assignments, exactly, and as a table that spreadsheets open.
 
-use momentous_exercise::defused;
 use momentous_quantity::Rational;
 
 use super::account::GradeMark;
 use super::assignment::Assignment;
 use super::gradebook::Gradebook;
-use super::gradebook_table::{decimal, quoted};
+use super::gradebook_table::{FRONT, decimal, line};
 use super::grading::{Grading, Part, Reached};
 use super::key::Key;
 use super::people::{Member, Person};
@@ -64,9 +63,9 @@ pub struct MarkedAssignment<'a> {
     /// The assignment.
     pub assignment: &'a Assignment,
     /// The marks of the same students, in the same order.
-    pub marks: Gradebook,
-    /// Whether it is over for a student.
-    pub is_over: &'a dyn Fn(Key<Member>) -> bool,
+    pub marks: &'a Gradebook,
+    /// Whether it is over for each of these students.
+    pub is_over: Vec<bool>,
 }
 
 impl CourseGradebook {
@@ -86,7 +85,7 @@ impl CourseGradebook {
                     assignment: own.assignment.key.to_string(),
                     points: own.marks.rows.get(place).map_or(Rational::ZERO, |row| row.total.clone()),
                     out_of: own.marks.out_of,
-                    is_over: (own.is_over)(member.key),
+                    is_over: own.is_over.get(place).is_some_and(|is_over| *is_over),
                 })
                 .collect();
             let grade = grading.grade(&reached);
@@ -112,16 +111,14 @@ impl CourseGradebook {
     /// The table, as comma-separated values; the last column is the grade in percent. No cell is a formula to a spreadsheet.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let line =
-            |cells: Vec<String>| cells.iter().map(|cell| quoted(&defused(cell))).collect::<Vec<_>>().join(",") + "\n";
-        let front = ["login", "name", "section"].map(str::to_owned);
+        let front = FRONT.map(str::to_owned);
         let headings = self.columns.iter().map(|own| format!("{} ({})", own.title, own.out_of));
-        let head = line(front.into_iter().chain(headings).chain(["grade_percent".to_owned()]).collect());
+        let head = line(front.into_iter().chain(headings).chain(["grade_percent".to_owned()]));
         let rows = self.rows.iter().map(|row| {
             let front = [&row.login, &row.name, &row.section].map(Clone::clone);
             let cells = row.cells.iter().map(|cell| cell.points.as_ref().map_or_else(String::new, decimal));
             let grade = row.share.as_ref().map_or_else(String::new, |share| decimal(&(share * Rational::from(100))));
-            line(front.into_iter().chain(cells).chain([grade]).collect())
+            line(front.into_iter().chain(cells).chain([grade]))
         });
         std::iter::once(head).chain(rows).collect()
     }

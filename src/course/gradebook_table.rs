@@ -11,7 +11,7 @@ use super::gradebook::Gradebook;
 const DECIMALS: u32 = 6;
 
 /// The columns before and after those of the items.
-const FRONT: [&str; 3] = ["login", "name", "section"];
+pub(super) const FRONT: [&str; 3] = ["login", "name", "section"];
 const BACK: [&str; 2] = ["total", "out_of"];
 
 /// A row of a table that was read back.
@@ -29,15 +29,13 @@ impl Gradebook {
     /// The table, as comma-separated values. No cell is a formula to a spreadsheet.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let line =
-            |cells: Vec<String>| cells.iter().map(|cell| quoted(&defused(cell))).collect::<Vec<_>>().join(",") + "\n";
         let headings = self.columns.iter().map(|own| own.heading.as_str());
-        let head = line(FRONT.into_iter().chain(headings).chain(BACK).map(str::to_owned).collect());
+        let head = line(FRONT.into_iter().chain(headings).chain(BACK).map(str::to_owned));
         let rows = self.rows.iter().map(|row| {
             let front = [&row.login, &row.name, &row.section].map(Clone::clone);
             let marks = row.marks.iter().map(|mark| mark.points().map_or_else(String::new, decimal));
             let back = [decimal(&row.total), self.out_of.to_string()];
-            line(front.into_iter().chain(marks).chain(back).collect())
+            line(front.into_iter().chain(marks).chain(back))
         });
         std::iter::once(head).chain(rows).collect()
     }
@@ -92,8 +90,13 @@ impl Gradebook {
     }
 }
 
+/// A line of such a table. No cell is a formula to a spreadsheet.
+pub(super) fn line(cells: impl Iterator<Item = String>) -> String {
+    cells.map(|cell| quoted(&defused(&cell))).collect::<Vec<_>>().join(",") + "\n"
+}
+
 /// A cell as it stands between commas.
-pub(super) fn quoted(cell: &str) -> String {
+fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\r', '\n']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.to_owned() }
 }
 

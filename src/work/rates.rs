@@ -12,7 +12,7 @@ pub(crate) fn named(line: &str, is_name: &dyn Fn(&str) -> bool) -> String {
     while let Some((start, end, of)) = next(&text, from) {
         let name = format!("{RATE}{of}");
         if is_name(&name) {
-            // In brackets, so that an exponent or a factor behind it stays apart.
+            // Between spaces, so that an exponent or a factor behind it stays apart.
             let name = format!(" {name} ");
             text.replace_range(start..end, &name);
             from = start + name.len();

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use momentous_course::{
-    Attempt, Extension, Gradebook, HintShown, Item, Key, Member, Role, Sheet, StoredReport, Window, WorkedSheet,
+    Attempt, Extension, Gradebook, HintShown, Item, Key, Member, Person, Role, Sheet, StoredReport, Window, WorkedSheet,
 };
 use momentous_store::{AssignmentWithItems, Membership, StoreFault};
 use momentous_web::App;
@@ -59,6 +59,11 @@ pub(super) async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown>
     Ok(students)
 }
 
+/// Students as a gradebook takes them.
+pub(super) fn people(students: &[Membership]) -> Vec<(&Member, &Person)> {
+    students.iter().map(|own| (&own.member, &own.person)).collect()
+}
+
 /// What was kept of attempts when they were marked.
 pub(super) fn reports(attempts: &[Attempt]) -> Result<Vec<StoredReport>, NotShown> {
     let all: Result<Vec<_>, _> = attempts.iter().map(StoredReport::of).collect();
@@ -81,8 +86,7 @@ impl Class {
 
     /// The marks.
     pub(super) fn gradebook(&self) -> Gradebook {
-        let students: Vec<_> = self.students.iter().map(|own| (&own.member, &own.person)).collect();
-        Gradebook::of(&self.records.accounts(), &students)
+        Gradebook::of(&self.records.accounts(), &people(&self.students))
     }
 }
 

@@ -19,7 +19,7 @@ use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::staff::Form;
 use super::super::visit::Visit;
-use super::class;
+use super::class::{people, students};
 
 /// The greatest weight, and the most assignments that may be left out.
 const MOST: u32 = 1000;
@@ -76,7 +76,7 @@ pub(crate) struct Marked {
 impl Marked {
     /// Those of a course. The number of reads does not depend on the number of students.
     async fn of(visit: &Visit, students: &[Membership]) -> Result<Self, NotShown> {
-        let people: Vec<_> = students.iter().map(|own| (&own.member, &own.person)).collect();
+        let people = people(students);
         let mut assignments = Vec::new();
         for own in visit.store().assignments(visit.course()?.key).await? {
             let Some(whole) = visit.store().assignment(own.key).await?.filter(|_| own.policy.opens <= visit.now) else {
@@ -93,23 +93,14 @@ impl Marked {
 
     fn gradebook(&self, visit: &Visit, students: &[Membership]) -> Result<CourseGradebook, NotShown> {
         let course = visit.course()?;
-        let people: Vec<_> = students.iter().map(|own| (&own.member, &own.person)).collect();
-        let overs: Vec<_> = self
-            .assignments
-            .iter()
-            .map(|(own, _, extensions)| {
-                move |member: Key<Member>| {
-                    counts(visit, &Window::of(&own.policy, extensions.get(&member), &course.zone))
-                }
-            })
-            .collect();
-        let marked: Vec<MarkedAssignment<'_>> = self
-            .assignments
-            .iter()
-            .zip(&overs)
-            .map(|((assignment, marks, _), is_over)| MarkedAssignment { assignment, marks: marks.clone(), is_over })
-            .collect();
-        Ok(CourseGradebook::of(&course.grading, &marked, &people))
+        let mut marked = Vec::new();
+        for (assignment, marks, extensions) in &self.assignments {
+            let is_over = |own: &Membership| {
+                counts(visit, &Window::of(&assignment.policy, extensions.get(&own.member.key), &course.zone))
+            };
+            marked.push(MarkedAssignment { assignment, marks, is_over: students.iter().map(is_over).collect() });
+        }
+        Ok(CourseGradebook::of(&course.grading, &marked, &people(students)))
     }
 }
 
@@ -119,7 +110,7 @@ pub(crate) async fn course_gradebook(visit: &Visit) -> Result<Reply, NotShown> {
 }
 
 async fn with(visit: &Visit, form: Option<Form>) -> Result<Reply, NotShown> {
-    let students = class::students(visit).await?;
+    let students = students(visit).await?;
     let book = Marked::of(visit, &students).await?.gradebook(visit, &students)?;
     let grading = &visit.course()?.grading;
     let is_wrong = form.as_ref().is_some_and(Form::is_wrong);
@@ -241,7 +232,7 @@ pub(crate) async fn save_grading(visit: &Visit) -> Result<Reply, NotShown> {
 
 /// The same as a table to be saved.
 pub(crate) async fn course_gradebook_csv(visit: &Visit) -> Result<Reply, NotShown> {
-    let students = class::students(visit).await?;
+    let students = students(visit).await?;
     let book = Marked::of(visit, &students).await?.gradebook(visit, &students)?;
     let name = format!("{}.csv", visit.course()?.title);
     Ok(Reply::Download { name, kind: "text/csv; charset=utf-8", bytes: book.to_csv().into_bytes() })
