@@ -11,6 +11,7 @@ mod grades;
 mod hidden;
 pub mod invite;
 mod items;
+mod joining;
 mod ledger;
 mod library;
 mod limits;

@@ -8,9 +8,10 @@ use momentous_course::Role::{Assistant, Instructor, Student};
 use super::account;
 use super::gate::Who;
 use super::grades;
+use super::joining;
 use super::outcome::NotShown;
 use super::reply::Reply;
-use super::staff::{assignment, members, new_course, people, print, problems, roster, settings};
+use super::staff::{assignment, members, new_course, people, print, problems, requests, roster, settings};
 use super::student;
 use super::visit::Visit;
 
@@ -51,6 +52,9 @@ pub(super) const ROWS: &[Row] = rows! {
     Changes "/sign-in"                       Who::Anyone, account::sign_in;
     Shows   "/sign-in/{token}"               Who::Anyone, account::link_page;
     Changes "/sign-in/{token}"               Who::Anyone, account::link;
+    Shows   "/join"                          Who::Anyone, joining::page;
+    Shows   "/join/{code}"                   Who::Anyone, joining::ask_page;
+    Changes "/join/{code}"                   Who::Anyone, joining::ask;
     Changes "/sign-out"                      Who::SignedIn, account::sign_out;
     Shows   "/courses"                       Who::SignedIn, account::courses;
     Changes "/account/password"              Who::SignedIn, account::password;
@@ -94,6 +98,10 @@ pub(super) const ROWS: &[Row] = rows! {
     Changes "/courses/{course}/roster/remove" INSTRUCTOR, members::remove;
     Changes "/courses/{course}/roster/link"  INSTRUCTOR, members::member_link;
     Changes "/courses/{course}/roster/links" INSTRUCTOR, members::link_table;
+    Changes "/courses/{course}/roster/code"  INSTRUCTOR, requests::new_code;
+    Changes "/courses/{course}/roster/code/end" INSTRUCTOR, requests::end_code;
+    Changes "/courses/{course}/roster/confirm" INSTRUCTOR, requests::confirm;
+    Changes "/courses/{course}/roster/decline" INSTRUCTOR, requests::decline;
     Shows   "/courses/{course}/problems"     INSTRUCTOR, problems::list;
     Shows   "/courses/{course}/problems/new" INSTRUCTOR, problems::new;
     Changes "/courses/{course}/problems/new" INSTRUCTOR, problems::save;

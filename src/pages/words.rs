@@ -72,6 +72,16 @@ words! {
     CREATE_COURSE = "create_course": "Create course";
     /// Saves a table of links by which students sign in.
     SIGN_IN_LINKS = "sign_in_links": "Download sign-in links";
+    /// Asks whoever teaches a course for a place in it.
+    ASK_FOR_PLACE = "ask_for_place": "Ask for a place";
+    /// Makes a code with which people ask.
+    NEW_CODE = "new_code": "New code";
+    /// Ends it.
+    END_CODE = "end_code": "End this code";
+    /// Takes those in who are ticked.
+    CONFIRM_SELECTED = "confirm_selected": "Confirm selected";
+    /// Takes their requests away.
+    DECLINE_SELECTED = "decline_selected": "Decline selected";
     /// Finds problems.
     SEARCH = "search": "Search";
 

@@ -60,6 +60,7 @@ const COURSES: &[(&str, &str)] = built_in![
     "web/courses/grades/statistics.tera",
     "web/courses/grades/trail.tera",
     "web/courses/item.tera",
+    "web/courses/join.tera",
     "web/courses/link.tera",
     "web/courses/sign-in.tera",
     "web/courses/solution.tera",

@@ -124,19 +124,22 @@ impl Store {
         found.iter().map(whole).collect()
     }
 
-    /// Gives one student more time.
+    /// Gives students more time, each with its entry in the trail: all of them, or none where the database refuses.
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn extend(&self, extension: &Extension, entry: &Entry) -> Result<(), StoreFault> {
-        let statement = query(
-            "INSERT INTO extension (assignment, member, closes, data) VALUES ($1, $2, $3, $4) \
-             ON CONFLICT (assignment, member) DO UPDATE SET closes = excluded.closes, data = excluded.data",
-        );
-        let [assignment, member] = [extension.assignment.to_string(), extension.member.to_string()];
-        let statement =
-            statement.bind(assignment).bind(member).bind(extension.closes.millis()).bind(to_json(extension)?);
-        let statements = vec![statement, changed(extension.assignment), entry.statement()?];
+    pub async fn extend(&self, extensions: &[(Extension, Entry)]) -> Result<(), StoreFault> {
+        let mut statements = Vec::new();
+        for (extension, entry) in extensions {
+            let statement = query(
+                "INSERT INTO extension (assignment, member, closes, data) VALUES ($1, $2, $3, $4) \
+                 ON CONFLICT (assignment, member) DO UPDATE SET closes = excluded.closes, data = excluded.data",
+            );
+            let [assignment, member] = [extension.assignment.to_string(), extension.member.to_string()];
+            let statement = statement.bind(assignment).bind(member);
+            statements.push(statement.bind(extension.closes.millis()).bind(to_json(extension)?));
+            statements.extend([changed(extension.assignment), entry.statement()?]);
+        }
         self.write(statements).await.map(|_| ())
     }
 

@@ -145,7 +145,8 @@ fn course(row: &AnyRow, data: usize, secret: usize) -> Result<Course, StoreFault
     Ok(Course { secret: row.try_get(secret)?, ..course })
 }
 
-fn save(member: &Member) -> Result<Statement, StoreFault> {
+/// A member, new or changed.
+pub(super) fn save(member: &Member) -> Result<Statement, StoreFault> {
     let statement = query(
         "INSERT INTO member (key, course, person, data) VALUES ($1, $2, $3, $4) ON CONFLICT (key) DO UPDATE SET data = excluded.data",
     );

@@ -11,6 +11,7 @@ mod courses;
 mod fault;
 mod health;
 mod inspect;
+mod joining;
 mod lock;
 mod open;
 mod people;

@@ -111,13 +111,8 @@ impl Store {
         next: Option<Ticket>,
         entries: &[Entry],
     ) -> Result<(), StoreFault> {
-        let person = person.to_string();
-        let mut statements = vec![
-            query("INSERT INTO password (person, hash) VALUES ($1, $2) ON CONFLICT (person) DO UPDATE SET hash = excluded.hash")
-                .bind(person.clone())
-                .bind(hash),
-            query("DELETE FROM ticket WHERE person = $1").bind(person),
-        ];
+        let tickets = query("DELETE FROM ticket WHERE person = $1").bind(person.to_string());
+        let mut statements = vec![with_password(person, hash), tickets];
         statements.extend(next.map(Ticket::kept));
         for entry in entries {
             statements.push(entry.statement()?);
@@ -131,7 +126,16 @@ fn login(person: &Person) -> Option<String> {
     (!person.login.is_empty()).then(|| person.login.clone())
 }
 
-fn add(person: &Person) -> Result<Statement, StoreFault> {
+/// The hash of a person's password, in place of the one before.
+pub(super) fn with_password(person: Key<Person>, hash: String) -> Statement {
+    let statement = query(
+        "INSERT INTO password (person, hash) VALUES ($1, $2) ON CONFLICT (person) DO UPDATE SET hash = excluded.hash",
+    );
+    statement.bind(person.to_string()).bind(hash)
+}
+
+/// A new person.
+pub(super) fn add(person: &Person) -> Result<Statement, StoreFault> {
     let statement = query("INSERT INTO person (key, login, data) VALUES ($1, $2, $3)");
     Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(to_json(person)?))
 }

@@ -6,15 +6,17 @@ use sqlx::Row;
 use super::fault::StoreFault;
 
 /// The statements that lead from each version to the next, the first from nothing. A row is never changed once a version with it was released.
-const STEPS: [(i64, &str); 1] = [(1, include_str!("schema/1.sql"))];
+const STEPS: [(i64, &str); 2] = [(1, include_str!("schema/1.sql")), (2, include_str!("schema/2.sql"))];
 
 /// Every table, each after those that it speaks of: the order of a backup.
-pub(super) const TABLES: [(&str, &str); 16] = [
+pub(super) const TABLES: [(&str, &str); 18] = [
     ("person", "key, login, data"),
     ("password", "person, hash"),
     ("ticket", "hash, person, kind, expires"),
     ("course", "key, secret, data"),
     ("member", "key, course, person, data"),
+    ("course_code", "course, code, expires, data"),
+    ("place_request", "key, course, at, data"),
     ("problem_file", "course, digest, problem, data"),
     ("assignment", "key, course, opens, closes, revision, data"),
     ("item", "key, assignment, problem, data"),

@@ -172,7 +172,7 @@ impl Store {
         Ok(self.one(before).await?.map_or(HandedIn::Stale, |attempt| HandedIn::Before(Box::new(attempt))))
     }
 
-    /// Takes the words out of attempts, whose reports stay.
+    /// Takes the words out of attempts of one sheet, whose reports stay.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -182,11 +182,13 @@ impl Store {
             let (sheet, number) = (attempt.sheet.to_string(), i64::from(attempt.number));
             let statement = query("UPDATE attempt SET data = $3 WHERE sheet = $1 AND number = $2");
             statements.push(statement.bind(sheet.clone()).bind(number).bind(to_json(attempt)?));
-            // Earlier marks and a draft may hold the same words.
+            // Earlier marks and a draft of the sheet may hold the same words.
             let before = query("DELETE FROM marked_before WHERE sheet = $1 AND number = $2");
-            statements.push(before.bind(sheet.clone()).bind(number));
-            statements.push(query("DELETE FROM draft WHERE sheet = $1").bind(sheet));
+            statements.push(before.bind(sheet).bind(number));
         }
+        let drafts =
+            redacted.first().map(|own| query("DELETE FROM draft WHERE sheet = $1").bind(own.sheet.to_string()));
+        statements.extend(drafts);
         statements.push(entry.statement()?);
         self.write(statements).await.map(|_| ())
     }

@@ -9,6 +9,7 @@ mod grades;
 mod handed;
 mod hidden;
 mod homework;
+mod joining;
 mod links;
 mod old_data;
 mod print;

@@ -110,7 +110,7 @@ fn an_extension_keeps_a_problem_reserved_until_the_last_has_closed() {
         // A minute after the close nothing is on its way any more.
         assert_eq!([open(closes.after(60_000)).await, open(closes.after(60_001)).await], [1, 0]);
         assert_eq!(store.open_assignments(closes).await.unwrap()[0].0.items, own.whole.items);
-        store.extend(&own.extension(closes.after(1000)), &own.entry(60)).await.unwrap();
+        store.extend(&[(own.extension(closes.after(1000)), own.entry(60))]).await.unwrap();
         assert_eq!([open(closes.after(61_000)).await, open(closes.after(61_001)).await], [1, 0]);
         assert_eq!(store.open_assignments(closes).await.unwrap()[0].1.len(), 1);
         let found = store.extension(own.whole.assignment.key, own.member.key).await.unwrap().unwrap();
@@ -314,7 +314,7 @@ fn data_of_a_later_program_are_refused_by_name() {
         let refused = Store::beside(&database.address()).await.err().unwrap();
         assert_eq!(
             refused.to_string(),
-            "the data are of version 99, and this program knows versions up to 1; use a later program"
+            "the data are of version 99, and this program knows versions up to 2; use a later program"
         );
     });
 }

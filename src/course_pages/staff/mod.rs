@@ -8,9 +8,10 @@ mod links;
 pub(super) mod members;
 pub(super) mod new_course;
 pub(super) mod people;
-mod person_form;
+pub(super) mod person_form;
 pub(super) mod print;
 pub(super) mod problems;
+pub(super) mod requests;
 pub(super) mod roster;
 pub(super) mod settings;
 

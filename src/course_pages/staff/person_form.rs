@@ -22,7 +22,7 @@ pub(super) struct Named {
 }
 
 /// What is wrong with the fields that name a person.
-pub(super) fn faults(form: &Form) -> Vec<FieldFault> {
+pub(crate) fn faults(form: &Form) -> Vec<FieldFault> {
     let mut faults = Vec::new();
     if form.value("login").is_empty() {
         let help = "help: write what the person signs in with, such as a number or an address";
@@ -57,7 +57,7 @@ pub(super) async fn named(visit: &Visit, form: &Form) -> Result<Named, NotShown>
 }
 
 /// Keeps new people. Where somebody else was faster with a name the form is out of date.
-pub(super) fn unless_taken(added: Result<(), StoreFault>) -> Result<(), NotShown> {
+pub(super) fn unless_taken<T>(added: Result<T, StoreFault>) -> Result<T, NotShown> {
     match added {
         Err(fault) if fault.is_taken() => {
             Err(NotShown::Conflict("somebody was added by this name a moment ago".to_owned()))

@@ -13,6 +13,7 @@ use super::super::visit::Visit;
 use super::class::Class;
 use super::form::{Form, sentences};
 use super::person_form;
+use super::requests::Requests;
 
 /// The fields of the form that adds staff.
 pub(super) const STAFF_FIELDS: [&str; 3] = ["login", "name", "role"];
@@ -33,6 +34,8 @@ struct RosterPage {
     faults: Vec<String>,
     /// The form that adds staff.
     staff: Form,
+    /// The code of the course, and who asks for a place by it.
+    requests: Requests,
     done: bool,
 }
 
@@ -107,6 +110,7 @@ pub(super) async fn with(
         text,
         faults,
         staff,
+        requests: Requests::of(visit, class).await?,
         done: !is_wrong && visit.fields.get("done").is_some(),
     };
     let page = visit.page("courses/staff/roster", page).await?;

@@ -27,7 +27,8 @@ fn every_address_is_shown_to_those_who_may_see_it() {
             .replace("{item}", &whole.items[0].key.to_string())
             .replace("{member}", &University::member("ada").to_string())
             .replace("{token}", "0")
-            .replace("{digest}", "0");
+            .replace("{digest}", "0")
+            .replace("{code}", "0");
         for (login, role, operator) in EVERYBODY {
             let mut browser = login.map_or_else(|| university.browser(), |login| university.browser_of(login));
             let may = match address.who {

@@ -202,7 +202,7 @@ impl<'u> Class<'u> {
                 };
                 let entry = University::entry(u8::try_from(100 + self.count).unwrap());
                 self.count += 1;
-                self.university.wait(async |store| store.extend(&extension, &entry).await).unwrap();
+                self.university.wait(async |store| store.extend(&[(extension, entry)]).await).unwrap();
             }
             Step::SetByHand { student, item, points } => {
                 let fields = [("points", points), ("reason", "viva"), ("comment", "Well said.")];

@@ -130,10 +130,12 @@ pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
     match chosen.iter().map(read).collect::<Result<Vec<_>, _>>() {
         Err(faults) => with(visit, form.with(&faults)).await,
         Ok(extensions) => {
-            for extension in extensions {
+            let with_entry = |extension: Extension| {
                 let detail = format!("{} until {}, closes {}", extension.member, extension.due, extension.closes);
-                visit.store().extend(&extension, &visit.entry("more time given", detail)).await?;
-            }
+                let entry = visit.entry("more time given", detail);
+                (extension, entry)
+            };
+            visit.store().extend(&extensions.into_iter().map(with_entry).collect::<Vec<_>>()).await?;
             Ok(Reply::To(visit.in_course(&format!("/assignments/{}/extensions?saved=yes", assignment.key))?))
         }
     }

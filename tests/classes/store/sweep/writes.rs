@@ -5,8 +5,8 @@ use std::fs;
 use std::pin::Pin;
 
 use momentous::course::{
-    Attempt, Correction, CorrectionChoice, Draft, HintShown, Item, Key, Member, Moment, Override, OverrideRule, Person,
-    ProblemFile, Role, Sheet,
+    Asker, Attempt, Code, Correction, CorrectionChoice, CourseCode, Draft, HintShown, Item, Key, Member, Moment,
+    Override, OverrideRule, Person, PlaceRequest, ProblemFile, Role, Sheet,
 };
 use momentous::store::{HandIn, HandedIn, Reach, Regrade, Store, StoreFault, Ticket, TicketKind};
 
@@ -65,6 +65,14 @@ writes! {
         let member = Member { key: Key::new([107; 16]), person: another().key, ..tried.own.member.clone() };
         done(store.save_members(&[another()], &[member], &tried.own.entry(107)).await)
     };
+    save_code: |store, tried| done(store.save_code(&code(&tried.own, 2), &tried.own.entry(126)).await);
+    end_code: |store, tried| done(store.end_code(tried.own.course.key, &tried.own.entry(127)).await);
+    ask_for_place: |store, tried| done(store.ask_for_place(&request(&tried.own, 128)).await);
+    settle_requests: |store, tried| {
+        let people = [(another(), "hash".to_owned())];
+        let member = Member { key: Key::new([129; 16]), person: another().key, ..tried.own.member.clone() };
+        store.settle_requests(&[request(&tried.own, 124).key], &people, &[member], &tried.own.entry(129)).await
+    };
     save_problem_file: |store, tried| {
         let file = ProblemFile { digest: "other".into(), ..file(&tried.own) };
         done(store.save_problem_file(&file, None).await)
@@ -79,7 +87,7 @@ writes! {
         let item = Item { dropped: true, ..tried.own.whole.items[0].clone() };
         done(store.save_items(&[item], &tried.own.entry(109)).await)
     };
-    extend: |store, tried| done(store.extend(&tried.own.extension(NOW.after(9000)), &tried.own.entry(110)).await);
+    extend: |store, tried| done(store.extend(&[(tried.own.extension(NOW.after(9000)), tried.own.entry(110))]).await);
     add_sheets: |store, tried| {
         let sheet = |key, issue| Sheet { key: Key::new([key; 16]), issue, ..tried.own.sheet.clone() };
         done(store.add_sheets(&[sheet(111, 1), sheet(112, 2)]).await)
@@ -137,6 +145,8 @@ impl Tried {
         store.save_draft(&draft(own.sheet.key, "1")).await.unwrap();
         store.set_points(Key::new([121; 16]), &points(&own), &own.entry(121)).await.unwrap();
         store.add_tickets(vec![ticket(&own, "link")], NOW, &[]).await.unwrap();
+        store.save_code(&code(&own, 1), &own.entry(122)).await.unwrap();
+        store.ask_for_place(&request(&own, 124)).await.unwrap();
         Self { own, revision }
     }
 }
@@ -147,6 +157,15 @@ fn done(told: Result<(), StoreFault>) -> Result<bool, StoreFault> {
 
 fn another() -> Person {
     Person { key: Key::new([130; 16]), login: "s18".into(), name: "Bo".into(), operator: false, erased: None }
+}
+
+fn code(own: &Sample, number: u8) -> CourseCode {
+    CourseCode { course: own.course.key, code: Code::drawn([number; 8]), expires: NOW.after(1000) }
+}
+
+fn request(own: &Sample, number: u8) -> PlaceRequest {
+    let asker = Asker::New { login: "s19".into(), name: "Cy".into(), password: "hash".into() };
+    PlaceRequest { key: Key::new([number; 16]), course: own.course.key, asker, at: NOW }
 }
 
 fn file(own: &Sample) -> ProblemFile {
