@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use momentous::grade::DecimalMark;
+use momentous::quantity::UnitSystem;
 use momentous::solve::Statement;
 use momentous::work::{Judge, Verdict};
 use rand::SeedableRng;
@@ -27,6 +28,15 @@ enum Outcome {
     True,
     /// Another mistake is named, or none.
     Missed,
+}
+
+/// The line as its student writes it: whoever takes pounds of weight for pounds of mass writes no number for the unit of acceleration,
+/// which is 0.3048 m/s^2 in feet.
+fn without_unit_acceleration(text: &str, units: UnitSystem) -> String {
+    match units {
+        UnitSystem::Si => text.to_owned(),
+        UnitSystem::Us => text.replace("0.3048*", "1*").replace("1250*", "1*").replace("/381", "/1"),
+    }
 }
 
 /// Lines with every altered law of every form, with so many seeds: how many there were.
@@ -56,7 +66,7 @@ fn altered_lines(seeds: u64) -> usize {
                 let others: Vec<Sides> = all.iter().filter(|own| !is_replaced(own)).cloned().collect();
                 let together = combined(&mut rng, &model.symbols, &alone, &others);
                 for sides in [Some(alone), together].into_iter().flatten() {
-                    let text = typed(worked, &sides);
+                    let text = without_unit_acceleration(&typed(worked, &sides), worked.problem.units());
                     if text.len() > LONGEST || has_pieces(&sides.0) || has_pieces(&sides.1) {
                         continue;
                     }
