@@ -50,12 +50,20 @@ impl CourseLibrary {
             return Ok(problem);
         }
         // Others are served while it compiles.
-        let loaded = load(source(file))?.in_course(&problem::Course { symbols: item.letters.clone() });
-        let problem = Arc::new(weighed(compile(loaded, Some(course.secret.as_bytes()))?, item));
+        let problem = compiled(course, file, item)?;
         let name = name(course.key, &file.digest, item);
         self.0.lock().unwrap_or_else(PoisonError::into_inner).put(name, Arc::clone(&problem));
         Ok(problem)
     }
+}
+
+/// The same, which nobody keeps: a file that is being written is another one after each word.
+///
+/// # Errors
+/// Where the file is no problem.
+pub(super) fn compiled(course: &Course, file: &ProblemFile, item: &Item) -> Result<Arc<Problem>, Faults> {
+    let loaded = load(source(file))?.in_course(&problem::Course { symbols: item.letters.clone() });
+    Ok(Arc::new(weighed(compile(loaded, Some(course.secret.as_bytes()))?, item)))
 }
 
 /// The problem with the weights of an item in place of its parts' points.

@@ -105,6 +105,7 @@ pub(super) const ROWS: &[Row] = rows! {
     Shows   "/courses/{course}/problems"     INSTRUCTOR, problems::list;
     Shows   "/courses/{course}/problems/new" INSTRUCTOR, problems::new;
     Changes "/courses/{course}/problems/new" INSTRUCTOR, problems::save;
+    Changes "/courses/{course}/problems/preview" INSTRUCTOR, problems::preview;
     Shows   "/courses/{course}/problems/{digest}" INSTRUCTOR, problems::show;
     Changes "/courses/{course}/problems/{digest}/check" INSTRUCTOR, problems::check;
     Changes "/courses/{course}/problems/{digest}/publish" INSTRUCTOR, problems::publish;

@@ -33,6 +33,7 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "plot.js",
     "handed-in.js",
     "practice.js",
+    "preview.js",
     "reading.js",
     "reach.js",
     "refused.js",

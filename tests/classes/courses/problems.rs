@@ -40,6 +40,19 @@ fn a_file_with_faults_stays_in_its_field_and_each_fault_has_its_excerpt() {
 }
 
 #[test]
+fn a_file_is_previewed_as_it_stands_and_nothing_of_it_is_kept() {
+    let university = University::new();
+    let mut ida = university.browser_of("ida");
+    let preview = university.address("/problems/preview");
+    let page = ida.post(&preview, &[("text", &file())]).text(200);
+    assert_eq!(page.matches("<h2>Seed ").count(), 3);
+    assert!(page.contains("id: own/carts"), "what was typed stays: {page}");
+    let wrong = ida.post(&preview, &[("text", &file().replacen("find: v_A2", "find: v_A9", 1))]).text(422);
+    assert!(wrong.contains("`v_A9`") && !wrong.contains("<h2>Seed "), "{wrong}");
+    assert!(university.wait(async |store| store.problem_files(university.course.key).await.unwrap()).is_empty());
+}
+
+#[test]
 fn a_problem_is_seen_by_instructors_of_its_course_and_offered_once_published() {
     let university = University::new();
     let mut ida = university.browser_of("ida");

@@ -8,7 +8,7 @@ mod write;
 
 pub(crate) use list::list;
 pub(crate) use page::{check, publish, show};
-pub(crate) use write::{new, save};
+pub(crate) use write::{new, preview, save};
 
 use momentous_course::ProblemFile;
 

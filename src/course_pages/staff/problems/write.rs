@@ -1,4 +1,4 @@
-//! A problem file typed or uploaded: it is kept once it loads.
+//! A problem file typed or uploaded: it is shown as its students would see it, and kept once it loads.
 
 use std::sync::Arc;
 
@@ -15,6 +15,7 @@ use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
+use super::super::assignment::{Looked, looked};
 use super::trial;
 use super::trial::{NAME, Trial};
 use momentous_pages::Withheld as _;
@@ -25,6 +26,26 @@ struct WritePage {
     text: String,
     /// Every fault with its excerpt, as the command line prints them.
     faults: Option<String>,
+    /// Three variants, where the file was to be shown and can be.
+    looked: Vec<Looked>,
+}
+
+impl WritePage {
+    const fn new(text: String, faults: Option<String>, looked: Vec<Looked>) -> Self {
+        Self { title: "New problem", text, faults, looked }
+    }
+
+    async fn reply(self, visit: &Visit) -> Result<Reply, NotShown> {
+        let is_wrong = self.faults.is_some();
+        let page = visit.page("courses/staff/write", self).await?;
+        Ok(if is_wrong { page.wrong() } else { page })
+    }
+}
+
+/// A file that can be used, with the letters in which it is printed.
+struct Usable {
+    file: ProblemFile,
+    item: Item,
 }
 
 /// An empty field, or the file of a problem to start from.
@@ -36,35 +57,39 @@ pub(crate) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
             items::current(visit, id).await?.text
         }
     };
-    visit.page("courses/staff/write", WritePage { title: "New problem", text, faults: None }).await
+    WritePage::new(text, None, Vec::new()).reply(visit).await
+}
+
+/// The file as it was sent; browsers send the ends of lines in their own way.
+fn sent(visit: &Visit) -> String {
+    visit.fields.text("text").replace("\r\n", "\n")
+}
+
+/// Shows what the file makes, or what is wrong with it. Nothing is kept.
+pub(crate) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
+    let text = sent(visit);
+    let Usable { file, item } = match read(visit, &text).await? {
+        Ok(usable) => usable,
+        Err(faults) => return WritePage::new(text, Some(faults), Vec::new()).reply(visit).await,
+    };
+    let course = visit.course()?.clone();
+    let problem = visit.work(move |_| Ok(library::compiled(&course, &file, &item))).await?;
+    match problem {
+        Ok(problem) => WritePage::new(text, None, looked(visit, &problem, 0).await?).reply(visit).await,
+        Err(faults) => WritePage::new(text, Some(faults.to_string()), Vec::new()).reply(visit).await,
+    }
 }
 
 /// Keeps a file that loads, as a draft. One that does not stays in its field, with everything that is wrong with it.
 pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
-    let text = visit.fields.text("text").replace("\r\n", "\n");
-    if let Trial::Not(faults) = trial::of(visit, &text).await? {
-        return refused(visit, text, faults).await;
-    }
-    let course = visit.course()?.clone();
-    let (courses, own, now) = (Arc::clone(&visit.courses), text.clone(), visit.now);
-    let read = visit.work(move |_| {
-        let read = || -> Result<ProblemFile, Faults> {
-            let source = Source::new(NAME, &own);
-            let problem = load(source.clone())?.draft.id;
-            let (digest, key) = (digest(&source), Some(course.key));
-            let file = ProblemFile { digest, problem, text: own, course: key, published: None, saved: now };
-            let letters = course_letters(&library::source(&file))?;
-            courses.library.problem(&course, &file, &Item { letters, ..items::unpinned(&file.problem) })?;
-            Ok(file)
-        };
-        Ok(read())
-    });
-    let file = match read.await? {
-        Ok(file) => file,
-        Err(faults) => return refused(visit, text, faults.to_string()).await,
+    let text = sent(visit);
+    let Usable { file, item } = match read(visit, &text).await? {
+        Ok(usable) => usable,
+        Err(faults) => return WritePage::new(text, Some(faults), Vec::new()).reply(visit).await,
     };
-    if let Err(reserved) = Withheld::from_student(visit).await?.check(&file.problem) {
-        return refused(visit, text, reserved.sentences().join(" ")).await;
+    let (course, courses, own) = (visit.course()?.clone(), Arc::clone(&visit.courses), file.clone());
+    if let Err(faults) = visit.work(move |_| Ok(courses.library.problem(&course, &own, &item))).await? {
+        return WritePage::new(text, Some(faults.to_string()), Vec::new()).reply(visit).await;
     }
     let before = visit.store().problem_file(visit.course()?.key, &file.digest).await?;
     if before.is_none_or(|before| before.course.is_none()) {
@@ -74,7 +99,28 @@ pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
     Ok(Reply::To(visit.in_course(&format!("/problems/{}", file.digest))?))
 }
 
-async fn refused(visit: &Visit, text: String, faults: String) -> Result<Reply, NotShown> {
-    let page = WritePage { title: "New problem", text, faults: Some(faults) };
-    Ok(visit.page("courses/staff/write", page).await?.wrong())
+/// Reads a file, after a trial of whether it can be compiled; else everything that is wrong with it. What is open where the reader
+/// learns is not shown under another name.
+async fn read(visit: &Visit, text: &str) -> Result<Result<Usable, String>, NotShown> {
+    if let Trial::Not(faults) = trial::of(visit, text).await? {
+        return Ok(Err(faults));
+    }
+    let (course, now, text) = (visit.course()?.key, visit.now, text.to_owned());
+    let usable = visit.work(move |_| {
+        let read = || -> Result<Usable, Faults> {
+            let source = Source::new(NAME, &text);
+            let problem = load(source.clone())?.draft.id;
+            let digest = digest(&source);
+            let file = ProblemFile { digest, problem, text, course: Some(course), published: None, saved: now };
+            let item = Item { letters: course_letters(&library::source(&file))?, ..items::unpinned(&file.problem) };
+            Ok(Usable { file, item })
+        };
+        Ok(read())
+    });
+    let usable = match usable.await? {
+        Ok(usable) => usable,
+        Err(faults) => return Ok(Err(faults.to_string())),
+    };
+    let reserved = Withheld::from_student(visit).await?.check(&usable.file.problem);
+    Ok(reserved.map(|()| usable).map_err(|reserved| reserved.sentences().join(" ")))
 }
