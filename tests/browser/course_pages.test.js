@@ -41,6 +41,10 @@ after(async () => {
 const PAGES = [
   ["/sign-in", { who: "nobody", at: () => "/sign-in" }],
   ["/sign-in/{token}", { who: "nobody", at: () => "/sign-in/0" }],
+  ["/join", { who: "nobody", at: () => "/join" }],
+  ["/join/{code}", { who: "nobody", at: () => made.join }],
+  ["/join/{code}", { who: "nobody", at: () => made.join, then: (page) => page.getByRole("button", { name: "Ask for a place" }).click() }],
+  ["/join/{code}", { who: "teacher", at: () => made.join }],
   ["/courses", { who: "fresh", at: () => "/courses" }],
   ["/courses", { who: "teacher", at: () => "/courses" }],
   ["/courses/{course}", { who: "student", at: () => made.course }],
@@ -70,6 +74,7 @@ const PAGES = [
   ["/courses/{course}/roster", { who: "teacher", at: () => `${made.course}/roster`, then: (page) => paste(page, "name\nAda\n") }],
   ["/courses/{course}/problems", { who: "teacher", at: () => `${made.course}/problems` }],
   ["/courses/{course}/problems/new", { who: "teacher", at: () => `${made.course}/problems/new?from=impact/two-carts` }],
+  ["/courses/{course}/problems/new", { who: "teacher", at: () => `${made.course}/problems/new?from=impact/two-carts`, then: (page) => page.getByRole("button", { name: "Preview" }).click() }],
   ["/courses/{course}/problems/{digest}", { who: "teacher", at: () => made.problem }],
   ["/courses/{course}/assignments/{assignment}/print", { who: "teacher", at: () => `${made.assignment}/print` }],
   ["/courses/{course}/look", { who: "teacher", at: () => `${made.course}/look?problem=impact/two-carts` }],

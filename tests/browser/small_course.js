@@ -79,5 +79,10 @@ export async function small_course(students = ["bob", "cleo"], rules = {}) {
   await operator.post(`${assignment}/extensions`, more);
   const corrected = await operator.post(`${course}/problems/new`, { text: file(0) });
   await operator.post(`${corrected}/publish`, {});
-  return { server, operator, course, assignment, items, links, visitors, member, members, problem: corrected };
+  await operator.post(`${course}/roster/code`, { days: "60" });
+  const code = (await operator.get(`${course}/roster`)).match(/<code class="link">(\w{4})-(\w{4})</);
+  const join = `/join/${code?.[1]}${code?.[2]}`;
+  const asks = { login: "dora", name: "Dora Example-Long-Family-Name", new: "a few short words", again: "a few short words" };
+  await new Visitor(server.url).post(join, asks);
+  return { server, operator, course, assignment, items, links, visitors, member, members, problem: corrected, join };
 }

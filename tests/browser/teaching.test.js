@@ -206,11 +206,35 @@ const TOUR = [
     assert.deepEqual([...found.links.keys()].sort(), STUDENTS.map((own) => own.id));
   }],
 
+  ["Or let students ask for a place", async () => {
+    const { page } = teacher;
+    await press(page, "button", "New code", "Roster");
+    const code = (await page.locator("strong > code.link").textContent()) ?? "";
+    const stranger = await strict_page(browser, { viewport: { width: 390, height: 800 } });
+    await stranger.page.goto(`${server.url}/sign-in`);
+    await press(stranger.page, "link", "Ask for a place", "Ask for a place");
+    await stranger.page.getByLabel("Code of the course").fill(code.toLowerCase());
+    await press(stranger.page, "button", "Continue", "Mechanics 1");
+    const typed = { login: "s99", name: "Zoe Zimmer", new: "forty small carts", again: "forty small carts" };
+    for (const [name, text] of Object.entries(typed)) await stranger.page.locator(`[name=${name}]`).fill(text);
+    await stranger.page.getByRole("button", { name: "Ask for a place" }).click();
+    await stranger.page.getByText("Your request was sent").waitFor();
+    assert.deepEqual(stranger.complaints, []);
+    await stranger.close();
+    await page.reload();
+    assert.ok(await page.getByLabel("Zoe Zimmer").isChecked());
+    await picture(page, "requests", page.locator("section[aria-labelledby=requests]"));
+    await press(page, "button", "Decline selected", "Roster");
+    assert.equal(await page.getByLabel("Zoe Zimmer").count(), 0);
+    await press(page, "button", "End this code", "Roster");
+  }],
+
   ["Write a problem of your own", async () => {
     const { page } = teacher;
     await press(page, "link", "Problems of the course", "Problems of the course");
     await press(page, "link", "New problem", "New problem");
     await page.locator("textarea[name=text]").fill(TROLLEYS);
+    await page.locator("#preview article.sheet").nth(2).waitFor();
     await press(page, "button", "Save draft", "Two trolleys that couple");
     assert.equal(await page.locator("article.sheet").count(), 3);
     await press(page, "button", "Check over 100 seeds", "Two trolleys that couple");
