@@ -184,17 +184,21 @@ fn a_table_without_codes_is_refused_with_the_way_out() {
     assert!(said.contains("help: let Moodle download the text of the questions"), "{said}");
 }
 
+/// The right answers to the two carts, as Moodle writes the parts of a response.
+fn right_response(item: &Item) -> String {
+    format!("part 1: {}; part 2: {}; part 3: {}", number(item, 0), number(item, 1), number(item, 2))
+}
+
 #[test]
 fn rows_are_attempts_of_which_one_counts_and_a_row_of_nobody_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     exported(folder.path(), "moodle");
     let [first, second] = [1, 2].map(|seed| item("impact/two-carts", seed));
-    let right = |of: &Item| format!("part 1: {}; part 2: {}; part 3: {}", number(of, 0), number(of, 1), number(of, 2));
     let (one, other) = (&first.code, &second.code);
     let responses = format!(
         "Email address,Question 1,Response 1\none@x,[{one}],{}\none@x,[{other}],-\none@x,[{other}],{}\n,[{one}],-\n",
-        right(&first),
-        right(&second),
+        right_response(&first),
+        right_response(&second),
     );
     fs::write(folder.path().join("responses.csv"), responses).unwrap();
     let total: u32 = first.parts.iter().map(|part| part.field.points).sum();
@@ -227,14 +231,13 @@ fn attempts_are_in_the_order_of_their_numbers_and_two_slots_of_one_problem_stay_
     let folder = tempfile::tempdir().unwrap();
     exported(folder.path(), "moodle");
     let [first, second] = [1, 2].map(|seed| item("impact/two-carts", seed));
-    let right = |of: &Item| format!("part 1: {}; part 2: {}; part 3: {}", number(of, 0), number(of, 1), number(of, 2));
     let (one, other) = (&first.code, &second.code);
     // The second attempt stands first; it is right in both slots, the first in one.
     let responses = format!(
         "OrgDefinedId,Attempt #,Question 1,Response 1,Question 2,Response 2\n17,2,[{one}],{},[{other}],{}\n17,1,[{other}],{},[{one}],-\n",
-        right(&first),
-        right(&second),
-        right(&second),
+        right_response(&first),
+        right_response(&second),
+        right_response(&second),
     );
     fs::write(folder.path().join("responses.csv"), responses).unwrap();
     let total: u32 = first.parts.iter().map(|part| part.field.points).sum();

@@ -70,14 +70,19 @@ pub(crate) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
     let text = sent(visit);
     let Usable { file, item } = match read(visit, &text).await? {
         Ok(usable) => usable,
-        Err(faults) => return WritePage::new(text, Some(faults), Vec::new()).reply(visit).await,
+        Err(faults) => return refused(visit, text, faults).await,
     };
     let course = visit.course()?.clone();
     let problem = visit.work(move |_| Ok(library::compiled(&course, &file, &item))).await?;
     match problem {
         Ok(problem) => WritePage::new(text, None, looked(visit, &problem, 0).await?).reply(visit).await,
-        Err(faults) => WritePage::new(text, Some(faults.to_string()), Vec::new()).reply(visit).await,
+        Err(faults) => refused(visit, text, faults.to_string()).await,
     }
+}
+
+/// The file in its field, with everything that is wrong with it.
+async fn refused(visit: &Visit, text: String, faults: String) -> Result<Reply, NotShown> {
+    WritePage::new(text, Some(faults), Vec::new()).reply(visit).await
 }
 
 /// Keeps a file that loads, as a draft. One that does not stays in its field, with everything that is wrong with it.
@@ -85,11 +90,11 @@ pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
     let text = sent(visit);
     let Usable { file, item } = match read(visit, &text).await? {
         Ok(usable) => usable,
-        Err(faults) => return WritePage::new(text, Some(faults), Vec::new()).reply(visit).await,
+        Err(faults) => return refused(visit, text, faults).await,
     };
     let (course, courses, own) = (visit.course()?.clone(), Arc::clone(&visit.courses), file.clone());
     if let Err(faults) = visit.work(move |_| Ok(courses.library.problem(&course, &own, &item))).await? {
-        return WritePage::new(text, Some(faults.to_string()), Vec::new()).reply(visit).await;
+        return refused(visit, text, faults.to_string()).await;
     }
     let before = visit.store().problem_file(visit.course()?.key, &file.digest).await?;
     if before.is_none_or(|before| before.course.is_none()) {
