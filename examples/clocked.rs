@@ -1,6 +1,7 @@
 //! The pages of `momentous serve` with a clock that whoever runs it sets: for the tests in a browser, in which weeks pass. Each line of
 //! standard input is a moment, as milliseconds since the beginning of 1970; the clock stands there until the next, and says so.
-//! Problem files are checked by the program that the first argument names. The data are in the current folder.
+//! Problem files are checked by the program that the first argument names; the second is a server of mail, where there is one. The data
+//! are in the current folder.
 
 use std::env;
 use std::error::Error;
@@ -12,7 +13,7 @@ use std::sync::atomic::Ordering::SeqCst;
 use std::thread::spawn;
 
 use momentous::course::Moment;
-use momentous::course_pages::{Clock, serve};
+use momentous::course_pages::{Clock, Post, serve};
 use momentous::store::Address;
 use momentous::web::Settings;
 
@@ -26,7 +27,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let now = Arc::new(AtomicI64::new(first));
     let read = Arc::clone(&now);
     let clock = Clock::new(move || Moment::from_millis(read.load(SeqCst)));
-    serve(settings, &Address::Folder("momentous-data".into()), clock, |address, link| {
+    let post = env::args().nth(2).map(|server| Post::new(&server, "momentous@example.edu")).transpose()?;
+    serve(settings, &Address::Folder("momentous-data".into()), post, clock, |address, link| {
         println!("http://{address}{}", link.unwrap_or_default());
         spawn(move || {
             while let Some(moment) = told() {

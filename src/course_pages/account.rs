@@ -1,4 +1,4 @@
-//! Signing in and out, and the courses of whoever did.
+//! Signing in and out.
 
 use std::time::Duration;
 
@@ -6,9 +6,10 @@ use serde::Serialize;
 use tokio::time::Instant;
 use tokio::time::sleep_until;
 
-use momentous_course::Person;
+use momentous_course::{Key, Person};
 use momentous_store::{Entry, Reach, TicketKind};
 
+use super::cookie::Cookie;
 use super::outcome::NotShown;
 use super::password;
 use super::reply::Reply;
@@ -27,10 +28,26 @@ struct SignInPage {
     login: String,
     to: String,
     wrong: bool,
+    /// The form for a link by mail, where this server sends mail.
+    mail: Option<MailForm>,
+}
+
+#[derive(Serialize)]
+struct MailForm {
+    address: String,
+    fault: Option<String>,
+}
+
+impl SignInPage {
+    fn new(visit: &Visit, login: String) -> Self {
+        let to = visit.fields.text("to").to_owned();
+        let mail = visit.courses.post.is_some().then(|| MailForm { address: String::new(), fault: None });
+        Self { title: "Sign in", login, to, wrong: false, mail }
+    }
 }
 
 /// Where somebody goes after signing in: a page of this server, and no other site.
-fn onward(visit: &Visit) -> String {
+pub(super) fn onward(visit: &Visit) -> String {
     // Browsers take `\\` for `/`, and leave out tabs and ends of lines.
     let leads_away = |to: &str| to.starts_with("//") || to.contains(|own: char| own == '\\' || own.is_control());
     let to = visit.fields.get("to").filter(|to| to.starts_with('/') && !leads_away(to));
@@ -41,8 +58,14 @@ pub(super) async fn sign_in_page(visit: &Visit) -> Result<Reply, NotShown> {
     if visit.visitor.is_some() {
         return Ok(Reply::To(onward(visit)));
     }
-    let to = visit.fields.text("to").to_owned();
-    visit.page("courses/sign-in", SignInPage { title: "Sign in", login: String::new(), to, wrong: false }).await
+    visit.page("courses/sign-in", SignInPage::new(visit, String::new())).await
+}
+
+/// The same page, with what is wrong with the address to which a link should be sent.
+pub(super) async fn sign_in_page_with(visit: &Visit, fault: String) -> Result<Reply, NotShown> {
+    let mail = Some(MailForm { address: visit.fields.text("address").to_owned(), fault: Some(fault) });
+    let page = SignInPage { mail, ..SignInPage::new(visit, String::new()) };
+    visit.page("courses/sign-in", page).await.map(Reply::wrong)
 }
 
 /// By name and password. Whether the name or the password is wrong is not told. A name that nobody has costs no processor's time.
@@ -53,13 +76,12 @@ pub(super) async fn sign_in(visit: &Visit) -> Result<Reply, NotShown> {
     let Some(person) = person else {
         sleep_until(refused_at).await;
         let login = if login.len() <= LONGEST_LOGIN { login.to_owned() } else { String::new() };
-        let to = visit.fields.text("to").to_owned();
-        let page = visit.page("courses/sign-in", SignInPage { title: "Sign in", login, to, wrong: true }).await?;
-        return Ok(page.wrong());
+        let page = SignInPage { wrong: true, ..SignInPage::new(visit, login) };
+        return visit.page("courses/sign-in", page).await.map(Reply::wrong);
     };
     let (token, ticket) = session::token(person.key, (TicketKind::Session, Reach::All), visit.now);
     visit.store().add_tickets(vec![ticket], visit.now, &[]).await?;
-    Ok(Reply::Sign { to: onward(visit), token: Some(token) })
+    Ok(Reply::signed_in(onward(visit), token))
 }
 
 /// The person of that name, where the password is right.
@@ -78,7 +100,10 @@ struct LinkPage {
     title: &'static str,
     /// Whose link it is; nothing where it is used up or has ended.
     name: Option<String>,
+    /// Where the button leads: `sign-in` for links that somebody gave, `mail` for those that were sent.
+    kind: &'static str,
     token: String,
+    to: String,
 }
 
 /// A link to sign in shows a button: programs that open links in letters do not use it up.
@@ -86,7 +111,19 @@ pub(super) async fn link_page(visit: &Visit) -> Result<Reply, NotShown> {
     let token = visit.part("token").to_owned();
     let holder = visit.store().holder(&session::hash(&token), TicketKind::Link, visit.now).await?;
     let name = holder.map(|(person, _)| person.shown().to_owned());
-    visit.page("courses/link", LinkPage { title: "Sign in", name, token }).await
+    link_page_with(visit, name, "sign-in").await
+}
+
+/// The page of a link, with whom it signs in.
+pub(super) async fn link_page_with(visit: &Visit, name: Option<String>, kind: &'static str) -> Result<Reply, NotShown> {
+    let (token, to) = (visit.part("token").to_owned(), visit.fields.text("to").to_owned());
+    visit.page("courses/link", LinkPage { title: "Sign in", name, kind, token, to }).await
+}
+
+/// What is noted of a person who signs in.
+pub(super) async fn entries_by(visit: &Visit, person: Key<Person>, what: &str) -> Result<Vec<Entry>, NotShown> {
+    let entries = visit.entries(person, what).await?.into_iter();
+    Ok(entries.map(|entry| Entry { by: Some(person), ..entry }).collect())
 }
 
 /// The button: it works once. A link of a course opens that course.
@@ -95,104 +132,14 @@ pub(super) async fn link(visit: &Visit) -> Result<Reply, NotShown> {
     let holder = visit.store().holder(&hash, TicketKind::Link, visit.now).await?;
     let Some((person, reach)) = holder else { return link_page(visit).await };
     let (token, ticket) = session::token(person.key, (TicketKind::Session, reach), visit.now);
-    let entries = visit.entries(person.key, "signed in by a link").await?.into_iter();
-    let entries: Vec<Entry> = entries.map(|entry| Entry { by: Some(person.key), ..entry }).collect();
+    let entries = entries_by(visit, person.key, "signed in by a link").await?;
     if !visit.store().take_ticket(&hash, Some(ticket), &entries).await? {
         return link_page(visit).await;
     }
-    Ok(Reply::Sign { to: visit.address("/courses"), token: Some(token) })
+    Ok(Reply::signed_in(visit.address("/courses"), token))
 }
 
 pub(super) async fn sign_out(visit: &Visit) -> Result<Reply, NotShown> {
     visit.store().take_ticket(&visit.visitor()?.session, None, &[]).await?;
-    Ok(Reply::Sign { to: visit.address("/"), token: None })
-}
-
-#[derive(Serialize)]
-struct CoursesPage {
-    title: &'static str,
-    courses: Vec<OwnCourse>,
-    /// Whether whoever asks signed in by the link of one course.
-    in_one_course: bool,
-    /// The form for a password, where whoever asks may choose one.
-    password: Option<PasswordForm>,
-    /// What is wrong with a new password.
-    fault: Option<String>,
-    changed: bool,
-}
-
-#[derive(Serialize)]
-struct PasswordForm {
-    /// Whether there is a password.
-    is_there: bool,
-    needs_old: bool,
-}
-
-#[derive(Serialize)]
-struct OwnCourse {
-    key: String,
-    title: String,
-    role: &'static str,
-}
-
-/// The courses of whoever has signed in.
-pub(super) async fn courses(visit: &Visit) -> Result<Reply, NotShown> {
-    courses_with(visit, None, visit.fields.get("password").is_some()).await
-}
-
-async fn courses_with(visit: &Visit, fault: Option<String>, changed: bool) -> Result<Reply, NotShown> {
-    let visitor = visit.visitor()?;
-    let courses = visitor.places(visit.store()).await?.into_iter().map(|own| OwnCourse {
-        key: own.course.key.to_string(),
-        title: own.course.title,
-        role: own.member.role.name(),
-    });
-    let courses = courses.collect();
-    let is_there = visit.store().password(visitor.person.key).await?.is_some();
-    let password = PasswordForm { is_there, needs_old: is_there && visitor.reach != Reach::Anew };
-    let password = may_choose_password(visit).await?.then_some(password);
-    let in_one_course = matches!(visitor.reach, Reach::Course(_));
-    let page = CoursesPage { title: "Courses", courses, in_one_course, password, fault, changed };
-    visit.page("courses/courses", page).await
-}
-
-/// Whether the session lets its holder choose a password: not where it is of one course, and the person is known outside that.
-async fn may_choose_password(visit: &Visit) -> Result<bool, NotShown> {
-    let visitor = visit.visitor()?;
-    let Reach::Course(own) = visitor.reach else { return Ok(true) };
-    let places = visit.store().courses_of(visitor.person.key).await?;
-    // What the session shows of the person leaves out that it runs the server.
-    let runs = visit.store().person(visitor.person.key).await?.is_none_or(|person| person.operator);
-    Ok(!runs && places.iter().all(|place| place.course.key == own))
-}
-
-/// A new password. Every session and link of the person ends, but for a new session here.
-pub(super) async fn password(visit: &Visit) -> Result<Reply, NotShown> {
-    let (person, reach) = (visit.person()?, visit.visitor()?.reach);
-    if !may_choose_password(visit).await? {
-        return Err(NotShown::Forbidden(
-            "you signed in by the link of one course and take part in others, too; whoever runs the server makes a link with which you choose a password",
-        ));
-    }
-    visit.courses.limits.password(visit.from, &person.login)?;
-    let kept = visit.store().password(person.key).await?.filter(|_| reach != Reach::Anew);
-    let field = |name: &str| visit.fields.text(name).to_owned();
-    let (old, new, again) = (field("old"), field("new"), field("again"));
-    let fault = match (password::fault(&new, &again, &person.login), kept) {
-        (Some(fault), _) => Some(fault),
-        (None, None) => None,
-        (None, Some(kept)) => {
-            let is_right = visit.work(move |_| Ok(password::is_right(&old, &kept))).await?;
-            (!is_right).then(|| "the old password is not right".to_owned())
-        }
-    };
-    if fault.is_some() {
-        return Ok(courses_with(visit, fault, false).await?.wrong());
-    }
-    let hash = visit.work(move |_| Ok(password::hash(&new))).await?;
-    let hash = hash.ok_or_else(|| NotShown::field("the password cannot be kept; take another"))?;
-    let (token, ticket) = session::token(person.key, (TicketKind::Session, Reach::All), visit.now);
-    let entries = visit.entries(person.key, "password changed").await?;
-    visit.store().set_password(person.key, hash, Some(ticket), &entries).await?;
-    Ok(Reply::Sign { to: visit.address("/courses?password=changed"), token: Some(token) })
+    Ok(Reply::ToWith { to: visit.address("/"), cookie: Cookie::Session, token: None })
 }

@@ -3,11 +3,12 @@
 use std::hash::Hash;
 use std::net::IpAddr;
 use std::num::NonZeroU32;
+use std::time::Duration;
 
 use governor::{DefaultKeyedRateLimiter, Quota, RateLimiter};
 use sha2::{Digest, Sha256};
 
-use momentous_course::{Key, Person};
+use momentous_course::{Key, MailAddress, Person};
 
 use super::outcome::NotShown;
 use momentous_web::sender::network;
@@ -22,6 +23,12 @@ const COMPARED_AT_ONCE: NonZeroU32 = NonZeroU32::new(900).expect("nine hundred")
 const ANSWERS: NonZeroU32 = NonZeroU32::new(60).expect("sixty");
 /// Answers that one person may have read in a minute, and at once: every pause while typing is one.
 const READINGS: NonZeroU32 = NonZeroU32::new(240).expect("two hundred and forty");
+/// Letters that are sent to one address at once, one more every five minutes.
+const LETTERS: NonZeroU32 = NonZeroU32::new(3).expect("three");
+const BETWEEN_LETTERS: Duration = Duration::from_mins(5);
+/// Letters that are asked for from one address of the network in a minute; at once, those of a year's classes.
+const ASKED: NonZeroU32 = NonZeroU32::new(60).expect("sixty");
+const ASKED_AT_ONCE: NonZeroU32 = NonZeroU32::new(300).expect("three hundred");
 /// Keys of a table, above which those who have been quiet long enough are forgotten.
 const MANY: usize = 10_000;
 
@@ -29,6 +36,8 @@ const MANY: usize = 10_000;
 pub(super) struct Limits {
     passwords: DefaultKeyedRateLimiter<[u8; 32]>,
     compared: DefaultKeyedRateLimiter<[u8; 16]>,
+    letters: DefaultKeyedRateLimiter<MailAddress>,
+    asked: DefaultKeyedRateLimiter<[u8; 16]>,
     answers: DefaultKeyedRateLimiter<Key<Person>>,
     readings: DefaultKeyedRateLimiter<Key<Person>>,
 }
@@ -38,6 +47,8 @@ impl Limits {
         Self {
             passwords: RateLimiter::keyed(Quota::per_minute(PASSWORDS)),
             compared: RateLimiter::keyed(Quota::per_minute(COMPARED).allow_burst(COMPARED_AT_ONCE)),
+            letters: RateLimiter::keyed(Quota::with_period(BETWEEN_LETTERS).expect("a time").allow_burst(LETTERS)),
+            asked: RateLimiter::keyed(Quota::per_minute(ASKED).allow_burst(ASKED_AT_ONCE)),
             answers: RateLimiter::keyed(Quota::per_minute(ANSWERS)),
             readings: RateLimiter::keyed(Quota::per_minute(READINGS)),
         }
@@ -52,6 +63,12 @@ impl Limits {
     /// Whether another password may be compared for an address.
     pub(super) fn compared(&self, from: IpAddr) -> Result<(), NotShown> {
         allowed(&self.compared, &network(from))
+    }
+
+    /// Whether another letter may be sent to an address, asked for from an address of the network.
+    pub(super) fn letter(&self, from: IpAddr, to: &MailAddress) -> Result<(), NotShown> {
+        allowed(&self.asked, &network(from))?;
+        allowed(&self.letters, to)
     }
 
     /// Whether a person may hand in again.

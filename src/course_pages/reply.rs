@@ -4,7 +4,7 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
 use serde_json::Value;
 
-use super::session;
+use super::cookie::Cookie;
 use momentous_web::Settings;
 
 /// What somebody gets.
@@ -15,11 +15,13 @@ pub(super) enum Reply {
     Wrong(String),
     /// Another address; a reload there sends nothing twice.
     To(String),
-    /// Another address, signed in with a token or signed out.
-    Sign {
+    /// Another address, with a cookie.
+    ToWith {
         /// The address.
         to: String,
-        /// The token; nothing to sign out.
+        /// Which cookie.
+        cookie: Cookie,
+        /// Its token; nothing where the browser forgets it.
         token: Option<String>,
     },
     /// A file to be saved.
@@ -44,6 +46,11 @@ impl Reply {
         }
     }
 
+    /// Another address, signed in.
+    pub(super) fn signed_in(to: String, token: String) -> Self {
+        Self::ToWith { to, cookie: Cookie::Session, token: Some(token) }
+    }
+
     /// As a response. No cache keeps what only one person may see.
     pub(super) fn response(self, settings: &Settings) -> Response {
         let mut headers = HeaderMap::new();
@@ -52,8 +59,8 @@ impl Reply {
             Self::Page(text) => (headers, Html(text)).into_response(),
             Self::Wrong(text) => (StatusCode::UNPROCESSABLE_ENTITY, headers, Html(text)).into_response(),
             Self::To(address) => to(headers, &address),
-            Self::Sign { to: address, token } => {
-                let cookie = session::cookie(token.as_deref(), &settings.base_path, settings.is_secure);
+            Self::ToWith { to: address, cookie, token } => {
+                let cookie = cookie.header(token.as_deref(), settings);
                 headers.extend(cookie.map(|cookie| (header::SET_COOKIE, cookie)));
                 to(headers, &address)
             }

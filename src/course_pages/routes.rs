@@ -13,6 +13,7 @@ use momentous_course::{Course, Key, Moment};
 use momentous_exercise::calls::{Refused, RefusedKind};
 use momentous_store::{Membership, Store, StoreFault};
 
+use super::cookie::Cookie;
 use super::fields;
 use super::gate::Who;
 use super::origin;
@@ -93,9 +94,10 @@ async fn visit(
         Ok(known) => known,
         Err(fault) => return Err((fault.into(), fields::typed(request, longest(row)).await)),
     };
+    let browser = Cookie::Browser.sent(headers).map(str::to_owned);
     let from = sender::of(request.extensions(), headers, &app.settings.trusted_proxies);
     let fields = Parameters::default();
-    let mut visit = Visit { app, courses, now, place, visitor, from, path, fields };
+    let mut visit = Visit { app, courses, now, place, visitor, browser, from, path, fields };
     match row.who.admits(&visit) {
         Ok(()) => {}
         Err(NotShown::SignIn) => return Err((NotShown::SignIn, fields::typed(request, LONGEST_KEPT).await)),

@@ -8,12 +8,13 @@ use momentous_web::{Companion, NotServed, Settings};
 
 use super::clock::Clock;
 use super::invite;
+use super::mail::Post;
 use super::state::Courses;
 
 /// The name by which the first operator signs in.
 const FIRST: &str = "operator";
 
-/// Serves as [`momentous_web::serve`] does, with the courses whose data are at an address. `clock` says what is in time; `ready` hears
+/// Serves as [`momentous_web::serve`] does, with the courses whose data are at an address. `post` sends letters, where there is one; `clock` says what is in time; `ready` hears
 /// the address of the pages, and the path of a link for the first operator where nobody can sign in yet.
 ///
 /// # Errors
@@ -21,6 +22,7 @@ const FIRST: &str = "operator";
 pub fn serve(
     settings: Settings,
     data: &momentous_store::Address,
+    post: Option<Post>,
     clock: Clock,
     ready: impl FnOnce(SocketAddr, Option<String>),
 ) -> Result<(), NotServed> {
@@ -29,7 +31,7 @@ pub fn serve(
         let (courses, first) = open(data, clock).await.map_err(|fault| NotServed::Data(Box::new(fault)))?;
         // It is set once, here.
         let _ = link.set(first);
-        let companion: Arc<dyn Companion> = Arc::new(courses);
+        let companion: Arc<dyn Companion> = Arc::new(courses.with_post(post));
         Ok(Some(companion))
     };
     momentous_web::serve(settings, companion, |address| ready(address, link.get().cloned().flatten()))

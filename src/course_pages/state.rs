@@ -8,6 +8,7 @@ use super::clock::Clock;
 use super::hidden::Hidden;
 use super::library::CourseLibrary;
 use super::limits::Limits;
+use super::mail::Post;
 use super::processes::Processes;
 
 /// What the pages of courses share: the records, the time, and the problems as their sheets were drawn.
@@ -18,6 +19,8 @@ pub struct Courses {
     pub(super) library: CourseLibrary,
     /// Who has a teacher's file read or checked in a process of its own.
     pub(super) processes: Arc<Processes>,
+    /// The server that takes letters, where one is configured.
+    pub(super) post: Option<Post>,
     /// The kinds of problems that are not solved at the moment.
     pub(super) hidden: Hidden,
 }
@@ -32,8 +35,15 @@ impl Courses {
             limits: Limits::new(),
             library: CourseLibrary::default(),
             processes: Processes::new(),
+            post: None,
             hidden: Hidden::default(),
         }
+    }
+
+    /// The same, with letters by a server of mail.
+    #[must_use]
+    pub fn with_post(self, post: Option<Post>) -> Self {
+        Self { post, ..self }
     }
 
     /// The records.

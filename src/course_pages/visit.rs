@@ -29,6 +29,8 @@ pub(super) struct Visit {
     pub(super) place: Option<Membership>,
     /// The session of that person.
     pub(super) visitor: Option<Visitor>,
+    /// The token of a browser that has asked for a link by mail.
+    pub(super) browser: Option<String>,
     /// From where the request comes.
     pub(super) from: IpAddr,
     /// The parts of the address that are names: `course`, `item`.

@@ -5,6 +5,7 @@ use axum::http::HeaderMap;
 use momentous_course::{Course, Key, Moment, Person};
 use momentous_store::{Membership, Reach, Store, StoreFault, TicketKind};
 
+use super::cookie::Cookie;
 use super::session;
 
 /// Somebody who has signed in.
@@ -20,7 +21,7 @@ pub(crate) struct Visitor {
 impl Visitor {
     /// Whoever sends a request at a moment; nothing where nobody has signed in. A session of one course runs no server.
     pub(super) async fn at(store: &Store, headers: &HeaderMap, now: Moment) -> Result<Option<Self>, StoreFault> {
-        let Some(session) = session::of(headers).map(session::hash) else { return Ok(None) };
+        let Some(session) = Cookie::Session.sent(headers).map(session::hash) else { return Ok(None) };
         let holder = store.holder(&session, TicketKind::Session, now).await?;
         Ok(holder.map(|(person, reach)| {
             let operator = person.operator && !matches!(reach, Reach::Course(_));

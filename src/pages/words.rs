@@ -48,6 +48,10 @@ words! {
     SAVE_DRAFT = "save_draft": "Save draft";
     /// Keeps a password.
     SAVE_PASSWORD = "save_password": "Save password";
+    /// Keeps an e-mail address.
+    SAVE_ADDRESS = "save_address": "Save address";
+    /// Sends a link to sign in.
+    SEND_LINK = "send_link": "Send me a link";
     /// Keeps more time for a student.
     SAVE_EXTENSION = "save_extension": "Save extension";
     /// Keeps points set by hand.

@@ -62,6 +62,7 @@ const COURSES: &[(&str, &str)] = built_in![
     "web/courses/item.tera",
     "web/courses/join.tera",
     "web/courses/link.tera",
+    "web/courses/mailed.tera",
     "web/courses/sign-in.tera",
     "web/courses/solution.tera",
     "web/courses/staff/editor.tera",

@@ -6,6 +6,7 @@ use sqlx::query;
 use momentous_course::{Course, Key, Member, Person};
 
 use super::fault::StoreFault;
+use super::mail;
 use super::open::Store;
 use super::records::to_json;
 use super::tickets::Ticket;
@@ -61,6 +62,7 @@ impl Store {
             query("DELETE FROM password WHERE person = $1").bind(key.clone()),
             query("DELETE FROM ticket WHERE person = $1").bind(key),
         ];
+        statements.extend(mail::forget(erased.key));
         for entry in entries {
             statements.push(entry.statement()?);
         }

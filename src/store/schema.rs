@@ -6,13 +6,16 @@ use sqlx::Row;
 use super::fault::StoreFault;
 
 /// The statements that lead from each version to the next, the first from nothing. A row is never changed once a version with it was released.
-const STEPS: [(i64, &str); 2] = [(1, include_str!("schema/1.sql")), (2, include_str!("schema/2.sql"))];
+const STEPS: [(i64, &str); 3] =
+    [(1, include_str!("schema/1.sql")), (2, include_str!("schema/2.sql")), (3, include_str!("schema/3.sql"))];
 
 /// Every table, each after those that it speaks of: the order of a backup.
-pub(super) const TABLES: [(&str, &str); 18] = [
+pub(super) const TABLES: [(&str, &str); 20] = [
     ("person", "key, login, data"),
     ("password", "person, hash"),
     ("ticket", "hash, person, kind, expires"),
+    ("mail_address", "person, address"),
+    ("mailed_link", "hash, person, address, expires"),
     ("course", "key, secret, data"),
     ("member", "key, course, person, data"),
     ("course_code", "course, code, expires, data"),

@@ -61,7 +61,7 @@ export async function start(more = []) {
  */
 export async function start_clocked(moment) {
   const folder = mkdtempSync(join(tmpdir(), "momentous-"));
-  const server = spawn(clocked_program, [program], { cwd: folder, stdio: ["pipe", "pipe", "inherit"] });
+  const server = spawn(clocked_program, [program, "smtp://127.0.0.1:1"], { cwd: folder, stdio: ["pipe", "pipe", "inherit"] });
   const lines = createInterface({ input: server.stdout });
   server.stdin.write(`${Date.parse(moment)}\n`);
   const link = await first_address(server, lines, "clocked");

@@ -1,9 +1,12 @@
 //! Everybody who can sign in, for the operator.
 
+use std::collections::HashMap;
+
 use serde::Serialize;
 
-use momentous_course::{FieldFault, Person};
+use momentous_course::{FieldFault, MailAddress, Person};
 
+use super::super::invite::ADDRESS;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
@@ -19,6 +22,8 @@ struct PeoplePage {
     /// Whether the new person is to be an operator.
     operator: bool,
     people: Vec<Listed>,
+    /// The form for the address of a person, where this server sends mail.
+    mail: Option<Form>,
 }
 
 #[derive(Serialize)]
@@ -27,19 +32,40 @@ struct Listed {
     login: String,
     name: String,
     operator: bool,
+    address: String,
 }
 
 /// Everybody, and a form for one more.
 pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
-    with(visit, Form::sent(visit, &person_form::FIELDS)).await
+    with(visit, Forms::of(visit)).await
 }
 
-async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
-    let is_wrong = form.is_wrong();
-    let listed = |Person { key, login, name, operator, .. }| Listed { key: key.to_string(), login, name, operator };
+/// The fields that give a person an address.
+const MAIL_FIELDS: [&str; 2] = ["whose", "address"];
+
+/// The forms of the page.
+struct Forms {
+    person: Form,
+    mail: Form,
+}
+
+impl Forms {
+    fn of(visit: &Visit) -> Self {
+        Self { person: Form::sent(visit, &person_form::FIELDS), mail: Form::sent(visit, &MAIL_FIELDS) }
+    }
+}
+
+async fn with(visit: &Visit, Forms { person: form, mail }: Forms) -> Result<Reply, NotShown> {
+    let is_wrong = form.is_wrong() || mail.is_wrong();
+    let mail = visit.courses.post.is_some().then_some(mail);
+    let addresses = if mail.is_some() { visit.store().mail_addresses().await? } else { HashMap::new() };
+    let listed = |Person { key, login, name, operator, .. }| {
+        let address = addresses.get(&key).map(ToString::to_string).unwrap_or_default();
+        Listed { key: key.to_string(), login, name, operator, address }
+    };
     let people = visit.store().people().await?.into_iter().map(listed).collect();
     let operator = is_wrong && visit.fields.get("operator").is_some();
-    let page = visit.page("courses/staff/people", PeoplePage { title: "People", form, operator, people }).await?;
+    let page = visit.page("courses/staff/people", PeoplePage { title: "People", form, operator, people, mail }).await?;
     Ok(if is_wrong { page.wrong() } else { page })
 }
 
@@ -53,7 +79,7 @@ pub(crate) async fn add(visit: &Visit) -> Result<Reply, NotShown> {
         faults.push(FieldFault { field: "login", message: format!("somebody signs in by this name already\n{help}") });
     }
     if !faults.is_empty() {
-        return with(visit, form.with(&faults)).await;
+        return with(visit, Forms { person: form.with(&faults), ..Forms::of(visit) }).await;
     }
     let person = Person { operator: visit.fields.get("operator").is_some(), ..person };
     let what = if person.operator { "operator added" } else { "person added" };
@@ -70,11 +96,36 @@ pub(crate) async fn new_link(visit: &Visit) -> Result<Reply, NotShown> {
         None => None,
     };
     let Some(person) = person.filter(|person| person.erased.is_none()) else {
-        let mut form = Form::sent(visit, &person_form::FIELDS);
-        form.say("login", "nobody was chosen for whom a link could be made\nhelp: use a button of the list");
-        return with(visit, form).await;
+        let mut forms = Forms::of(visit);
+        forms.person.say("login", "nobody was chosen for whom a link could be made\nhelp: use a button of the list");
+        return with(visit, forms).await;
     };
     shown(visit, "New link", &person).await
+}
+
+/// Gives a person an address, or takes it away. Whoever runs the server is believed.
+pub(crate) async fn set_address(visit: &Visit) -> Result<Reply, NotShown> {
+    let mut forms = Forms::of(visit);
+    let person = visit.store().person_named(forms.mail.value("whose")).await?;
+    let address = match forms.mail.value("address") {
+        "" => Ok(None),
+        typed => MailAddress::read(typed).map(Some),
+    };
+    match (person, address) {
+        (Some(person), Ok(address)) => {
+            let entries = visit.entries(person.key, ADDRESS).await?;
+            visit.store().set_mail_address(person.key, address.as_ref(), &entries).await?;
+            Ok(Reply::To(visit.address("/people")))
+        }
+        (None, _) => {
+            forms.mail.say("whose", "nobody signs in by this name\nhelp: the list below has all logins");
+            with(visit, forms).await
+        }
+        (Some(_), Err(fault)) => {
+            forms.mail.say("address", &fault.to_string());
+            with(visit, forms).await
+        }
+    }
 }
 
 async fn shown(visit: &Visit, title: &'static str, person: &Person) -> Result<Reply, NotShown> {

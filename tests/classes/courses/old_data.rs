@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use momentous::course::{Extension, Key, Moment, Override, OverrideRule};
+use momentous::course::{Extension, Key, MailAddress, Moment, Override, OverrideRule};
 use momentous::store::sqlx::{AnyConnection, Connection, Executor};
 use momentous::store::{Address, Inspection, Store};
 use momentous::web::Settings;
@@ -87,7 +87,7 @@ fn this_version_is_among_them() {
 }
 
 #[test]
-#[ignore = "writes tests/fixtures/data/2: a new version of the tables gets a new folder"]
+#[ignore = "writes tests/fixtures/data/3: a new version of the tables gets a new folder"]
 fn write_the_data_of_this_version() {
     let university = University::new();
     let whole = university.assignment(&[("impact/two-carts", "forward", 10)], |_| {});
@@ -108,7 +108,7 @@ fn write_the_data_of_this_version() {
     let (assignment, member, closes) = (whole.assignment.key, University::member("bob"), at.after(5 * DAY));
     let extension =
         Extension { assignment, member, due: at.after(DAY), late_until: None, closes, reason: "was ill".into() };
-    let folder = Path::new(FOLDER).join("2");
+    let folder = Path::new(FOLDER).join("3");
     fs::create_dir_all(&folder).unwrap();
     let file = folder.join(DATA);
     let copy = format!("sqlite://{}", file.display());
@@ -118,6 +118,8 @@ fn write_the_data_of_this_version() {
         let (sheet, by) = (sheets[0].key, University::key("ida"));
         let (reason, comment, rule) = ("a clear drawing".into(), String::new(), OverrideRule::Exactly);
         let points = Override { sheet, points: Some("19/2".into()), rule, reason, comment, by, at };
+        let address = MailAddress::read("ada@example.edu").unwrap();
+        store.set_mail_address(University::key("ada"), Some(&address), &[]).await.unwrap();
         store.set_points(Key::new([91; 16]), &points, &University::entry(91)).await.unwrap();
         store.backup(&file).await.unwrap();
         let mut connection = AnyConnection::connect(&copy).await.unwrap();

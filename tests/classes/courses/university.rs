@@ -1,5 +1,6 @@
 //! A server with courses, and browsers that ask it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
 
@@ -10,7 +11,7 @@ use momentous::course::{
     Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease, Solvers,
     Unsubmitted, Weights,
 };
-use momentous::course_pages::{Clock, Courses, invite};
+use momentous::course_pages::{Clock, Courses, Post, invite};
 use momentous::grade::DecimalMark;
 use momentous::problem::CourseSymbols;
 use momentous::store::{Address, AssignmentWithItems, Entry, Reach, Store, Ticket, TicketKind};
@@ -43,7 +44,7 @@ pub struct University {
 /// A browser of one person.
 pub struct Browser<'u> {
     university: &'u University,
-    cookie: Option<String>,
+    cookies: BTreeMap<String, String>,
     /// What a proxy says of who asks.
     pub from: Option<String>,
 }
@@ -68,14 +69,25 @@ impl University {
         own
     }
 
+    /// A server that sends letters.
+    pub fn with_post(post: Post) -> Self {
+        let own = Self::set_up(tempfile::tempdir().unwrap(), Settings::default(), Some(post));
+        own.fill();
+        own
+    }
+
     /// A server over what is in the folder `data` of a folder.
     pub fn over(folder: TempDir, settings: Settings) -> Self {
+        Self::set_up(folder, settings, None)
+    }
+
+    fn set_up(folder: TempDir, settings: Settings, post: Option<Post>) -> Self {
         let runtime = Builder::new_multi_thread().enable_all().build().unwrap();
         let clock = Arc::new(AtomicI64::new(BEGIN));
         let read = Arc::clone(&clock);
         let store = runtime.block_on(Store::serve(&Address::Folder(folder.path().join("data")))).unwrap();
         let clock_of_server = Clock::new(move || Moment::from_millis(read.load(Ordering::SeqCst)));
-        let courses = Courses::new(store.clone(), clock_of_server);
+        let courses = Courses::new(store.clone(), clock_of_server).with_post(post);
         let app = App::new(settings).unwrap().with_companion(Arc::new(courses));
         let [course, other] = [("Mechanics <1>", 1), ("Mechanics 2", 2)].map(|(title, number)| Course {
             key: Key::new([number; 16]),
@@ -198,7 +210,7 @@ impl University {
 
     /// A browser in which nobody has signed in.
     pub fn browser(&self) -> Browser<'_> {
-        Browser { university: self, cookie: None, from: None }
+        Browser { university: self, cookies: BTreeMap::new(), from: None }
     }
 
     /// A browser in which somebody has signed in by a link.
@@ -216,7 +228,8 @@ impl University {
         let expires = Moment::from_millis(BEGIN + DAY);
         let ticket = Ticket { hash, person: Self::key(login), kind: TicketKind::Session, reach, expires };
         self.wait(async |store| store.add_tickets(vec![ticket], Moment::from_millis(BEGIN), &[]).await.unwrap());
-        Browser { cookie: Some("momentous-session=token".to_owned()), ..self.browser() }
+        let cookies = [("momentous-session".to_owned(), "token".to_owned())].into();
+        Browser { cookies, ..self.browser() }
     }
 
     /// What so many browsers that ask at the same time get.
@@ -269,8 +282,8 @@ impl Browser<'_> {
 
     pub fn ask(&mut self, method: Method, address: &str, body: Option<String>, origin: Option<&str>) -> Answer {
         let mut request = Request::builder().method(method).uri(address).header("host", "localhost");
-        if let Some(cookie) = &self.cookie {
-            request = request.header("cookie", cookie);
+        for (name, token) in &self.cookies {
+            request = request.header("cookie", format!("{name}={token}"));
         }
         if let Some(origin) = origin {
             request = request.header("origin", origin);
@@ -290,7 +303,8 @@ impl Browser<'_> {
             Answer { status: parts.status.as_u16(), headers: parts.headers, text }
         });
         if let Some(cookie) = answer.header("set-cookie") {
-            self.cookie = Some(cookie.split(';').next().unwrap().to_owned());
+            let (name, token) = cookie.split(';').next().unwrap().split_once('=').unwrap();
+            self.cookies.insert(name.to_owned(), token.to_owned());
         }
         answer
     }

@@ -59,6 +59,17 @@ fn what_is_wrong_is_said_with_the_way_out() {
         (&["--bind", "127.0.0.1:9", "--metrics", "127.0.0.1:9"], "both to be served on 127.0.0.1:9", "--metrics"),
         (&["--data", "file"], "file is a file, and no folder", "--data"),
         (
+            &["--smtp", "smtp://127.0.0.1:1", "--mail-from", "a@b.c"],
+            "nothing says where readers reach it",
+            "--base-url",
+        ),
+        (
+            &["--base-url", "https://a.b", "--smtp", "smtp://127.0.0.1:1", "--mail-from", "a@b.c"],
+            "the server of mail cannot be used",
+            "compare --smtp",
+        ),
+        (&["--base-url", "https://a.b", "--smtp", "a.b", "--mail-from", "a@b.c"], "smtp://127.0.0.1:25", "examples"),
+        (
             &["--data", "postgres://u:hidden@127.0.0.1:1/d"],
             "PostgreSQL at 127.0.0.1:1/d: the database",
             "see whether the database runs",

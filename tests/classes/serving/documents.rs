@@ -52,7 +52,8 @@ fn every_command_and_option_exists() {
             assert!(offered.contains(option), "docs/serving.md:{line}: {asked:?} has no {option}");
         }
     }
-    let expected = ["", "backup", "check", "restore", "retention", "user add", "user link"].map(str::to_owned);
+    let expected =
+        ["", "backup", "check", "restore", "retention", "user add", "user link", "user mail"].map(str::to_owned);
     assert_eq!(met, BTreeSet::from(expected), "the page shows every command");
 }
 

@@ -23,7 +23,7 @@ fn started(data: Address, clock: &Arc<AtomicI64>) -> String {
     let clock = Clock::new(move || Moment::from_millis(read.load(Ordering::SeqCst)));
     let (tell, told) = channel();
     // It serves until the tests end.
-    thread::spawn(move || serve(settings, &data, clock, |address, _| tell.send(address.to_string()).unwrap()));
+    thread::spawn(move || serve(settings, &data, None, clock, |address, _| tell.send(address.to_string()).unwrap()));
     told.recv().unwrap()
 }
 

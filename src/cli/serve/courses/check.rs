@@ -5,6 +5,7 @@ use std::net::TcpListener;
 use std::time::SystemTime;
 
 use clap::Args;
+use tokio::runtime::{Builder, Runtime};
 
 use crate::bank::{Bank, load_in_course};
 use crate::course::Moment;
@@ -42,6 +43,7 @@ impl Check {
         findings.extend(self.addresses());
         if !self.setup.courses.no_courses {
             findings.extend(self.data()?);
+            findings.extend(self.mail()?);
         }
         let (style, mut output) = (Style::of_stdout(), Output::to(None)?);
         for finding in &findings {
@@ -125,6 +127,27 @@ impl Check {
         findings
     }
 
+    /// Whether the server of mail answers, and nobody else reads the letters.
+    fn mail(&self) -> Result<Vec<Finding>, Failure> {
+        let mail = &self.setup.courses.mail;
+        let post = match mail.post(&self.setup.settings()) {
+            Ok(Some(post)) => post,
+            Ok(None) => return Ok(Vec::new()),
+            Err(failure) => return Ok(vec![Finding::wrong(failure.to_string(), "docs/serving.md has examples")]),
+        };
+        let help = "compare --smtp with what whoever runs the server of mail says: its name, port, TLS, and your name and password there";
+        let mut findings = vec![match runtime()?.block_on(post.answers()) {
+            Ok(()) => Finding::fine("the server of mail answers"),
+            Err(reason) => Finding::wrong(format!("the server of mail cannot be used: {reason}"), help),
+        }];
+        if mail.is_readable() {
+            let help = "use smtps://, or add ?tls=required to the address";
+            findings
+                .push(Finding::wrong("links to sign in may go to the server of mail as anyone can read them", help));
+        }
+        Ok(findings)
+    }
+
     /// Whether the data can be used, are private, and agree with the clock.
     fn data(&self) -> Result<Vec<Finding>, Failure> {
         let address = &self.setup.courses.data.address;
@@ -135,9 +158,7 @@ impl Check {
         if findings.iter().any(Finding::is_wrong) && !is_there(address) {
             return Ok(findings);
         }
-        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-        let runtime = runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))?;
-        match runtime.block_on(Inspection::of(address)) {
+        match runtime()?.block_on(Inspection::of(address)) {
             Ok(inspection) => findings.extend(self.inspected(&inspection)),
             Err(fault) => findings.push(Finding::wrong(format!("{address}: {fault}"), help(address, &fault))),
         }
@@ -204,6 +225,11 @@ fn unsafe_setting(address: &Address, name: &str) -> Finding {
         format!("{address}: `{name}` is off, so that a loss of power can take away what students were told is kept"),
         format!("`ALTER SYSTEM SET {name} = on`, then `SELECT pg_reload_conf()`"),
     )
+}
+
+fn runtime() -> Result<Runtime, Failure> {
+    let runtime = Builder::new_current_thread().enable_all().build();
+    runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))
 }
 
 fn now() -> Moment {

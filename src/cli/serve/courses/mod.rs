@@ -6,6 +6,7 @@ mod data;
 mod finding;
 mod folder;
 mod health;
+mod mail;
 mod options;
 mod retention;
 mod user;

@@ -11,6 +11,7 @@ use crate::web::{self, NotServed, Settings};
 use super::super::super::failure::Failure;
 use super::super::unserved::failure;
 use super::data::Data;
+use super::mail::Mail;
 
 /// Where the data of courses are, unless there are to be none.
 #[derive(Args, Debug)]
@@ -20,6 +21,8 @@ pub(in crate::cli::serve) struct Courses {
     /// Serve practice and simulators only, and keep nothing
     #[arg(long)]
     pub(super) no_courses: bool,
+    #[command(flatten)]
+    pub(super) mail: Mail,
 }
 
 impl Courses {
@@ -29,10 +32,11 @@ impl Courses {
         settings: Settings,
         ready: impl FnOnce(SocketAddr, Option<String>),
     ) -> Result<(), Failure> {
+        let post = self.mail.post(&settings)?;
         let served = if self.no_courses {
             web::serve(settings, async { Ok(None) }, |address| ready(address, None))
         } else {
-            course_pages::serve(settings, &self.data.address, Clock::default(), ready)
+            course_pages::serve(settings, &self.data.address, post, Clock::default(), ready)
         };
         served.map_err(|reason| match reason {
             NotServed::Data(fault) => match fault.downcast::<StoreFault>() {

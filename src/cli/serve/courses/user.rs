@@ -3,9 +3,10 @@
 use clap::Args;
 use clap::Subcommand;
 
+use crate::course::MailAddress;
 use crate::course_pages::Clock;
 use crate::course_pages::invite;
-use crate::store::StoreFault;
+use crate::store::{Store, StoreFault};
 
 use super::super::super::exit::Exit;
 use super::super::super::failure::Failure;
@@ -23,6 +24,7 @@ pub(in crate::cli::serve) struct User {
 enum Command {
     Add(Add),
     Link(Link),
+    Mail(Mail),
 }
 
 /// Add a person, and print a link with which it signs in
@@ -49,6 +51,39 @@ struct Link {
     login: String,
 }
 
+/// Set the e-mail address of a person, to which links to sign in are sent
+#[derive(Args, Debug)]
+struct Mail {
+    #[command(flatten)]
+    data: Data,
+    /// The name by which the person signs in
+    login: String,
+    /// The address
+    #[arg(id = "mail_address", value_name = "ADDRESS", required_unless_present = "remove")]
+    address: Option<String>,
+    /// Remove the address that is saved
+    #[arg(long, conflicts_with = "mail_address")]
+    remove: bool,
+}
+
+impl Mail {
+    fn run(&self) -> Result<Exit, Failure> {
+        let address = self.address.as_deref().map(MailAddress::read).transpose();
+        let address = address.map_err(|fault| Failure::unusable(fault.to_string()))?;
+        let set =
+            async |store: Store| invite::set_address(&store, &self.login, address.as_ref(), &Clock::default()).await;
+        if !self.data.beside(set)? {
+            return Err(nobody(&self.login));
+        }
+        Output::whole(None, "The address is saved.\n")?;
+        Ok(Exit::Fine)
+    }
+}
+
+fn nobody(login: &str) -> Failure {
+    Failure::unusable(format!("nobody signs in as `{login}`"))
+}
+
 impl User {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let link = match &self.command {
@@ -61,7 +96,8 @@ impl User {
                 .beside(async |store| -> Result<_, StoreFault> {
                     invite::link(&store, login, &Clock::default()).await
                 })?
-                .ok_or_else(|| Failure::unusable(format!("nobody signs in as `{login}`")))?,
+                .ok_or_else(|| nobody(login))?,
+            Command::Mail(mail) => return mail.run(),
         };
         Output::whole(
             None,

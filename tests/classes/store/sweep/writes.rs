@@ -5,10 +5,10 @@ use std::fs;
 use std::pin::Pin;
 
 use momentous::course::{
-    Asker, Attempt, Code, Correction, CorrectionChoice, CourseCode, Draft, HintShown, Item, Key, Member, Moment,
-    Override, OverrideRule, Person, PlaceRequest, ProblemFile, Role, Sheet,
+    Asker, Attempt, Code, Correction, CorrectionChoice, CourseCode, Draft, HintShown, Item, Key, MailAddress, Member,
+    Moment, Override, OverrideRule, Person, PlaceRequest, ProblemFile, Role, Sheet,
 };
-use momentous::store::{HandIn, HandedIn, Reach, Regrade, Store, StoreFault, Ticket, TicketKind};
+use momentous::store::{HandIn, HandedIn, MailedLink, Reach, Regrade, Store, StoreFault, Ticket, TicketKind};
 
 use super::super::NOW;
 use super::super::sample::Sample;
@@ -130,6 +130,18 @@ writes! {
         let tickets = vec![ticket(&tried.own, "one"), ticket(&tried.own, "other")];
         done(store.add_tickets(tickets, NOW, &[tried.own.entry(117)]).await)
     };
+    set_mail_address: |store, tried| {
+        let entries = [tried.own.entry(131)];
+        done(store.set_mail_address(tried.own.student.key, Some(&address("new")), &entries).await)
+    };
+    add_mailed_links: |store, tried| {
+        let links = vec![mailed(&tried.own, "one"), mailed(&tried.own, "other")];
+        done(store.add_mailed_links(links, NOW).await)
+    };
+    take_mailed_link: |store, tried| {
+        let entries = [tried.own.entry(132)];
+        store.take_mailed_link("mailed", &address("ada"), ticket(&tried.own, "by mail"), &entries).await
+    };
     take_ticket: |store, tried| store.take_ticket("link", Some(ticket(&tried.own, "session")), &[tried.own.entry(118)]).await;
 }
 
@@ -145,6 +157,8 @@ impl Tried {
         store.save_draft(&draft(own.sheet.key, "1")).await.unwrap();
         store.set_points(Key::new([121; 16]), &points(&own), &own.entry(121)).await.unwrap();
         store.add_tickets(vec![ticket(&own, "link")], NOW, &[]).await.unwrap();
+        store.set_mail_address(own.student.key, Some(&address("ada")), &[]).await.unwrap();
+        store.add_mailed_links(vec![mailed(&own, "mailed")], NOW).await.unwrap();
         store.save_code(&code(&own, 1), &own.entry(122)).await.unwrap();
         store.ask_for_place(&request(&own, 124)).await.unwrap();
         Self { own, revision }
@@ -198,6 +212,14 @@ fn points(own: &Sample) -> Override {
 fn ticket(own: &Sample, hash: &str) -> Ticket {
     let expires = Moment::from_millis(NOW.millis() + 1000);
     Ticket { hash: hash.into(), person: own.student.key, kind: TicketKind::Session, reach: Reach::All, expires }
+}
+
+fn address(name: &str) -> MailAddress {
+    MailAddress::read(&format!("{name}@example.edu")).unwrap()
+}
+
+fn mailed(own: &Sample, hash: &str) -> MailedLink {
+    MailedLink { hash: hash.into(), person: own.student.key, address: address("ada"), expires: NOW.after(1000) }
 }
 
 /// The public methods in the sources of the store that call the writer.
