@@ -3,7 +3,6 @@
 use std::hash::Hash;
 use std::net::IpAddr;
 use std::num::NonZeroU32;
-use std::time::Duration;
 
 use governor::{DefaultKeyedRateLimiter, Quota, RateLimiter};
 use sha2::{Digest, Sha256};
@@ -23,9 +22,9 @@ const COMPARED_AT_ONCE: NonZeroU32 = NonZeroU32::new(900).expect("nine hundred")
 const ANSWERS: NonZeroU32 = NonZeroU32::new(60).expect("sixty");
 /// Answers that one person may have read in a minute, and at once: every pause while typing is one.
 const READINGS: NonZeroU32 = NonZeroU32::new(240).expect("two hundred and forty");
-/// Letters that are sent to one address at once, one more every five minutes.
-const LETTERS: NonZeroU32 = NonZeroU32::new(3).expect("three");
-const BETWEEN_LETTERS: Duration = Duration::from_mins(5);
+/// Letters that are sent to one address in an hour, and at once.
+const LETTERS: NonZeroU32 = NonZeroU32::new(12).expect("twelve");
+const LETTERS_AT_ONCE: NonZeroU32 = NonZeroU32::new(3).expect("three");
 /// Letters that are asked for from one address of the network in a minute; at once, those of a year's classes.
 const ASKED: NonZeroU32 = NonZeroU32::new(60).expect("sixty");
 const ASKED_AT_ONCE: NonZeroU32 = NonZeroU32::new(300).expect("three hundred");
@@ -47,7 +46,7 @@ impl Limits {
         Self {
             passwords: RateLimiter::keyed(Quota::per_minute(PASSWORDS)),
             compared: RateLimiter::keyed(Quota::per_minute(COMPARED).allow_burst(COMPARED_AT_ONCE)),
-            letters: RateLimiter::keyed(Quota::with_period(BETWEEN_LETTERS).expect("a time").allow_burst(LETTERS)),
+            letters: RateLimiter::keyed(Quota::per_hour(LETTERS).allow_burst(LETTERS_AT_ONCE)),
             asked: RateLimiter::keyed(Quota::per_minute(ASKED).allow_burst(ASKED_AT_ONCE)),
             answers: RateLimiter::keyed(Quota::per_minute(ANSWERS)),
             readings: RateLimiter::keyed(Quota::per_minute(READINGS)),

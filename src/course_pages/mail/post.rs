@@ -9,6 +9,8 @@ use lettre::{AsyncSmtpTransport, AsyncTransport, Message, Tokio1Executor};
 
 use momentous_course::MailAddress;
 
+use super::super::session;
+
 /// How long a server of mail may take for one letter.
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -65,7 +67,9 @@ impl Post {
 
     /// Sends a letter.
     pub(super) async fn send(&self, letter: Letter) -> Result<(), String> {
+        let number = session::secret();
         let message = Message::builder()
+            .message_id(Some(format!("<{number}@{}>", self.from.email.domain())))
             .from(self.from.clone())
             .to(Mailbox::new(None, letter.to.address().clone()))
             .subject(letter.subject)
