@@ -41,7 +41,7 @@ impl Check {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let mut findings = self.pages();
         findings.extend(self.addresses());
-        if !self.setup.courses.no_courses {
+        if !self.setup.courses.practice_only {
             findings.extend(self.data()?);
             findings.extend(self.mail()?);
         }
@@ -89,7 +89,7 @@ impl Check {
     /// Whether the addresses are free, and nothing goes readably through a network.
     fn addresses(&self) -> Vec<Finding> {
         let Setup { bind, base_url, trusted_proxy, metrics, courses, .. } = &self.setup;
-        let no_courses = courses.no_courses;
+        let practice_only = courses.practice_only;
         let mut findings = Vec::new();
         if self.running {
             findings.push(health::finding(*bind, &base_url.path));
@@ -106,13 +106,13 @@ impl Check {
             }
         }
         let is_reached = !bind.ip().is_loopback() || base_url.host.is_some();
-        if is_reached && !base_url.is_secure && !no_courses {
+        if is_reached && !base_url.is_secure && !practice_only {
             let help = "put a proxy with TLS before it, let it listen to that alone (--bind 127.0.0.1:8080), and name the address \
                 of the pages: --base-url https://physics.example.edu";
             let what = format!("passwords and answers go through the network as anyone can read them, to {bind}");
             findings.push(Finding::wrong(what, help));
         }
-        if base_url.host.is_some() && bind.ip().is_loopback() && trusted_proxy.is_empty() && !no_courses {
+        if base_url.host.is_some() && bind.ip().is_loopback() && trusted_proxy.is_empty() && !practice_only {
             let help = "name the proxy: --trusted-proxy 127.0.0.1";
             let what = "every reader seems to come from the proxy, so that whoever tries passwords for a name keeps its owner out";
             findings.push(Finding::wrong(what, help));

@@ -10,7 +10,7 @@ use super::super::super::failure::Failure;
 /// The server of mail, where links to sign in are sent by one.
 #[derive(Args, Debug)]
 pub(super) struct Mail {
-    /// The server that takes letters with links to sign in, such as smtps://name:password@mail.example.edu
+    /// The server that takes letters with links to sign in, such as `smtps://name:password@mail.example.edu`
     #[arg(long, value_name = "URL", env = "MOMENTOUS_SMTP", hide_env_values = true, requires = "mail_from")]
     pub(super) smtp: Option<String>,
     /// Who those letters are from, such as "Momentous <momentous@example.edu>"

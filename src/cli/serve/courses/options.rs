@@ -19,8 +19,8 @@ pub(in crate::cli::serve) struct Courses {
     #[command(flatten)]
     pub(super) data: Data,
     /// Serve practice and simulators only, and keep nothing
-    #[arg(long)]
-    pub(super) no_courses: bool,
+    #[arg(long = "no-courses")]
+    pub(super) practice_only: bool,
     #[command(flatten)]
     pub(super) mail: Mail,
 }
@@ -33,7 +33,7 @@ impl Courses {
         ready: impl FnOnce(SocketAddr, Option<String>),
     ) -> Result<(), Failure> {
         let post = self.mail.post(&settings)?;
-        let served = if self.no_courses {
+        let served = if self.practice_only {
             web::serve(settings, async { Ok(None) }, |address| ready(address, None))
         } else {
             course_pages::serve(settings, &self.data.address, post, Clock::default(), ready)
