@@ -72,7 +72,10 @@ fn take(stream: &TcpStream, put: &Sender<String>) {
                 let letter: Vec<String> = lines.by_ref().take_while(|line| line != ".").collect();
                 put.send(letter.join("\n")).is_ok() && say("250 taken")
             }
-            "QUIT" => say("221 bye") && false,
+            "QUIT" => {
+                say("221 bye");
+                false
+            }
             _ => say("250 fine"),
         };
         if !goes_on {
