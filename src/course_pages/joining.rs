@@ -13,7 +13,7 @@ use super::staff::{Form, person_form};
 use super::visit::Visit;
 
 /// Requests that may wait in a course: more than any course has students who have not been confirmed.
-const MANY: usize = 1000;
+const MANY: i64 = 1000;
 
 /// The fields of somebody whom nobody knows yet, which are shown again where one is at fault. A password never is.
 const FIELDS: [&str; 3] = ["login", "name", "new"];
@@ -70,7 +70,10 @@ pub(super) async fn ask_page(visit: &Visit) -> Result<Reply, NotShown> {
 /// Keeps the request.
 pub(super) async fn ask(visit: &Visit) -> Result<Reply, NotShown> {
     let Some(course) = course(visit).await? else { return unknown(visit, visit.part("code")).await };
-    if visit.store().place_requests(course.key).await?.len() >= MANY {
+    if visit.visitor.is_none() {
+        visit.courses.limits.compared(visit.from)?;
+    }
+    if visit.store().waiting(course.key).await? >= MANY {
         let message = "many people wait for a place in this course; tell whoever teaches it";
         return Err(NotShown::NotPossible(message.to_owned()));
     }
@@ -89,7 +92,6 @@ pub(super) async fn ask(visit: &Visit) -> Result<Reply, NotShown> {
             if !faults.is_empty() {
                 return joined(visit, course, Standing::New(form.with(&faults))).await.map(Reply::wrong);
             }
-            visit.courses.limits.compared(visit.from)?;
             let (login, name) = (form.value("login").to_owned(), form.value("name").to_owned());
             let password = visit.work(move |_| Ok(password::hash(&new))).await?;
             let password = password.ok_or_else(|| NotShown::field("the password cannot be kept; take another"))?;

@@ -1,6 +1,6 @@
 //! Codes with which people ask for a place in a course, and who has asked.
 
-use sqlx::query;
+use sqlx::{Row, query};
 
 use momentous_course::{Code, Course, CourseCode, Key, Member, Moment, Person, PlaceRequest};
 
@@ -75,6 +75,16 @@ impl Store {
     pub async fn place_requests(&self, course: Key<Course>) -> Result<Vec<PlaceRequest>, StoreFault> {
         let statement = query("SELECT data FROM place_request WHERE course = $1 ORDER BY at, key");
         self.records(statement.bind(course.to_string())).await
+    }
+
+    /// How many wait for a place in a course.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn waiting(&self, course: Key<Course>) -> Result<i64, StoreFault> {
+        let statement = query("SELECT COUNT(*) FROM place_request WHERE course = $1").bind(course.to_string());
+        let rows = self.rows(statement).await?;
+        Ok(rows.first().map(|row| row.try_get(0)).transpose()?.unwrap_or_default())
     }
 
     /// Takes requests away, and keeps the people who come into the course by them, each new one with the hash of a password. Nothing is
