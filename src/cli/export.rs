@@ -61,6 +61,9 @@ pub(super) struct Export {
     /// How many variants of each problem: the seed and those after it
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     count: u64,
+    /// How the quiz is called where the file is one; its problems and the code of its first variant if nothing is said
+    #[arg(long, value_name = "TITLE")]
+    title: Option<String>,
     /// How mathematics is written, where the target leaves a choice
     #[arg(long, value_name = "HOW")]
     math: Option<Mathematics>,
@@ -125,7 +128,7 @@ impl Export {
         let mut held: BTreeMap<Feature, u64> = BTreeMap::new();
         let mut output = Output::to(self.output.as_deref())?;
         let mut codes = String::new();
-        let mut file = target.begin(Box::new(&mut output), markup)?;
+        let mut file = target.begin(Box::new(&mut output), markup, &self.title(&asked))?;
         for Asked { problem, form, slot } in &asked {
             let refused = |seed, reason| Failure::no_variant(problem.id(), seed, &reason);
             let mut drawer = Drawer::new(problem, *form).map_err(|reason| refused(self.seed, reason))?;
@@ -153,6 +156,20 @@ impl Export {
         }
         tell(&report(&held, target));
         Ok(Exit::Fine)
+    }
+
+    /// How the quiz is called: no two with different variants in the same way.
+    fn title(&self, asked: &[Asked]) -> String {
+        let usual = || {
+            let first = asked.first()?;
+            let form = first.problem.forms().get(first.form).and_then(|form| form.question.name.clone());
+            let more = asked.len().checked_sub(1).filter(|more| *more > 0).map(|more| format!("{more} more"));
+            let seed = first.slot.as_ref().map_or(self.seed, |slot| slot.numbered_seed(self.seed));
+            let title = first.problem.title().to_owned();
+            let words = [Some(title), form, more, Some(first.problem.code(first.form, seed))];
+            Some(words.into_iter().flatten().collect::<Vec<_>>().join(", "))
+        };
+        self.title.clone().or_else(usual).unwrap_or_default()
     }
 
     /// The problems with their forms; those of a homework have its points.

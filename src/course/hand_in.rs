@@ -11,6 +11,7 @@ use momentous_grade::Entry;
 use momentous_grade::History;
 use momentous_grade::PartHistory;
 use momentous_grade::PartReport;
+use momentous_problem::Part;
 use momentous_quantity::Rational;
 
 use super::handed_in::HintShown;
@@ -118,6 +119,23 @@ impl HandIn<'_> {
         self.is_new()?;
         let stored = self.marked(late);
         Ok(Accepted { shown: stored.shown(self.window, self.at), stored })
+    }
+
+    /// What is asked back before anything is marked: a new answer has fewer figures than the sheet asks for. It does not depend on
+    /// what is right, and where nobody can be asked, as at a draft that is taken when the time is over, the answer is marked.
+    #[must_use]
+    pub fn asked_back(&self) -> Option<String> {
+        let history = self.last.map(|last| last.history.parts()).unwrap_or_default();
+        let parts = self.exercise.worked().form.parts.iter().enumerate();
+        let asked = |(place, part): (usize, &Part)| {
+            let text = self.text(&part.id)?;
+            let is_new = history.get(place).is_none_or(|own| own.text() != text);
+            let figures = self.exercise.figures_wanted(part, text, self.decimal).filter(|_| is_new)?;
+            let label = ('a'..='z').cycle().nth(place)?;
+            Some(format!("({label}) is to have {figures} significant figures"))
+        };
+        let all: Vec<String> = parts.filter_map(asked).collect();
+        (!all.is_empty()).then(|| all.join(", "))
     }
 
     /// Whether something is typed that would be marked.

@@ -23,15 +23,18 @@ pub(super) fn echo(worked: Worked<'_>, part: &Part, text: &str, mark: DecimalMar
         let Reading { answer, told } = Reading::of(text, &asked.kind, mark)?;
         Some(if answer.is_ok() { Ok(told) } else { Err(told) })
     };
+    let values = values(worked, part, text);
+    let values: Option<Result<Vec<String>, String>> = values.iter().map(|value| read(value)).collect();
+    values.map(|read| read.map(|values| values.join(ROOTS_JOINED)))
+}
+
+/// The values in an answer to a part: where several are asked, each as a text of its own.
+pub(super) fn values(worked: Worked<'_>, part: &Part, text: &str) -> Vec<String> {
     let values = match &part.kind {
         PartKind::Number(number) if number.every_root || worked.variant.has_others() => grade::read_several(text),
         _ => Vec::new(),
     };
-    if values.len() < 2 {
-        return read(text);
-    }
-    let values: Option<Result<Vec<String>, String>> = values.iter().map(|value| read(value)).collect();
-    values.map(|read| read.map(|values| values.join(ROOTS_JOINED)))
+    if values.len() < 2 { vec![text.to_owned()] } else { values }
 }
 
 impl Exercise {

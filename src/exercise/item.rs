@@ -1,8 +1,10 @@
 //! A variant with all that marks it elsewhere: what every export reads, and none computes.
 
+use momentous_explain as explain;
 use momentous_explain::Audience;
 use momentous_explain::Detail;
 use momentous_explain::Outline;
+use momentous_expr::Math;
 use momentous_grade as grade;
 use momentous_grade::ExpectedKind;
 use momentous_grade::Message;
@@ -12,7 +14,6 @@ use momentous_grade::Verdict;
 use momentous_grade::VerdictWindow;
 use momentous_grade::catalogue::{Catalogue, English};
 use momentous_grade::diagnose;
-use momentous_problem::FormulaPart;
 use momentous_problem::Mistake;
 use momentous_problem::NumberPart;
 use momentous_problem::Part;
@@ -74,7 +75,12 @@ pub enum ItemAnswers {
     /// By each of several values, from the smallest.
     Roots(Vec<NumberItem>),
     /// By each component.
-    Vector(Vec<NumberItem>),
+    Vector {
+        /// The letters of the axes.
+        axes: Vec<String>,
+        /// The component along each.
+        components: Vec<NumberItem>,
+    },
     /// By the phrase.
     Choice {
         /// The phrases.
@@ -86,10 +92,12 @@ pub enum ItemAnswers {
         /// What is said of each that is wrong: a question first, then a hint.
         wrong: Vec<Vec<String>>,
     },
-    /// By the formula: the right one is the printed one.
+    /// By the formula.
     Formula {
+        /// The right one.
+        right: FormulaItem,
         /// What usual mistakes lead to, each with what is said of it.
-        mistaken: Vec<(String, String)>,
+        mistaken: Vec<(FormulaItem, String)>,
     },
     /// By its ends.
     Interval {
@@ -98,6 +106,15 @@ pub enum ItemAnswers {
         /// The upper end; none where it is open to infinity.
         high: Option<Box<NumberItem>>,
     },
+}
+
+/// A formula, as it is typed and as it is printed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FormulaItem {
+    /// As it is typed.
+    pub text: String,
+    /// As it is printed; none where it has no value.
+    pub math: Option<Math>,
 }
 
 /// A number that is asked.
@@ -111,6 +128,8 @@ pub struct NumberItem {
     pub turn: Option<f64>,
     /// Whether only whole numbers count.
     pub whole: bool,
+    /// The words for a positive and for a negative value, of what has a direction.
+    pub senses: Option<[String; 2]>,
     /// The significant figures of the printed answer.
     pub figures: usize,
     /// The points of the right number without its unit.
@@ -190,9 +209,12 @@ impl Exercise {
                 let component = |(own, number): (&grade::ExpectedNumber, &NumberPart)| {
                     self.number_item(part, own, &self.mistaken(number, own, simulated))
                 };
-                ItemAnswers::Vector(expected.components.iter().zip(&vector.components).map(component).collect())
+                ItemAnswers::Vector {
+                    axes: vector.axes.iter().map(|axis| (*axis).to_owned()).collect(),
+                    components: expected.components.iter().zip(&vector.components).map(component).collect(),
+                }
             }
-            (ExpectedKind::Choice { options, right, because }, kind) => {
+            (ExpectedKind::Choice { options, right, because, .. }, kind) => {
                 let decision = match kind {
                     PartKind::Choice(choice) => Some(choice.decided(&self.worked())),
                     _ => None,
@@ -201,7 +223,10 @@ impl Exercise {
                 let wrong = (0..options.len()).map(|option| hints(option).unwrap_or_default()).collect();
                 ItemAnswers::Choice { options, right, because, wrong }
             }
-            (_, PartKind::Formula(formula)) => ItemAnswers::Formula { mistaken: self.mistaken_formulas(part, formula) },
+            (_, PartKind::Formula(formula)) => ItemAnswers::Formula {
+                right: FormulaItem { text: self.printed(part), math: explain::printed_formula(self.worked(), formula) },
+                mistaken: self.mistaken_formulas(part, formula),
+            },
             (ExpectedKind::Interval(expected), _) => {
                 let end = |own: &Option<grade::ExpectedEnd>| {
                     own.as_ref().map(|own| Box::new(self.number_item(part, &own.number, &[])))
@@ -209,7 +234,7 @@ impl Exercise {
                 ItemAnswers::Interval { low: end(&expected.low), high: end(&expected.high) }
             }
             // Marking expects of each kind of part an answer of its own kind.
-            _ => ItemAnswers::Formula { mistaken: Vec::new() },
+            _ => ItemAnswers::Formula { right: FormulaItem::default(), mistaken: Vec::new() },
         }
     }
 
@@ -244,6 +269,7 @@ impl Exercise {
             unit: expected.unit.clone(),
             turn: turn(expected),
             whole: expected.whole,
+            senses: expected.senses.clone(),
             figures: expected.figures,
             without_unit: rubric.points(Verdict::UnitMissing, part.points),
             windows,
@@ -318,22 +344,6 @@ impl Exercise {
         }
         (codes, feedback)
     }
-
-    fn mistaken_formulas(&self, part: &Part, formula: &FormulaPart) -> Vec<(String, String)> {
-        let worked = self.worked();
-        let symbols = &self.problem.notation().table(&self.problem.model().symbols);
-        let right = self.printed(part);
-        let mut all: Vec<(String, String)> = Vec::new();
-        for mistake in worked.mistakes() {
-            for wrong in worked.mistaken_formulas(mistake, formula.symbol) {
-                let text = wrong.text(symbols);
-                if text != right && !all.iter().any(|(own, _)| *own == text) {
-                    all.push((text, hints_on(worked, &[mistake]).into_iter().next().unwrap_or_default()));
-                }
-            }
-        }
-        all
-    }
 }
 
 fn number_expected(expected: grade::Expected) -> Option<grade::ExpectedNumber> {
@@ -343,12 +353,12 @@ fn number_expected(expected: grade::Expected) -> Option<grade::ExpectedNumber> {
     }
 }
 
-/// What marking says of a slip.
+/// What is said of a slip where a number is all that can be typed: no words are advised.
 fn slip(verdict: Verdict, expected: &grade::ExpectedNumber) -> Option<String> {
     let message = match verdict {
         Verdict::UnitPrefix => Message::UnitPrefix,
         Verdict::OrderOfMagnitude => Message::OrderOfMagnitude,
-        Verdict::Sense => Message::Sense(expected.senses.clone()),
+        Verdict::Sense => Message::Sense(None),
         Verdict::SenseReversed => Message::reversed(expected.senses.as_ref()),
         Verdict::RightWithNote => Message::NegativeMagnitude,
         Verdict::AngleReversed

@@ -1,5 +1,6 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
+mod asked_back;
 mod attempts;
 pub mod calls;
 mod changed;
@@ -16,6 +17,8 @@ mod item;
 mod marker;
 mod marking;
 mod names;
+mod note;
+mod offered_formulas;
 mod printable;
 mod record;
 mod roots;
@@ -70,7 +73,7 @@ pub use attempts::Try;
 pub use forms::{FormLabel, titled};
 pub use issue::{Issued, Remark};
 pub use issued::{Derivation, SeedSource, VariantRef};
-pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
+pub use item::{FormulaItem, Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
 pub use momentous_work::{JudgedLine, Letter, Verdict as WorkVerdict};
 pub use roster::{KnownBy, Student};
@@ -235,22 +238,6 @@ impl Exercise {
             AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
             AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
             AskedUnit::InTermsOf(symbol, _) => Some(self.problem.math_of(*symbol)),
-        }
-    }
-
-    /// Constants that the sheet must state: g, where a step uses it and the file leaves it to its default.
-    fn note(&self) -> Vec<Inline> {
-        let symbols = &self.problem.model().symbols;
-        let Some(gravity) = symbols.find("g") else { return Vec::new() };
-        let used = self.worked().leaf().answer_steps().iter().any(|step| {
-            step.roots.iter().flat_map(|root| &root.values).any(|(_, closed)| closed.symbols().contains(&gravity))
-        });
-        let printed = self.problem.loaded().given.get("g").is_some();
-        match self.variant.given(gravity) {
-            Some((value, unit)) if used && !printed => {
-                vec![Inline::Text(format!("Take g = {}.", momentous_problem::say_quantity(&value, &unit)))]
-            }
-            _ => Vec::new(),
         }
     }
 

@@ -78,7 +78,8 @@ enum BlankKind {
     /// The boundary of the interval. The ends are known with the numbers.
     Interval(Box<(grade::ExpectedNumber, RangePart)>),
     Formula(FormulaPart),
-    Choice(ChoicePart),
+    /// The question, and what can be chosen.
+    Choice(String, ChoicePart),
 }
 
 impl Marker {
@@ -149,7 +150,7 @@ impl Blank {
             }
             PartKind::Range(range) => BlankKind::Interval(Box::new((number(&range.number), range.clone()))),
             PartKind::Formula(formula) => BlankKind::Formula(formula.clone()),
-            PartKind::Choice(choice) => BlankKind::Choice(choice.clone()),
+            PartKind::Choice(choice) => BlankKind::Choice(part.label.clone(), choice.clone()),
         };
         Self { id: part.id.clone(), points: part.points, kind, readings: Readings::default() }
     }
@@ -193,9 +194,9 @@ impl Blank {
                 grade::ExpectedKind::Interval(Box::new(grade::ExpectedInterval { name, low, high, unit }))
             }
             BlankKind::Formula(formula) => expected_formula(worked, formula),
-            BlankKind::Choice(choice) => {
+            BlankKind::Choice(question, choice) => {
                 let problem::Decision { options, right, because, .. } = choice.decided(&worked);
-                grade::ExpectedKind::Choice { options, right, because }
+                grade::ExpectedKind::Choice { question: question.clone(), options, right, because }
             }
         };
         grade::Expected { id: self.id.clone(), points: self.points, kind }
@@ -235,7 +236,8 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
     };
     let hangs = rules.problem.hanging(number.symbol).map(|senses| [senses.positive, senses.negative]);
     let axis = rules.problem.axis(number.symbol);
-    let called = grade::Called { name: part.id.clone(), axis, hangs, multiple_of };
+    let motion = rules.problem.told_motion(rules.form, number.symbol);
+    let called = grade::Called { name: part.id.clone(), axis, hangs, motion, multiple_of };
     let cyclic = is_direction(rules, part, number) && unit.is_plain_angle();
     let is_positive = rules.reference(part).is_none() && rules.problem.model().system.positive.contains(&number.symbol);
     grade::ExpectedNumber {

@@ -27,9 +27,9 @@ impl Band<'_> {
         self.share >= 1.0
     }
 
-    /// Half its width, rounded up, so that both ends belong to what is within it of the middle.
-    pub fn reach(&self) -> f64 {
-        (self.high - self.low) / 2.0 + 4.0 * f64::EPSILON * self.low.abs().max(self.high.abs())
+    /// How far its ends lie from a value within it, rounded up, so that both belong to what is no further away.
+    pub fn reach_from(&self, value: f64) -> f64 {
+        (value - self.low).max(self.high - value) + 4.0 * f64::EPSILON * self.low.abs().max(self.high.abs())
     }
 
     /// Whether another one earns the same, and the same is said of it.

@@ -13,7 +13,7 @@ const WINDOW: Place =
     Whole("the smallest and the largest value of what is right, of each slip and of each usual mistake");
 const NOT_TYPED: Place = Instead("printed behind the field, not typed");
 const COMPONENTS: Place = Instead("a field for each component, marked by itself");
-const ROOTS: Place = Instead("a field for each, from the smallest, marked by itself");
+const ROOTS: Place = Instead("a field for each, from the smallest as the fields say, marked by itself");
 const ENDS: Place = Instead("a field for each end; whether the end belongs to it is not asked");
 const CHOICE: Place = Instead("a choice among the right one and those of usual mistakes");
 const PICTURES: Place = Instead("the pictures below the statement, a choice among their names");
@@ -36,7 +36,7 @@ pub const FEATURES: [Row; 17] = [
             Whole(
                 "the smallest and the largest value of what is right, of each slip and of each usual mistake, compared in server.py",
             ),
-            Instead("the middle of what is right, and one tolerance"),
+            Instead("the right value as it is printed, and one tolerance"),
         ],
     ),
     (
@@ -94,7 +94,7 @@ pub const FEATURES: [Row; 17] = [
             Whole("a multiple choice question"),
             Whole("a part of the kind \"choose one\""),
             Whole("pl-multiple-choice"),
-            Instead("the kind schoice, without feedback"),
+            Instead("the kind schoice, alone or within cloze, without feedback"),
         ],
     ),
     (Feature::Pictures, "choices between pictures", [PICTURES; 7]),

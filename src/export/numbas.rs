@@ -15,7 +15,7 @@ use super::NotWritten;
 use super::band::{Band, bands};
 use super::field::{Asked, Choice, Field};
 use super::printable;
-use super::question::{Asking, Pictures, Question, said};
+use super::question::{Asking, Pictures, Question, TypedUnit, said};
 
 const MARKUP: Markup = Markup::MathMl;
 
@@ -34,9 +34,10 @@ struct Numbas<W: Write> {
 }
 
 /// Begins an exam.
-pub(super) fn begin<'w>(mut out: Box<dyn Write + 'w>) -> Begun<'w> {
+pub(super) fn begin<'w>(mut out: Box<dyn Write + 'w>, title: &str) -> Begun<'w> {
     out.write_all(HEAD.as_bytes())?;
-    out.write_all(b"{\"name\":\"momentous\",\"metadata\":{\"description\":\"\",\"licence\":\"None specified\"},\n")?;
+    let name = json!(plain_name(title));
+    writeln!(out, "{{\"name\":{name},\"metadata\":{{\"description\":\"\",\"licence\":\"None specified\"}},")?;
     out.write_all(b"\"duration\":0,\"percentPass\":50,\"showQuestionGroupNames\":false,\n")?;
     out.write_all(b"\"shuffleQuestionGroups\":false,\"question_groups\":[\n")?;
     Ok(Box::new(Numbas { out, group: String::new(), count: 0 }))
@@ -50,7 +51,7 @@ impl<W: Write> Export for Numbas<W> {
         } else {
             self.end_group()?;
             let between = if self.group.is_empty() { "" } else { ",\n" };
-            let name = json!(group);
+            let name = json!(plain_name(&question.form_title()));
             write!(self.out, "{between}{{\"name\":{name},\"pickingStrategy\":\"random-subset\",\"pickQuestions\":1,")?;
             self.out.write_all(b"\"questions\":[\n")?;
             self.group = group;
@@ -97,7 +98,9 @@ fn question(question: &Question<'_>) -> Result<Value, Faults> {
     let mut pictures = Pictures::new("", |markup, own| {
         markup.picture(&format!("data:image/svg+xml;base64,{}", base64(own.svg.as_bytes())), own.drawing)
     });
-    let statement = question.statement(MARKUP, &mut pictures)? + &question.code(MARKUP, None);
+    let statement = question.statement(MARKUP, &mut pictures)?;
+    let writing = question.writing(MARKUP, TypedUnit::Never);
+    let statement = statement + &writing + &question.code(MARKUP, None);
     let advice = question.solution(MARKUP, &mut pictures)?;
     let labelled = question.asked.len() > 1;
     let mut parts: Vec<Value> = question.fields().map(|(asking, field)| part(asking, field, labelled)).collect();
@@ -107,8 +110,7 @@ fn question(question: &Question<'_>) -> Result<Value, Faults> {
         first["steps"] = hints.iter().map(step).collect();
         first["stepsPenalty"] = json!(question.item.hint_penalty.to_f64().value() * f64::from(question.weight()));
     }
-    // In a name, too, something would be substituted for what stands in braces.
-    let name = printable(&question.item.sheet.title).replace(['{', '}'], "");
+    let name = plain_name(&question.title());
     Ok(json!({
         "name": name,
         "tags": ["momentous"],
@@ -121,7 +123,12 @@ fn question(question: &Question<'_>) -> Result<Value, Faults> {
 }
 
 fn part(asking: &Asking<'_>, field: &Field<'_>, labelled: bool) -> Value {
-    let asked = format!("{} {}", asking.question(MARKUP, labelled), field.caption);
+    let caption = if field.caption.is_empty() {
+        String::new()
+    } else {
+        format!(" \u{2013} {}", field.caption.trim_end_matches(':'))
+    };
+    let asked = asking.question(MARKUP, labelled) + &MARKUP.text(&caption);
     let unit = asking.unit(MARKUP);
     let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
     let prompt = literal(&MARKUP.paragraph(&(asked + &unit)));
@@ -172,10 +179,15 @@ fn choice(options: &[Choice<'_>], weight: u32) -> Value {
     json!({
         "type": "1_n_2", "marks": 0, "minMarks": 0, "maxMarks": 0, "shuffleChoices": false,
         "displayType": "radiogroup", "displayColumns": 0, "showCellAnswerState": true,
-        "choices": options.iter().map(|own| literal(&MARKUP.line(own.text))).collect::<Vec<_>>(),
+        "choices": options.iter().map(|own| literal(&own.shown(MARKUP))).collect::<Vec<_>>(),
         "matrix": matrix.collect::<Vec<_>>(),
         "distractors": options.iter().map(|own| literal(&said(MARKUP, std::slice::from_ref(&own.feedback)))).collect::<Vec<_>>(),
     })
+}
+
+/// A name: in one, too, something would be substituted for what stands in braces.
+fn plain_name(name: &str) -> String {
+    printable(name).replace(['{', '}'], "")
 }
 
 /// HTML in which nothing is substituted.

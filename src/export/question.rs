@@ -78,11 +78,11 @@ impl<'i> Question<'i> {
             held.extend(match &part.answers {
                 ItemAnswers::Number(_) => None,
                 ItemAnswers::Roots(_) => Some(Feature::Roots),
-                ItemAnswers::Vector(_) => Some(Feature::Vectors),
+                ItemAnswers::Vector { .. } => Some(Feature::Vectors),
                 ItemAnswers::Interval { .. } => Some(Feature::Intervals),
                 ItemAnswers::Choice { .. } if part.field.pictures.is_empty() => Some(Feature::Choices),
                 ItemAnswers::Choice { .. } => Some(Feature::Pictures),
-                ItemAnswers::Formula { mistaken } if mistaken.is_empty() => Some(Feature::LoneFormulas),
+                ItemAnswers::Formula { mistaken, .. } if mistaken.is_empty() => Some(Feature::LoneFormulas),
                 ItemAnswers::Formula { .. } => Some(Feature::Formulas),
             });
         }
@@ -122,6 +122,36 @@ impl<'i> Question<'i> {
         let name = name.into_iter().flatten().map(String::as_str).collect::<Vec<_>>().join("-");
         let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
         name.chars().map(plain).collect()
+    }
+
+    /// How the variant is called: by its title, its form and its code.
+    pub(super) fn title(&self) -> String {
+        let code = Some(&self.item.code).filter(|code| !code.is_empty());
+        let words = [Some(&self.item.sheet.title), self.item.identity.form.as_ref(), code];
+        words.into_iter().flatten().map(String::as_str).collect::<Vec<_>>().join(", ")
+    }
+
+    /// How all variants of the form are called.
+    pub(super) fn form_title(&self) -> String {
+        let words = [Some(&self.item.sheet.title), self.item.identity.form.as_ref()];
+        words.into_iter().flatten().map(String::as_str).collect::<Vec<_>>().join(", ")
+    }
+
+    /// How numbers are written here; nothing where none is asked.
+    pub(super) fn writing(&self, markup: Markup, unit: TypedUnit) -> String {
+        let numbers = || self.fields().filter(|(_, field)| matches!(field.asked, Asked::Number(_)));
+        if numbers().next().is_none() {
+            return String::new();
+        }
+        let has_unit = numbers().any(|(asking, _)| asking.part.field.unit.is_some());
+        let unit = match unit {
+            TypedUnit::Behind if has_unit => ", and its unit behind it",
+            TypedUnit::Never if has_unit => ", and no unit, which stands beside the field",
+            TypedUnit::Behind | TypedUnit::Never => "",
+        };
+        let said =
+            format!("Type a number with a point for the decimals (2.50), a hyphen for a minus sign (-2.50){unit}.");
+        markup.paragraph(&markup.text(&said))
     }
 
     /// The statement with its figure, and what to take for constants.
@@ -164,11 +194,41 @@ impl<'i> Question<'i> {
     }
 }
 
+/// Whether a unit is typed behind a number.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum TypedUnit {
+    /// It is.
+    Behind,
+    /// It is printed beside the field.
+    Never,
+}
+
 impl Asking<'_> {
-    /// What is asked, with its label where the question has other parts.
+    /// What is asked, with its label where the question has other parts, and with what a sign says.
     pub(super) fn question(&self, markup: Markup, labelled: bool) -> String {
         let label = if labelled { format!("({}) ", self.part.field.label) } else { String::new() };
-        markup.text(&label) + &markup.inline(&self.part.field.question)
+        markup.text(&label) + &markup.inline(&self.part.field.question) + &markup.text(&self.signs())
+    }
+
+    /// What a positive and a negative value say, of what has a direction.
+    fn signs(&self) -> String {
+        let number = |field: &Field<'_>| match &field.asked {
+            Asked::Number(number) => number.senses.clone(),
+            Asked::Choice(_) => None,
+        };
+        let said = |field: &Field<'_>| {
+            let [plus, minus] = number(field)?;
+            let of =
+                if self.fields.len() > 1 && !self.is_of_roots() { field.caption.trim_end_matches(':') } else { "" };
+            Some(format!("{of} positive {plus}, negative {minus}").trim_start().to_owned())
+        };
+        let mut all: Vec<String> = self.fields.iter().filter_map(said).collect();
+        all.dedup();
+        if all.is_empty() { String::new() } else { format!(" ({})", all.join("; ")) }
+    }
+
+    fn is_of_roots(&self) -> bool {
+        matches!(self.part.answers, ItemAnswers::Roots(_))
     }
 
     /// What stands behind each of its fields.
@@ -189,6 +249,8 @@ pub(super) struct Pictures {
     place: fn(Markup, &Picture<'_>) -> String,
     /// Their names and contents.
     pub files: Vec<(String, String)>,
+    /// The same for LaTeX.
+    pub tikz: Vec<String>,
 }
 
 /// A picture that is to be shown.
@@ -201,7 +263,7 @@ pub(super) struct Picture<'p> {
 impl Pictures {
     /// Pictures whose names begin so. `place` writes what shows one of them.
     pub fn new(prefix: impl Into<String>, place: fn(Markup, &Picture<'_>) -> String) -> Self {
-        Self { prefix: prefix.into(), place, files: Vec::new() }
+        Self { prefix: prefix.into(), place, files: Vec::new(), tikz: Vec::new() }
     }
 
     /// Pictures that are addressed by their names.
@@ -214,6 +276,7 @@ impl Pictures {
         let svg = figure::svg_file(drawing);
         let shown = (self.place)(markup, &Picture { drawing, name: &name, svg: &svg });
         self.files.push((name, svg));
+        self.tikz.push(figure::tikz(drawing));
         shown
     }
 }

@@ -3,25 +3,37 @@
 use std::io::Write;
 
 use momentous_render::Markup;
+use momentous_render::latex_sign;
 
 use super::Export;
 use super::NotWritten;
-use super::band::{Band, bands};
+use super::band::{bands, printed};
 use super::field::{Asked, Field};
 use super::package::Package;
 use super::printable;
-use super::question::{Asking, Pictures, Question};
+use super::question::{Asking, Pictures, Question, TypedUnit};
 
 const MARKUP: Markup = Markup::Markdown;
+
+/// Signs that LaTeX prints as they are.
+const LATIN: std::ops::RangeInclusive<char> = '\0'..='\u{ff}';
+const EM_SPACE: char = '\u{2003}';
 
 /// What stands before the variants. Text of problems stands only in strings of R, where knitr runs no code in it.
 const HEAD: &str = "```{r variants, echo = FALSE, results = \"hide\"}\nvariants <- list(\n";
 
-/// What stands behind them.
-const REST: &str = "\
+/// Behind the variants: one of them is drawn. LaTeX reads no SVG, so that there the figures are made of `TikZ`.
+const DRAWN: &str = "\
 )
 variant <- variants[[sample(length(variants), 1)]]
-for (name in names(variant$figures)) writeLines(variant$figures[[name]], name, useBytes = TRUE)
+is_latex <- identical(exams::match_exams_device(), \"pdf\")
+for (name in names(variant$figures)) {
+  figure <- variant$figures[[name]]
+  if (is_latex) exams::include_tikz(figure$tikz, name = name, format = \"pdf\", markup = \"none\")
+  else writeLines(figure$svg, paste0(name, \".svg\"), useBytes = TRUE)
+}
+if (is_latex) for (text in c(\"question\", \"solution\", \"answers\"))
+  variant[[text]] <- gsub(\"(momentous-[a-z]+-[0-9]+)[.]svg\", \"\\\\1.pdf\", variant[[text]])
 ```
 
 Question
@@ -31,6 +43,10 @@ Question
 cat(variant$question)
 ```
 
+";
+
+/// The fields of a question, one or several, and the options of a choice.
+const ANSWERS: &str = "\
 Answerlist
 ----------
 
@@ -38,6 +54,10 @@ Answerlist
 cat(paste(\"*\", variant$answers), sep = \"\\n\")
 ```
 
+";
+
+/// What stands at the end.
+const REST: &str = "\
 Solution
 ========
 
@@ -53,11 +73,43 @@ Meta-information
 struct RExams<W: Write> {
     package: Package<W>,
     form: String,
+    kind: Kind,
+}
+
+/// Which of the kinds of R/exams a question is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// One number.
+    Number,
+    /// One choice.
+    Choice,
+    /// Several fields.
+    Cloze,
+}
+
+impl Kind {
+    fn of(question: &Question<'_>) -> Self {
+        let mut fields = question.fields().map(|(_, field)| &field.asked);
+        match (fields.next(), fields.next()) {
+            (Some(Asked::Number(_)), None) => Self::Number,
+            (Some(Asked::Choice(_)), None) => Self::Choice,
+            _ => Self::Cloze,
+        }
+    }
+
+    /// Its name.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Number => "num",
+            Self::Choice => "schoice",
+            Self::Cloze => "cloze",
+        }
+    }
 }
 
 /// Begins a package.
 pub(super) fn begin(out: Box<dyn Write + '_>) -> Box<dyn Export + '_> {
-    Box::new(RExams { package: Package::new(out), form: String::new() })
+    Box::new(RExams { package: Package::new(out), form: String::new(), kind: Kind::Cloze })
 }
 
 impl<W: Write> Export for RExams<W> {
@@ -69,7 +121,7 @@ impl<W: Write> Export for RExams<W> {
             self.end_form()?;
             self.package.begin(&format!("{form}.Rmd"))?;
             self.package.write_all(HEAD.as_bytes())?;
-            self.form = form;
+            (self.form, self.kind) = (form, Kind::of(question));
         }
         self.package.write_all(variant(question)?.as_bytes())?;
         Ok(())
@@ -86,43 +138,69 @@ impl<W: Write> RExams<W> {
         if self.form.is_empty() {
             return Ok(());
         }
+        let is_cloze = self.kind == Kind::Cloze;
         let meta = [
-            ("exname", self.form.clone()),
-            ("extype", "cloze".to_owned()),
-            ("exclozetype", "`r variant$types`".to_owned()),
-            ("exsolution", "`r variant$right`".to_owned()),
-            ("extol", "`r variant$tolerance`".to_owned()),
+            ("exname", Some("`r variant$name`")),
+            ("extype", Some(self.kind.name())),
+            ("exclozetype", Some("`r variant$types`").filter(|_| is_cloze)),
+            ("exsolution", Some("`r variant$right`")),
+            ("extol", Some("`r variant$tolerance`").filter(|_| self.kind != Kind::Choice)),
+            ("expoints", Some("`r variant$points`")),
         ];
-        let meta = meta.map(|(name, value)| format!("{name}: {value}\n")).concat();
-        Ok(self.package.write_all(format!("\n{REST}{meta}").as_bytes())?)
+        let meta = meta.into_iter().filter_map(|(name, value)| Some(format!("{name}: {}\n", value?)));
+        let answers = if self.kind == Kind::Number { "" } else { ANSWERS };
+        let rest = format!("\n{DRAWN}{answers}{REST}{}", meta.collect::<String>());
+        Ok(self.package.write_all(rest.as_bytes())?)
     }
 }
 
 /// A variant as a list of R.
 fn variant(question: &Question<'_>) -> Result<String, NotWritten> {
-    let mut pictures = Pictures::named(&question.item.code);
-    let mut text = question.statement(MARKUP, &mut pictures)? + &question.code(MARKUP, None);
+    let mut pictures = Pictures::named(format!("momentous-{}", question.item.code));
+    let mut text = question.statement(MARKUP, &mut pictures)?;
+    text += &(question.writing(MARKUP, TypedUnit::Never) + &question.code(MARKUP, None));
     let labelled = question.asked.len() > 1;
+    let is_one_number = Kind::of(question) == Kind::Number;
     for asking in &question.asked {
-        text.push_str(&MARKUP.paragraph(&asking.question(MARKUP, labelled)));
+        let unit = Some(asking.unit(MARKUP)).filter(|unit| is_one_number && !unit.is_empty());
+        let unit = unit.map(|unit| format!(" (in {unit}).")).unwrap_or_default();
+        text.push_str(&MARKUP.paragraph(&(asking.question(MARKUP, labelled) + &unit)));
     }
     let solution = question.solution(MARKUP, &mut pictures)?;
     let fields: Vec<Answer> = question.fields().map(|(asking, field)| answer(asking, field)).collect();
     let joined = |of: fn(&Answer) -> &str| string(&fields.iter().map(of).collect::<Vec<_>>().join("|"));
     let listed: Vec<String> = fields.iter().flat_map(|own| &own.listed).map(|text| string(text)).collect();
-    let figures: Vec<String> =
-        pictures.files.iter().map(|(name, svg)| format!("{} = {}", string(name), string(svg))).collect();
+    let figure = |((name, svg), tikz): (&(String, String), &String)| {
+        let name = name.trim_end_matches(".svg");
+        format!("{} = list(svg = {},\n    tikz = {})", string(name), string(svg), string(tikz))
+    };
+    let figures: Vec<String> = pictures.files.iter().zip(&pictures.tikz).map(figure).collect();
     Ok(format!(
-        "list(question = {},\n  solution = {},\n  answers = c({}),\n  types = {}, right = {}, tolerance = {},\n  \
-         figures = list({}))",
-        string(&text),
-        string(&solution),
+        "list(name = {},\n  question = {},\n  solution = {},\n  answers = c({}),\n  \
+         types = {}, right = {}, tolerance = {}, points = {},\n  figures = list({}))",
+        string(&question.title().replace('`', "")),
+        string(&for_latex(&text)),
+        string(&for_latex(&solution)),
         listed.join(", "),
         joined(|own| own.kind),
         joined(|own| &own.right),
         joined(|own| &own.tolerance),
+        joined(|own| &own.points),
         figures.join(",\n    "),
     ))
+}
+
+/// A text in which signs that LaTeX's fonts for text lack are mathematics.
+fn for_latex(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for sign in text.chars() {
+        match latex_sign(sign).filter(|_| !LATIN.contains(&sign)) {
+            Some(command) => out.extend(["$", command, "$"]),
+            None if sign == EM_SPACE => out.push_str("\u{a0}\u{a0}"),
+            None => out.push(sign),
+        }
+    }
+    out
 }
 
 /// What R/exams is told of a field.
@@ -132,23 +210,29 @@ struct Answer {
     listed: Vec<String>,
     right: String,
     tolerance: String,
+    points: String,
 }
 
 fn answer(asking: &Asking<'_>, field: &Field<'_>) -> Answer {
+    let points = asking.weight.to_string();
     match &field.asked {
         Asked::Number(number) => {
             let bands = bands(number, asking.part.field.points);
             let right = bands.iter().find(|own| own.is_full());
-            let [middle, reach] = [Band::middle, Band::reach].map(|of| right.map_or(0.0, of).to_string());
+            // The right value as it is printed; everything that is right lies within the tolerance of it.
+            let printed = printed(number);
+            let value: f64 = printed.parse().unwrap_or(number.right);
+            let reach = right.map_or(0.0, |own| own.reach_from(value)).to_string();
             let label = format!("({}) {}", field.name, field.caption);
             let listed = format!("{} {}", MARKUP.text(label.trim()), asking.unit(MARKUP));
-            Answer { kind: "num", listed: vec![listed.trim_end().to_owned()], right: middle, tolerance: reach }
+            Answer { kind: "num", listed: vec![listed.trim_end().to_owned()], right: printed, tolerance: reach, points }
         }
         Asked::Choice(options) => Answer {
             kind: "schoice",
-            listed: options.iter().map(|own| MARKUP.line(own.text)).collect(),
+            listed: options.iter().map(|own| own.shown(MARKUP)).collect(),
             right: options.iter().map(|own| if own.right { '1' } else { '0' }).collect(),
             tolerance: "0".to_owned(),
+            points,
         },
     }
 }

@@ -19,7 +19,7 @@ pub struct Target {
     pub about: &'static str,
     /// How mathematics can stand there; the first is the usual way.
     pub markup: &'static [Markup],
-    begin: for<'w> fn(Box<dyn Write + 'w>, Markup) -> Begun<'w>,
+    begin: for<'w> fn(Box<dyn Write + 'w>, Markup, &str) -> Begun<'w>,
     types_unit: fn(&Question<'_>) -> bool,
 }
 
@@ -32,49 +32,49 @@ pub const TARGETS: [Target; 7] = [
         name: "moodle",
         about: "Moodle XML, for the question bank",
         markup: &[Markup::Tex, Markup::MathMl],
-        begin: moodle::begin,
+        begin: |out, markup, _| moodle::begin(out, markup),
         types_unit: moodle::types_unit,
     },
     Target {
         name: "qti3",
         about: "a package of QTI 3.0",
         markup: &[Markup::MathMl],
-        begin: |out, _| Ok(qti::begin_3(out)),
+        begin: |out, _, title| Ok(qti::begin_3(out, title)),
         types_unit: PRINTED,
     },
     Target {
         name: "qti21",
         about: "a package of QTI 2.1",
         markup: &[Markup::MathMl],
-        begin: |out, _| Ok(qti::begin_2(out)),
+        begin: |out, _, title| Ok(qti::begin_2(out, title)),
         types_unit: PRINTED,
     },
     Target {
         name: "canvas",
         about: "a package of QTI 1.2, as Classic Quizzes of Canvas import it",
         markup: &[Markup::Pictures],
-        begin: |out, _| Ok(canvas::begin(out)),
+        begin: |out, _, title| Ok(canvas::begin(out, title)),
         types_unit: PRINTED,
     },
     Target {
         name: "numbas",
         about: "an exam of Numbas",
         markup: &[Markup::MathMl],
-        begin: |out, _| numbas::begin(out),
+        begin: |out, _, title| numbas::begin(out, title),
         types_unit: PRINTED,
     },
     Target {
         name: "prairielearn",
         about: "a zip file with folders of PrairieLearn questions",
         markup: &[Markup::Tex, Markup::MathMl],
-        begin: |out, markup| Ok(prairielearn::begin(out, markup)),
+        begin: |out, markup, _| Ok(prairielearn::begin(out, markup)),
         types_unit: PRINTED,
     },
     Target {
         name: "rexams",
         about: "a zip file with Rmd files for R/exams",
         markup: &[Markup::Markdown],
-        begin: |out, _| Ok(rexams::begin(out)),
+        begin: |out, _, _| Ok(rexams::begin(out)),
         types_unit: PRINTED,
     },
 ];
@@ -96,11 +96,16 @@ impl Target {
         (self.types_unit)(question)
     }
 
-    /// Begins an export.
+    /// Begins an export; where it is a whole quiz, it has that title.
     ///
     /// # Errors
     /// Where the file takes nothing.
-    pub fn begin<'w>(&self, out: Box<dyn Write + 'w>, markup: Markup) -> Result<Box<dyn Export + 'w>, NotWritten> {
-        (self.begin)(out, markup)
+    pub fn begin<'w>(
+        &self,
+        out: Box<dyn Write + 'w>,
+        markup: Markup,
+        title: &str,
+    ) -> Result<Box<dyn Export + 'w>, NotWritten> {
+        (self.begin)(out, markup, title)
     }
 }

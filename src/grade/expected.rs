@@ -35,6 +35,8 @@ pub enum ExpectedKind {
     Interval(Box<ExpectedInterval>),
     /// By one of several phrases.
     Choice {
+        /// The question, as it is printed: what is asked may be said in its own words.
+        question: String,
         /// The phrases, in the order in which they are offered.
         options: Vec<String>,
         /// The position of the right one.
@@ -93,6 +95,8 @@ pub struct Called {
     pub axis: Option<char>,
     /// The directions in space, positive first, of what hangs on a string along which it is counted: `downwards`, `upwards`.
     pub hangs: Option<[String; 2]>,
+    /// Whether the motion that the sheet tells goes in the positive direction: `back` and `in the same direction` are said of it.
+    pub motion: Option<bool>,
     /// The quantity of which it is asked as a multiple.
     pub multiple_of: Option<Multiple>,
 }

@@ -18,6 +18,7 @@ use super::messages::Message;
 use super::read::{Answer, ChoiceAnswer};
 use super::verdict::Verdict;
 
+pub use figures::too_few_figures;
 pub use judgement::Judgement;
 pub use windows::{BESIDE_A_WHOLE_NUMBER, VerdictWindow, brought_near, windows};
 

@@ -32,7 +32,7 @@ pub use expected::{
 pub use follow::Follows;
 pub use frequent::WrongAnswer;
 pub use history::{History, Mark, PartHistory, Typed};
-pub use judge::{BESIDE_A_WHOLE_NUMBER, Judgement, VerdictWindow, brought_near, judge, windows};
+pub use judge::{BESIDE_A_WHOLE_NUMBER, Judgement, VerdictWindow, brought_near, judge, too_few_figures, windows};
 pub use marks::Points;
 pub use messages::Message;
 pub use number::Number;

@@ -21,6 +21,8 @@ pub enum Message {
     PoundsAsMass,
     /// Fewer figures than asked; how many are.
     TooFewFigures(usize),
+    /// Fewer figures than asked, of an answer that is asked back; how many are.
+    FiguresWanted(usize),
     /// More figures than asked; how many are.
     TooManyFigures(usize),
     /// As many figures as asked, and the last is not right.

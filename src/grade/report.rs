@@ -111,7 +111,7 @@ pub struct InputFault {
 ///
 /// let options = vec!["conserved".to_owned(), "not conserved".to_owned()];
 /// let because = "no external force acts along x".to_owned();
-/// let expected = Expected { id: "a".to_owned(), points: 2, kind: ExpectedKind::Choice { options, right: 0, because } };
+/// let expected = Expected { id: "a".to_owned(), points: 2, kind: ExpectedKind::Choice { question: String::new(), options, right: 0, because } };
 /// let answers = BTreeMap::from([("a".to_owned(), "Conserved".to_owned())]);
 /// let report = grade(&[expected], &answers, DecimalMark::Point, &Rubric::default());
 /// assert_eq!((report.total.to_string().as_str(), report.out_of), ("2", 2));
@@ -222,6 +222,13 @@ impl PartReport {
             entry: Entry::Typed,
             counts: true,
         }
+    }
+
+    /// The part with an answer that is asked back for more figures, so many: it is not marked.
+    pub fn ask_back(&mut self, figures: usize) {
+        self.verdict = Verdict::Unreadable;
+        self.fault = Some(InputFault { character: 1, code: "figures_wanted" });
+        self.message = English.message(&Message::FiguresWanted(figures));
     }
 
     /// Whether what was typed cannot be read.

@@ -25,6 +25,17 @@ const SPECIAL: [(char, &str); 14] = [
     ('`', r"\textasciigrave{}"),
 ];
 
+/// What prints a sign in mathematics that the usual text fonts lack.
+///
+/// ```
+/// assert_eq!(momentous_render::latex_sign('Δ'), Some(r"\Delta"));
+/// assert_eq!(momentous_render::latex_sign('D'), None);
+/// ```
+#[must_use]
+pub fn latex_sign(sign: char) -> Option<&'static str> {
+    find(&SIGNS, sign)
+}
+
 /// Signs that the usual text fonts lack; mathematics has them.
 const SIGNS: [(char, &str); 54] = [
     ('\u{2212}', "-"),

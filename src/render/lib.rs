@@ -40,6 +40,7 @@ pub use document::{BesideFile, Document, Figures, Format};
 pub use fade::{fade, steps};
 pub use font::{MATH_FONT, base64};
 pub use fragment::Fragment;
+pub use latex_text::latex_sign;
 pub use markup::Markup;
 pub use page::{Heading, Identity, Key, KeyRow, Page, Sheet, SheetPart, SheetPlace, Solution};
 #[cfg(feature = "pdf")]

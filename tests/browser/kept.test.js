@@ -47,19 +47,19 @@ for (const javaScriptEnabled of [true, false]) {
     const field = page.locator("[name='answer.v_A2']");
     const before = await receipts(page);
     assert.ok(before > 0);
-    await field.fill("1,5 m/s left");
+    await field.fill("1,50 m/s left");
     if (javaScriptEnabled) {
       await field.press("Enter");
       await page.locator("[data-saved]", { hasText: "Saved, not submitted" }).waitFor();
     } else {
       await Promise.all([page.waitForNavigation(), field.press("Enter")]);
     }
-    await page.getByText("Read as 1.5 metres per second to the left.").waitFor();
-    assert.equal(await field.inputValue(), "1,5 m/s left");
+    await page.getByText("Read as 1.50 metres per second to the left.").waitFor();
+    assert.equal(await field.inputValue(), "1,50 m/s left");
     assert.equal(await receipts(page), before);
     // Beside the button stands what it hands in, and what it costs; one press does it.
     const line = page.locator("[data-new='answer.v_A2']");
-    assert.equal(await line.textContent(), "(a) 1,5 m/s left: for 90 % of its points");
+    assert.equal(await line.textContent(), "(a) 1,50 m/s left: for 90 % of its points");
     await Promise.all([page.waitForNavigation(), page.getByRole("button", { name: "Submit" }).click()]);
     assert.equal(await receipts(page), before + 1);
     assert.deepEqual(complaints, []);
@@ -72,9 +72,9 @@ test("the lines beside the button follow what is typed", async () => {
   const line = page.locator("[data-new='answer.v_A2']");
   const nothing = page.locator("[data-no-new]");
   assert.deepEqual([await line.isVisible(), await nothing.isVisible()], [false, true]);
-  await page.locator("[name='answer.v_A2']").fill("3 m/s");
+  await page.locator("[name='answer.v_A2']").fill("3.00 m/s");
   assert.deepEqual([await line.isVisible(), await nothing.isVisible()], [true, false]);
-  await page.locator("[name='answer.v_A2']").fill("99 m/s");
+  await page.locator("[name='answer.v_A2']").fill("99.0 m/s");
   assert.deepEqual([await line.isVisible(), await nothing.isVisible()], [false, true], "as it was handed in");
   assert.deepEqual(complaints, []);
   await close();

@@ -86,19 +86,19 @@ test("an assignment is done by keyboard alone, from the link to the receipts", a
     for (const [name, kind] of fields) {
       await reach(page, kind, name);
       if (kind === "radio") await page.keyboard.press("Space");
-      else await page.keyboard.type("2 m/s");
+      else await page.keyboard.type("2.00 m/s");
     }
     if (place === 1) {
       // What was typed first is mended, on the way back.
       const [first = ""] = fields[0] ?? [];
       await reach(page, "text", first, "Shift+Tab");
       await page.keyboard.press("Control+A");
-      await page.keyboard.type("2,5 m/s left");
+      await page.keyboard.type("2,50 m/s left");
       await page.locator("[data-reading][data-state=read]").first().waitFor();
       await reach(page, "button", "Save");
       await Promise.all([page.waitForEvent("load"), page.keyboard.press("Space")]);
       assert.match((await page.locator("[data-saved]").textContent()) ?? "", /^Saved, not submitted/);
-      assert.equal(await page.locator(`[name="${first}"]`).inputValue(), "2,5 m/s left");
+      assert.equal(await page.locator(`[name="${first}"]`).inputValue(), "2,50 m/s left");
     }
     await reach(page, "button", "Submit");
     await enter(page);

@@ -28,7 +28,7 @@ try {
   await page.goto(`${server.url}/practice/impact/two-carts?seed=7`);
   await page.locator('[name="answer.v_A2"]').fill("1,39 m/s");
   await page.locator('[name="answer.v_B2"]').fill("2.89 m/s to the right");
-  await page.locator('[name="answer.T_lost"]').fill("45 kJ");
+  await page.locator('[name="answer.T_lost"]').fill("45.0 kJ");
   await page.getByRole("button", { name: "Check" }).click();
   await page.screenshot({ path: join(folder, "practice.png"), fullPage: true });
 } finally {

@@ -87,7 +87,7 @@ test("a file from disk shows, marks and solves without a network", { skip }, asy
   assert.match(page.url(), /#\/practice\/impact\/two-carts\?form=forward&seed=1$/);
   assert.deepEqual(await barriers(page), []);
 
-  await frame.locator('[data-part="v_A2"]').fill("12 m/s");
+  await frame.locator('[data-part="v_A2"]').fill("12.0 m/s");
   await frame.getByRole("button", { name: "Check" }).click();
   await frame.getByRole("link", { name: "(a)" }).click();
   assert.equal(await frame.locator(":focus").getAttribute("data-part"), "v_A2");

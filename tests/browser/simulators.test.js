@@ -449,9 +449,9 @@ test("a problem is made of the numbers that are set, and answered", async () => 
   await page.getByRole("link", { name: "Make a problem of this" }).click();
   await page.waitForURL("**/practice/impact/two-carts?set.*");
   assert.match((await page.locator(".statement").textContent()) ?? "", /Cart A \(3.kg\).* at 1\.5.m\/s to the left/);
-  await page.locator('[data-part="v_A2"]').fill("-0,06 m/s");
+  await page.locator('[data-part="v_A2"]').fill("-0,0600 m/s");
   await page.locator('[data-reading="v_A2"][data-state="read"]').waitFor();
-  assert.match((await page.locator('[data-reading="v_A2"]').textContent()) ?? "", /Read as -0\.06 metres per second/);
+  assert.match((await page.locator('[data-reading="v_A2"]').textContent()) ?? "", /Read as -0\.0600 metres per second/);
   await page.locator('[data-part="v_B2"]').fill("3.09 m/s");
   // The energy lost: half of the reduced mass 1.2 kg, times 1 - 0.49, times (4.5 m/s)^2.
   await page.locator('[data-part="T_lost"]').fill("6.1965 J");

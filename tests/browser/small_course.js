@@ -68,7 +68,7 @@ export async function small_course(students = ["bob", "cleo"], rules = {}) {
     const [trolleys, carts] = [items[0] ?? "", items[1] ?? ""];
     const page = await visitor.get(trolleys);
     await visitor.post(trolleys, { request: hidden(page, "request"), "answer.v_A2": coupled(plain(page)) });
-    const wrong = { "answer.v_A2": "99 m/s", "answer.v_B2": "3..2 m/s", "answer.T_lost": "" };
+    const wrong = { "answer.v_A2": "99.0 m/s", "answer.v_B2": "3..2 m/s", "answer.T_lost": "" };
     await visitor.post(carts, { request: hidden(await visitor.get(carts), "request"), ...wrong });
   }
   // In the order of their names: the first has handed in nothing.

@@ -142,9 +142,9 @@ fn each_call_answers_in_json() {
     };
     let sheet = client.call("sheet", &variant).json(200);
     assert_eq!(sheet["fields"][0]["id"], "v_A2");
-    let read = client.call("read", &with(json!({ "part": "v_A2", "text": "0,5 m/s left" }))).json(200);
-    assert_eq!(read["understood"], "0.5 metres per second to the left");
-    let marked = client.call("mark", &with(json!({ "answers": { "v_A2": "3 m/s" } }))).json(200);
+    let read = client.call("read", &with(json!({ "part": "v_A2", "text": "0,500 m/s left" }))).json(200);
+    assert_eq!(read["understood"], "0.500 metres per second to the left");
+    let marked = client.call("mark", &with(json!({ "answers": { "v_A2": "3.00 m/s" } }))).json(200);
     assert_eq!(marked["parts"][0]["verdict"], "wrong");
     let hint = client.call("hint", &with(json!({ "number": 1 }))).json(200);
     assert_eq!(hint["more"], true);
@@ -179,7 +179,7 @@ fn what_cannot_be_is_refused_with_its_reason() {
 #[test]
 fn a_reading_does_not_depend_on_the_right_answer() {
     let client = Client::new();
-    let texts = ["3 m/s", "-3 m/s", "0.4 to the left", "1e9", "3..2", "2 +- 1 m/s", "5 J"];
+    let texts = ["3.00 m/s", "-3.00 m/s", "0.4 to the left", "1e9", "3..2", "2 +- 1 m/s", "5.00 J"];
     for text in texts {
         let read = |seed: u64| {
             let request = json!({ "problem": "impact/two-carts", "seed": seed, "part": "v_A2", "text": text });

@@ -61,7 +61,7 @@ pub fn text(bytes: Vec<u8>) -> String {
 pub fn exported<'i>(target: &str, items: impl IntoIterator<Item = &'i Item>) -> Vec<u8> {
     let target = Target::named(target).unwrap();
     let mut bytes = Vec::new();
-    let mut file = target.begin(Box::new(&mut bytes), target.markup[0]).unwrap();
+    let mut file = target.begin(Box::new(&mut bytes), target.markup[0], "a quiz").unwrap();
     for item in items {
         file.write(&Question::new(item)).unwrap();
     }
@@ -91,7 +91,7 @@ pub fn file<'f>(files: &'f [(String, String)], name: &str) -> &'f str {
 pub fn numbers_of(part: &ItemAnswers) -> Vec<&NumberItem> {
     match part {
         ItemAnswers::Number(own) => vec![own],
-        ItemAnswers::Roots(all) | ItemAnswers::Vector(all) => all.iter().collect(),
+        ItemAnswers::Roots(all) | ItemAnswers::Vector { components: all, .. } => all.iter().collect(),
         ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|own| &**own).collect(),
         _ => Vec::new(),
     }
@@ -103,20 +103,40 @@ pub fn numbers(item: &Item) -> Vec<(u32, &NumberItem)> {
     parts.flat_map(|part| numbers_of(&part.answers).into_iter().map(|own| (part.field.points, own))).collect()
 }
 
-/// The phrases among which the parts of an item ask for a choice, with the place of the right one.
-pub fn choices(item: &Item) -> Vec<(Vec<String>, usize)> {
+/// The phrases among which the parts of an item ask for a choice, with the place of the right one; of a formula the letters and digits,
+/// which stand there as mathematics.
+pub fn choices(item: &Item) -> Vec<(Vec<Offered>, usize)> {
     let choice = |part: &momentous::exercise::ItemPart| match &part.answers {
-        ItemAnswers::Choice { options, right, .. } => Some((options.clone(), *right)),
-        ItemAnswers::Formula { mistaken } if !mistaken.is_empty() => {
-            let mut all: Vec<String> = mistaken.iter().map(|(text, _)| text.clone()).collect();
-            all.push(part.printed.clone());
+        ItemAnswers::Choice { options, right, .. } => {
+            Some((options.iter().cloned().map(Offered::Phrase).collect(), *right))
+        }
+        ItemAnswers::Formula { right, mistaken } if !mistaken.is_empty() => {
+            let mut all: Vec<&str> = mistaken.iter().map(|(own, _)| own.text.as_str()).collect();
+            all.push(&right.text);
             all.sort_unstable();
-            let right = all.iter().position(|own| *own == part.printed).unwrap();
-            Some((all, right))
+            let place = all.iter().position(|own| *own == right.text).unwrap();
+            Some((vec![Offered::Formula; all.len()], place))
         }
         _ => None,
     };
     item.parts.iter().filter_map(choice).collect()
+}
+
+/// What can be chosen.
+#[derive(Clone, Debug)]
+pub enum Offered {
+    Phrase(String),
+    Formula,
+}
+
+impl Offered {
+    /// Whether this is what is shown: a phrase as it is, a formula as mathematics.
+    pub fn is_shown_as(&self, text: &str) -> bool {
+        match self {
+            Self::Phrase(own) => own == text,
+            Self::Formula => !text.contains(['*', '_']),
+        }
+    }
 }
 
 /// How faithfully a target marks.

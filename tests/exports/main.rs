@@ -18,6 +18,7 @@ use xml::Node;
 
 mod bank;
 mod cases;
+mod fields;
 mod marked;
 mod moodle;
 mod moodle_cases;

@@ -52,7 +52,7 @@ pub fn marked_as_here(target: &str, items: &[Item]) -> Met {
 
 /// The points of the parts that go along.
 fn points_asked(item: &Item) -> u32 {
-    let is_left_out = |own: &ItemAnswers| matches!(own, ItemAnswers::Formula { mistaken } if mistaken.is_empty());
+    let is_left_out = |own: &ItemAnswers| matches!(own, ItemAnswers::Formula { mistaken, .. } if mistaken.is_empty());
     item.parts.iter().filter(|part| !is_left_out(&part.answers)).map(|part| part.field.points).sum()
 }
 
@@ -152,7 +152,8 @@ fn check_qti(item: &Item, written: &qti::Item, about: &str) -> usize {
     }
     for ((name, right), (options, place)) in choosing.into_iter().zip(choices(item)) {
         let found = written.choices(name);
-        assert_eq!(found.iter().map(|(_, text)| text.clone()).collect::<Vec<_>>(), options, "{about}");
+        assert!(found.iter().zip(&options).all(|((_, text), own)| own.is_shown_as(text)), "{about}: {found:?}");
+        assert_eq!(found.len(), options.len(), "{about}");
         assert_eq!(found[place].0, *right, "{about}");
         for (own, _) in &found {
             assert_eq!(written.mark(&[(name, own)]).score > 0.0, own == right, "{about}");
@@ -189,7 +190,9 @@ fn in_canvas(items: &[Item]) -> Met {
         for (written, (options, _)) in choosing.into_iter().zip(choices(item)) {
             let labels = written.at(&["presentation", "response_lid", "render_choice"]).unwrap();
             let texts = labels.all("response_label").map(|own| decoded(own.text_at(&["material", "mattext"])));
-            assert_eq!(texts.collect::<Vec<_>>(), options);
+            let texts: Vec<String> = texts.collect();
+            assert!(texts.iter().zip(&options).all(|(text, own)| own.is_shown_as(text)), "{texts:?}");
+            assert_eq!(texts.len(), options.len());
             met.choices += 1;
         }
     }
@@ -300,7 +303,9 @@ fn in_rexams(items: &[Item]) -> Met {
     let asked: Vec<Vec<&str>> = asked.map(|line| line.split('"').skip(1).step_by(2).collect()).collect();
     assert_eq!(asked.len(), items.len());
     for (item, asked) in items.iter().zip(asked) {
-        let [kinds, right, tolerance] = [0, 1, 2].map(|place| asked[place].split('|').collect::<Vec<_>>());
+        let [kinds, right, tolerance, points] = [0, 1, 2, 3].map(|place| asked[place].split('|').collect::<Vec<_>>());
+        let all: u32 = points.iter().map(|own| own.parse::<u32>().unwrap()).sum();
+        assert!(all.is_multiple_of(points_asked(item)), "{}: {points:?}", item.code);
         let fields = kinds.iter().zip(right.iter().zip(tolerance));
         let of_numbers = fields.filter(|(kind, _)| **kind == "num").map(|(_, own)| own);
         let numbers = numbers(item);
@@ -312,16 +317,16 @@ fn in_rexams(items: &[Item]) -> Met {
             assert_eq!(full.points.0, Rational::from(points), "{}", item.code);
             let is_right = |value: f64| (value - right).abs() <= tolerance;
             assert!([full.low, full.high, number.right].into_iter().all(is_right), "{}: {full:?}", item.code);
-            let beside = 1e-7 * (full.high - full.low);
-            let is_full = |value: f64| {
-                number
-                    .windows
-                    .iter()
-                    .any(|own| own.points.0 == full.points.0 && (own.low - beside..=own.high + beside).contains(&value))
-            };
-            for outside in [full.low - 2.0 * beside, full.high + 2.0 * beside] {
-                assert!(is_full(outside) || !is_right(outside), "{}: {outside} {full:?}", item.code);
+            // The solution is the printed value, which is off the middle by no more than rounding.
+            let mut ends = [full.low, full.high];
+            for own in number.windows.iter().filter(|own| own.points.0 == full.points.0) {
+                if own.low <= ends[1] && own.high >= ends[0] {
+                    ends = [ends[0].min(own.low), ends[1].max(own.high)];
+                }
             }
+            let furthest = (right - ends[0]).max(ends[1] - right);
+            assert!(tolerance <= furthest * (1.0 + 1e-9) + 1e-12 * right.abs(), "{}: {tolerance} {full:?}", item.code);
+            assert!((right - number.right).abs() <= 0.006 * number.right.abs(), "{}: {right}", item.code);
             met.numbers += 1;
         }
         met.choices += choices(item).len();

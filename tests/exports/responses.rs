@@ -11,6 +11,7 @@ use momentous::exercise::{Exercise, Item, ItemAnswers, ItemPart, NumberItem};
 use momentous::export::{Coded, Question, Responses, Target};
 use momentous::grade::{DecimalMark, Verdict};
 use momentous::problem::{compile, load};
+use momentous::render::Markup;
 
 fn item(problem: &str, seed: u64) -> Item {
     let source = Bank::built_in().find(problem).unwrap().clone();
@@ -113,10 +114,12 @@ fn right(part: &ItemPart) -> Vec<String> {
     };
     match &part.answers {
         ItemAnswers::Number(own) => vec![number(own)],
-        ItemAnswers::Roots(all) | ItemAnswers::Vector(all) => all.iter().map(number).collect(),
+        ItemAnswers::Roots(all) | ItemAnswers::Vector { components: all, .. } => all.iter().map(number).collect(),
         ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|own| number(own)).collect(),
         ItemAnswers::Choice { options, right, .. } => vec![options[*right].clone()],
-        ItemAnswers::Formula { .. } => vec![part.printed.clone()],
+        ItemAnswers::Formula { right, .. } => {
+            vec![right.math.as_ref().map_or_else(String::new, |math| Markup::Tex.math(math))]
+        }
     }
 }
 

@@ -37,7 +37,7 @@ proptest! {
             let item = case.item();
             let files = unpacked(exported(target, [&item]));
             let written = qti::Item::read(file(&files, &format!("items/item-{}.xml", item.code)));
-            prop_assert_eq!(written.title(), case.title.as_str());
+            prop_assert!(written.title().starts_with(case.title.as_str()));
             prop_assert!(written.text().contains(case.title.as_str()));
             let (name, _) = written.responses().pop().unwrap();
             let choices = written.choices(&name);
@@ -85,7 +85,8 @@ proptest! {
         let said = list("distractors");
         prop_assert_eq!(&said[0], &case.title);
         prop_assert_eq!(&said[1], &case.because);
-        prop_assert_eq!(question["name"].as_str().unwrap(), case.title.replace(['{', '}'], ""));
+        let title = case.title.replace(['{', '}'], "");
+        prop_assert!(question["name"].as_str().unwrap().starts_with(&title));
     }
 
     #[test]

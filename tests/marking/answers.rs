@@ -22,8 +22,9 @@ fn number(unit: &str, senses: &str) -> ExpectedKind {
         Multiple { name: name.to_owned(), units }
     });
     let unit = if multiple_of.is_some() { "" } else { unit };
-    let called = multiple_of
-        .map(|own| Arc::new(Called { name: String::new(), axis: None, hangs: None, multiple_of: Some(own) }));
+    let called = multiple_of.map(|own| {
+        Arc::new(Called { name: String::new(), axis: None, hangs: None, motion: None, multiple_of: Some(own) })
+    });
     let senses = senses.split_once(" | ").map(|(plus, minus)| [plus.to_owned(), minus.to_owned()]);
     let unit = Unit::parse(unit).unwrap_or_else(|fault| panic!("{unit}: {fault}"));
     ExpectedKind::Number(ExpectedNumber { senses, called, ..ExpectedNumber::new(1.0, unit) })
@@ -85,7 +86,7 @@ fn choices_are_read_as_the_table_says() {
     for row in rows("choices.csv") {
         let [text, options, expected] = row.as_slice() else { panic!("{row:?}: three columns") };
         let options = options.split(" | ").map(str::to_owned).collect();
-        let asked = ExpectedKind::Choice { options, right: 0, because: String::new() };
+        let asked = ExpectedKind::Choice { question: String::new(), options, right: 0, because: String::new() };
         assert_eq!(outcome(text, &asked, DecimalMark::Point), *expected, "{text}");
     }
 }
@@ -120,7 +121,12 @@ fn hostile_answers_are_answered_at_once() {
             let _ = read(&text, &number("m/s", "to the right | to the left"), DecimalMark::Either);
             let _ = read(
                 &text,
-                &ExpectedKind::Choice { options: vec!["a".into()], right: 0, because: String::new() },
+                &ExpectedKind::Choice {
+                    question: String::new(),
+                    options: vec!["a".into()],
+                    right: 0,
+                    because: String::new(),
+                },
                 DecimalMark::Point,
             );
             // A build without optimisation, on a busy machine; the bound of a release build is a millisecond.

@@ -34,7 +34,7 @@ fn kinds() -> Vec<(ExpectedKind, usize)> {
         (ExpectedKind::Number(number()), 200),
         (ExpectedKind::Vector(ExpectedVector { components: vec![number(), number()], frame }), 200),
         (ExpectedKind::Interval(Box::new(interval)), 200),
-        (ExpectedKind::Choice { options, right: 0, because: String::new() }, 200),
+        (ExpectedKind::Choice { question: String::new(), options, right: 0, because: String::new() }, 200),
         (formula(), 1000),
     ]
 }

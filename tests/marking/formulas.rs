@@ -10,6 +10,7 @@ use momentous::grade::{self, DecimalMark, UnreadableKind};
 use momentous::problem::{FormulaPart, Part, PartKind, Problem, compile, load};
 
 mod judged;
+mod kinds;
 mod rewritten;
 
 fn problem(text: &str) -> Arc<Problem> {

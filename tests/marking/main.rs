@@ -17,4 +17,5 @@ mod readings;
 mod round_trip;
 mod several_roots;
 mod sheets;
+mod tutored;
 mod verdicts;

@@ -131,6 +131,7 @@ fn collision() -> Vec<Expected> {
         kind: ExpectedKind::Number(ExpectedNumber { senses, ..expected(value, unit) }),
     };
     let choice = ExpectedKind::Choice {
+        question: String::new(),
         options: vec!["conserved".to_owned(), "not conserved".to_owned()],
         right: 1,
         because: "the impact is not elastic".to_owned(),

@@ -212,7 +212,7 @@ fn grade_marks_one_set_of_answers() {
     assert_eq!((all.code, report["total"].as_f64(), report["out_of"].as_u64()), (0, Some(5.0), Some(5)), "{}", all.out);
     assert_eq!((report["parts"][0]["verdict"].as_str(), report["seed"].as_u64()), (Some("right"), Some(7)));
     assert_eq!(grade(&right[..1], &[]).code, 1, "what is not answered is not right");
-    assert_eq!(grade(&["v_A2=1e9 m/s"], &[]).code, 1);
+    assert_eq!(grade(&["v_A2=1.00e9 m/s"], &[]).code, 1);
     let unreadable = grade(&["v_A2=3..2 m/s"], &[]);
     assert!(unreadable.code == 2 && unreadable.out.contains("unreadable"), "{}", unreadable.out);
     let commas: Vec<String> = answers.iter().map(|answer| answer.replace('.', ",")).collect();

@@ -27,7 +27,7 @@ impl Grade {
         let answers = exercise.answers_by_part(typed);
         let answers = answers.map_err(|faults| Failure::all(faults.into_iter().map(Failure::unusable).collect()))?;
         let Some(work) = self.work.as_ref().map(|path| read(path)).transpose()? else {
-            return self.answers(&exercise, &exercise.mark(&answers, self.decimal.into(), self.sitting()));
+            return self.answers(&exercise, &exercise.mark_or_ask(&answers, self.decimal.into(), self.sitting()));
         };
         let report = exercise.mark_with_work(&answers, &work, self.decimal.into(), self.sitting());
         self.worked(&exercise, &work, &report)

@@ -43,12 +43,14 @@ pub(crate) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
             .work(move |_| {
                 let (answers, hints, last) = (&typed, hints.as_slice(), last.as_ref());
                 let (policy, window, exercise) = (&policy, &window, exercise.as_ref());
-                Ok(course::HandIn { exercise, decimal, last, answers, hints, policy, window, at }.take())
+                let hand_in = course::HandIn { exercise, decimal, last, answers, hints, policy, window, at };
+                Ok((hand_in.take(), hand_in.asked_back()))
             })
             .await?;
         let accepted = match taken {
-            Ok(accepted) => accepted,
-            Err(refusal) => return refused(visit, &own, refusal).await,
+            (Ok(accepted), None) => accepted,
+            (Ok(_), Some(question)) => return not_taken(visit, &own, question).await,
+            (Err(refusal), _) => return refused(visit, &own, refusal).await,
         };
         let number = own.attempts.last().map_or(0, |last| last.number) + 1;
         let report =
@@ -105,9 +107,13 @@ fn answers(visit: &Visit) -> Result<BTreeMap<String, String>, Refused> {
     Ok(answers)
 }
 
-/// The page with what was typed, and why it was not taken.
 async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
-    let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(refusal.to_string()) };
+    not_taken(visit, own, refusal.to_string()).await
+}
+
+/// The page with what was typed, and why it was not taken.
+async fn not_taken(visit: &Visit, own: &OwnSheet, reason: String) -> Result<Reply, NotShown> {
+    let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(reason) };
     Ok(page(visit, own, after).await?.wrong())
 }
 

@@ -103,10 +103,10 @@ impl Engine<'_> {
 }
 
 impl MarkResponse {
-    /// Marks answers to a variant that was drawn.
+    /// Marks answers to a variant that was drawn. One with fewer figures than the sheet asks for is asked back.
     #[must_use]
     pub fn of(exercise: &Exercise, answers: &BTreeMap<String, String>, decimal: DecimalMark, sitting: Sitting) -> Self {
-        let report = exercise.mark(answers, decimal, sitting);
+        let report = exercise.mark_or_ask(answers, decimal, sitting);
         let right = report.is_right();
         Self {
             parts: report.parts.into_iter().map(|part| MarkedPart::of(part, sitting.hints)).collect(),

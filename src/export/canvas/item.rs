@@ -6,7 +6,7 @@ use momentous_render::Markup;
 use super::super::band::{Band, bands};
 use super::super::element::{Element, element};
 use super::super::field::{Asked, Choice, Field};
-use super::super::question::{Asking, Pictures, Question, said};
+use super::super::question::{Asking, Pictures, Question, TypedUnit, said};
 
 /// Where pictures lie in the package.
 pub(super) const FOLDER: &str = "pictures/";
@@ -25,6 +25,7 @@ pub(super) fn items(question: &Question<'_>) -> Result<(Vec<FieldItem>, Pictures
         markup.picture(&format!("%24IMS-CC-FILEBASE%24/{FOLDER}{}", own.name), own.drawing)
     });
     let statement = question.statement(MARKUP, &mut pictures)?;
+    let writing = question.writing(MARKUP, TypedUnit::Never);
     let solution = question.solution(MARKUP, &mut pictures)?;
     let several = question.fields().count() > 1;
     let item = |(asking, field): (&Asking<'_>, &Field<'_>)| {
@@ -34,8 +35,9 @@ pub(super) fn items(question: &Question<'_>) -> Result<(Vec<FieldItem>, Pictures
         let asked = MARKUP.paragraph(&format!("{}{place}{unit}", asking.question(MARKUP, several)));
         let item = element("item")
             .with("ident", format!("{}-{}", question.item.code, field.name))
-            .with("title", format!("{} ({})", question.item.sheet.title, field.name));
-        let text = format!("{statement}{}{asked}", question.code(MARKUP, Some(field)));
+            .with("title", format!("{} ({})", question.title(), field.name));
+        let writing = if matches!(field.asked, Asked::Number(_)) { writing.as_str() } else { "" };
+        let text = format!("{statement}{}{asked}{writing}", question.code(MARKUP, Some(field)));
         let item = match &field.asked {
             Asked::Number(number) => {
                 let right = bands(number, asking.part.field.points);
@@ -53,10 +55,10 @@ pub(super) fn items(question: &Question<'_>) -> Result<(Vec<FieldItem>, Pictures
 /// Which of several fields of a part is meant.
 fn place(asking: &Asking<'_>, field: &Field<'_>) -> String {
     let place = asking.fields.iter().position(|own| own.name == field.name).unwrap_or_default() + 1;
-    match (asking.fields.len(), field.caption) {
-        (1, _) => String::new(),
+    match (asking.fields.len(), field.caption.trim_end_matches(':')) {
+        (1, "") => String::new(),
         (count, "") => format!(" ({place} of {count})"),
-        (_, caption) => format!(" ({caption})"),
+        (_, caption) => format!(" \u{2013} {caption}"),
     }
 }
 
@@ -93,7 +95,7 @@ fn choice_item(
     let name = |place: usize| format!("{}-{}", field.name, place + 1);
     let names: Vec<String> = (0..options.len()).map(name).collect();
     let label = |(option, name): (&Choice<'_>, &String)| {
-        element("response_label").with("ident", name).holding(material(&MARKUP.line(option.text)))
+        element("response_label").with("ident", name).holding(material(&option.shown(MARKUP)))
     };
     let choices = element("render_choice").holding_all(options.iter().zip(&names).map(label));
     let response = element("response_lid").with("ident", RESPONSE).with("rcardinality", "Single").holding(choices);

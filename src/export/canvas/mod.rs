@@ -19,6 +19,7 @@ struct Canvas<W: Write> {
     package: Package<W>,
     /// How the quiz is called: by the code of its first variant, so that another quiz does not replace it in Canvas.
     quiz: String,
+    title: String,
     /// Groups that are done, as XML.
     done: String,
     points: u32,
@@ -37,10 +38,11 @@ struct Group {
 }
 
 /// Begins a package.
-pub(super) fn begin(out: Box<dyn Write + '_>) -> Box<dyn Export + '_> {
+pub(super) fn begin<'w>(out: Box<dyn Write + 'w>, title: &str) -> Box<dyn Export + 'w> {
     Box::new(Canvas {
         package: Package::new(out),
         quiz: String::from("quiz"),
+        title: title.to_owned(),
         done: String::new(),
         points: 0,
         form: String::new(),
@@ -64,7 +66,7 @@ impl<W: Write> Export for Canvas<W> {
         self.pictures.extend(pictures.files.into_iter().map(|(name, _)| name));
         for (field, points, item) in items {
             let place = self.groups.iter().position(|own| own.name == field).unwrap_or_else(|| {
-                let title = format!("{} ({field})", question.item.sheet.title);
+                let title = format!("{} ({field})", question.form_title());
                 self.groups.push(Group { name: field, title, points, items: String::new() });
                 self.groups.len() - 1
             });
@@ -78,14 +80,14 @@ impl<W: Write> Export for Canvas<W> {
 
     fn finish(mut self: Box<Self>) -> Result<(), NotWritten> {
         self.end_form();
-        let assessment = element("assessment").with("ident", &self.quiz).with("title", "momentous");
+        let assessment = element("assessment").with("ident", &self.quiz).with("title", &self.title);
         let section = element("section").with("ident", "root_section").html(&self.done);
         let quiz = element("questestinterop").with("xmlns", NAMESPACE).holding(assessment.holding(section));
         self.package.put(&self.file(), &quiz.document(VERBATIM))?;
         let settings = element("quiz")
             .with("xmlns", SETTINGS)
             .with("identifier", &self.quiz)
-            .holding(element("title").text("momentous"))
+            .holding(element("title").text(&self.title))
             .holding(element("points_possible").text(self.points.to_string()))
             .holding(element("allowed_attempts").text("1"));
         self.package.put(&self.settings(), &settings.document(VERBATIM))?;

@@ -1,7 +1,6 @@
 //! A number's windows as Moodle's answers: a value, a tolerance, a fraction and a feedback; the first that fits counts.
 
 use momentous_exercise::NumberItem;
-use momentous_quantity::Unit;
 
 use super::super::band::{Band, bands, printed};
 
@@ -9,48 +8,6 @@ use super::super::band::{Band, bands, printed};
 const FRACTIONS: [f64; 21] = [
     100.0, 90.0, 83.33333, 80.0, 75.0, 70.0, 66.66667, 60.0, 50.0, 40.0, 33.33333, 30.0, 25.0, 20.0, 16.66667,
     14.28571, 12.5, 11.11111, 10.0, 5.0, 0.0,
-];
-
-/// Units in which students answer, beside the one that is asked; those that measure the same go along.
-const USUAL_UNITS: [&str; 38] = [
-    "m",
-    "cm",
-    "mm",
-    "km",
-    "s",
-    "ms",
-    "min",
-    "h",
-    "kg",
-    "g",
-    "t",
-    "m/s",
-    "km/h",
-    "cm/s",
-    "m/s^2",
-    "N",
-    "kN",
-    "kg m/s^2",
-    "N s",
-    "kN s",
-    "kg m/s",
-    "J",
-    "kJ",
-    "N m",
-    "kg m^2/s^2",
-    "W",
-    "kW",
-    "J/s",
-    "rad/s",
-    "1/s",
-    "kg m^2/s",
-    "N m s",
-    "N/m",
-    "kN/m",
-    "kg/s",
-    "deg",
-    "rad",
-    "%",
 ];
 
 /// Moodle keeps fourteen digits of a number.
@@ -103,29 +60,4 @@ fn answer<'i>(band: &Band<'i>) -> Answer<'i> {
         feedback: band.feedback,
         is_coarse: band.is_coarse,
     }
-}
-
-/// Each spelling of the unit and of usual others, with how many of it make one of the unit asked. Moodle takes spaces out of what
-/// is typed, and not out of these. None where there is no unit, or it begins with a digit, which Moodle would read as one of the number.
-pub(super) fn units(asked: &Unit) -> Vec<(String, f64)> {
-    let mut all: Vec<(String, f64)> = Vec::new();
-    let is_typed = |unit: &Unit| !unit.to_string().starts_with(|first: char| first.is_ascii_digit());
-    if asked.is_none() || !is_typed(asked) {
-        return all;
-    }
-    let usual = USUAL_UNITS.iter().filter_map(|text| Unit::parse(text).ok());
-    let same = usual.filter(|unit| unit.dimension() == asked.dimension() && is_typed(unit));
-    for unit in std::iter::once(asked.clone()).chain(same) {
-        let multiplier = if unit == *asked { 1.0 } else { asked.in_terms_of(&unit).to_f64() };
-        let plain = unit.to_string();
-        let raised = unit.unicode();
-        for name in
-            [plain.replace(' ', ""), plain.replace(' ', "*"), plain.replace(' ', "·"), raised.replace('·', "⋅"), raised]
-        {
-            if !name.is_empty() && !all.iter().any(|(own, _)| *own == name) {
-                all.push((name, multiplier));
-            }
-        }
-    }
-    all
 }

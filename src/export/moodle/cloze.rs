@@ -14,7 +14,8 @@ pub(super) fn text(before: &str, question: &Question<'_>, markup: Markup) -> Str
     let mut out = without_braces(before);
     for asking in &question.asked {
         let asked = without_braces(&asking.question(markup, question.asked.len() > 1));
-        let gap = |field: &Field<'_>| format!("{} {}", field.caption, gap(field, asking));
+        let gap =
+            |field: &Field<'_>| format!("{} {}", without_braces(&markup.text(&field.caption)), gap(field, asking));
         let gaps: Vec<String> = asking.fields.iter().map(gap).collect();
         let unit = without_braces(&asking.unit(markup));
         let _ = writeln!(out, "<p>{asked}<br/>{} {unit}</p>", gaps.join(" "));
@@ -36,7 +37,7 @@ fn gap(field: &Field<'_>, asking: &Asking<'_>) -> String {
         Asked::Choice(options) => {
             let one = |own: &Choice<'_>| {
                 let fraction = if own.right { 100.0 } else { 0.0 };
-                format!("{}{}#{}", share(fraction), escaped(&in_gap(own.text)), escaped(&own.feedback))
+                format!("{}{}#{}", share(fraction), escaped(&in_gap(own)), escaped(&own.feedback))
             };
             ("MULTICHOICE_V", options.iter().map(one).collect())
         }
@@ -45,8 +46,11 @@ fn gap(field: &Field<'_>, asking: &Asking<'_>) -> String {
 }
 
 /// An option in a gap, which knows no elements: mathematics as TeX, for the page to typeset.
-fn in_gap(option: &str) -> String {
-    let parts = Inline::line(option).into_iter().map(|part| match part {
+fn in_gap(option: &Choice<'_>) -> String {
+    if let Some(math) = option.math {
+        return Markup::Tex.math(math);
+    }
+    let parts = Inline::line(option.text).into_iter().map(|part| match part {
         Inline::Tex(tex) => format!("\\({tex}\\)"),
         Inline::Text(text) | Inline::Emphasis(text) | Inline::Strong(text) => text,
         Inline::Math(math) => math.plain(),

@@ -2,6 +2,7 @@
 
 mod answer;
 mod cloze;
+mod units;
 
 use std::io;
 use std::io::Write;
@@ -22,7 +23,7 @@ use super::Export;
 use super::NotWritten;
 use super::field::{Asked, Choice, Field};
 use super::printable;
-use super::question::{Pictures, Question, said};
+use super::question::{Pictures, Question, TypedUnit, said};
 
 /// The letters that an idnumber may have.
 const LONGEST_ID: usize = 100;
@@ -91,12 +92,14 @@ impl Texts {
             Pictures::new(name, |markup, own| markup.picture(&format!("@@PLUGINFILE@@/{}", own.name), own.drawing))
         };
         let (mut shown, mut solution_shown) = (pictures("figure"), pictures("solution"));
-        let mut text = question.statement(markup, &mut shown)? + &question.code(markup, None);
+        let mut text = question.statement(markup, &mut shown)?;
+        let unit = if types_unit(question) { TypedUnit::Behind } else { TypedUnit::Never };
+        text += &(question.writing(markup, unit) + &question.code(markup, None));
         match only(question) {
             None => text = cloze::text(&text, question, markup),
             Some((part, _)) => {
                 let unit = part.field.unit.as_ref().map(|unit| format!(" (in {}).", markup.math(unit)));
-                let asked = markup.inline(&part.field.question);
+                let asked = question.asked.first().map(|asking| asking.question(markup, false)).unwrap_or_default();
                 text.push_str(&markup.paragraph(&(asked + &unit.unwrap_or_default())));
             }
         }
@@ -151,14 +154,15 @@ fn only<'q, 'i>(question: &'q Question<'i>) -> Option<(&'i ItemPart, &'q Field<'
 pub(super) fn types_unit(question: &Question<'_>) -> bool {
     let number =
         only(question).and_then(|(_, field)| if let Asked::Number(own) = &field.asked { Some(own) } else { None });
-    number.is_some_and(|own| !answer::units(&own.unit).is_empty())
+    number.is_some_and(|own| !units::units(&own.unit).is_empty())
 }
 
 fn title(item: &Item) -> String {
     let Identity { form, seed, .. } = &item.identity;
     let form = form.as_ref().map(|form| format!(", {form}")).unwrap_or_default();
     let seed = seed.map(|seed| format!(", seed {seed}")).unwrap_or_default();
-    format!("{}{form}{seed}", item.sheet.title)
+    let code = if item.code.is_empty() { String::new() } else { format!(", {}", item.code) };
+    format!("{}{form}{seed}{code}", item.sheet.title)
 }
 
 /// What makes the same numbers again; of what is too long for Moodle, the end, which tells variants of a problem apart.
@@ -182,7 +186,7 @@ fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem
         text(xml, "tolerance", &own.tolerance.to_string())?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
-    let units = answer::units(&number.unit);
+    let units = units::units(&number.unit);
     if units.is_empty() {
         return text(xml, "showunits", "3");
     }
@@ -212,7 +216,7 @@ fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], markup: Markup)
         let fraction = if option.right { "100" } else { "0" };
         let start = BytesStart::new("answer").with_attributes([("fraction", fraction), ("format", "html")]);
         xml.write_event(Event::Start(start))?;
-        cdata(xml, &markup.line(option.text))?;
+        cdata(xml, &option.shown(markup))?;
         html(xml, "feedback", &said(markup, std::slice::from_ref(&option.feedback)), &[])?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }

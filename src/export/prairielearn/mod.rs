@@ -15,7 +15,7 @@ use super::band::bands;
 use super::field::{Asked, Choice, Field};
 use super::package::Package;
 use super::printable;
-use super::question::{Asking, Pictures, Question, said};
+use super::question::{Asking, Pictures, Question, TypedUnit, said};
 
 /// What marks every question.
 const SERVER: &str = include_str!("server.py");
@@ -101,7 +101,9 @@ fn uuid(text: &str) -> String {
 
 fn variant(question: &Question<'_>, markup: Markup, pictures: &mut Pictures) -> Result<Value, NotWritten> {
     let labelled = question.asked.len() > 1;
-    let statement = question.statement(markup, pictures)? + &question.code(markup, None);
+    let statement = question.statement(markup, pictures)?;
+    let writing = question.writing(markup, TypedUnit::Never);
+    let statement = statement + &writing + &question.code(markup, None);
     let solution = question.solution(markup, pictures)?;
     let fields: Vec<Value> =
         question.fields().map(|(asking, field)| self::field(asking, field, markup, labelled)).collect();
@@ -113,7 +115,7 @@ fn field(asking: &Asking<'_>, field: &Field<'_>, markup: Markup, labelled: bool)
     let is_first = asking.fields.first().is_some_and(|first| first.name == field.name);
     let asked = if is_first { markup.paragraph(&asking.question(markup, labelled)) } else { String::new() };
     let mut own = json!({
-        "name": field.name, "weight": asking.weight, "before": text(&(asked + field.caption)),
+        "name": field.name, "weight": asking.weight, "before": text(&(asked + &markup.text(&field.caption))),
     });
     match &field.asked {
         Asked::Number(number) => {
@@ -129,7 +131,7 @@ fn field(asking: &Asking<'_>, field: &Field<'_>, markup: Markup, labelled: bool)
             let option = |own: &Choice<'_>| {
                 let feedback = text(&said(markup, std::slice::from_ref(&own.feedback)));
                 let right = if own.right { "true" } else { "false" };
-                json!({ "html": text(&markup.line(own.text)), "right": right, "feedback": feedback })
+                json!({ "html": text(&own.shown(markup)), "right": right, "feedback": feedback })
             };
             own["choice"] = json!(true);
             own["options"] = options.iter().map(option).collect();

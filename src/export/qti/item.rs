@@ -6,7 +6,7 @@ use momentous_render::Markup;
 use super::super::band::{Band, bands, printed};
 use super::super::element::{Element, element, html_element};
 use super::super::field::{Asked, Choice, Field};
-use super::super::question::{Asking, Pictures, Question, said};
+use super::super::question::{Asking, Pictures, Question, TypedUnit, said};
 use super::dialect::Dialect;
 
 const MARKUP: Markup = Markup::MathMl;
@@ -20,11 +20,13 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
     let mut item = element("assessment-item")
         .with("xmlns", dialect.namespace)
         .with("identifier", identifier(question))
-        .with("title", &question.item.sheet.title)
+        .with("title", question.title())
         .with("adaptive", "false")
         .with("time-dependent", "false")
         .with("xml:lang", "en");
-    let mut body = element("item-body").html(question.statement(MARKUP, &mut pictures)? + &question.code(MARKUP, None));
+    let statement = question.statement(MARKUP, &mut pictures)?;
+    let writing = question.writing(MARKUP, TypedUnit::Never);
+    let mut body = element("item-body").html(statement + &writing + &question.code(MARKUP, None));
     let mut outcomes = vec![
         outcome("SCORE", "float").holding(element("default-value").holding(value("0"))),
         outcome("MAXSCORE", "float").holding(element("default-value").holding(value(question.weight().to_string()))),
@@ -47,7 +49,7 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
                 }
                 Asked::Choice(options) => {
                     let option = |(option, place): (&Choice<'_>, usize)| {
-                        element("simple-choice").with("identifier", choice(place)).html(MARKUP.line(option.text))
+                        element("simple-choice").with("identifier", choice(place)).html(option.shown(MARKUP))
                     };
                     let interaction = element("choice-interaction")
                         .with("response-identifier", response(field))

@@ -16,6 +16,8 @@ use dialect::{Dialect, QTI_2, QTI_3};
 struct Qti<W: Write> {
     package: Package<W>,
     dialect: Dialect,
+    /// How the test is called.
+    title: String,
     sections: Vec<Section>,
     /// What the manifest says of each item; it stands at the end.
     resources: Vec<Element>,
@@ -29,17 +31,23 @@ struct Section {
 }
 
 /// Begins a package of QTI 3.0.
-pub(super) fn begin_3(out: Box<dyn Write + '_>) -> Box<dyn Export + '_> {
-    begin(out, QTI_3)
+pub(super) fn begin_3<'w>(out: Box<dyn Write + 'w>, title: &str) -> Box<dyn Export + 'w> {
+    begin(out, QTI_3, title)
 }
 
 /// Begins a package of QTI 2.1.
-pub(super) fn begin_2(out: Box<dyn Write + '_>) -> Box<dyn Export + '_> {
-    begin(out, QTI_2)
+pub(super) fn begin_2<'w>(out: Box<dyn Write + 'w>, title: &str) -> Box<dyn Export + 'w> {
+    begin(out, QTI_2, title)
 }
 
-fn begin(out: Box<dyn Write + '_>, dialect: Dialect) -> Box<dyn Export + '_> {
-    Box::new(Qti { package: Package::new(out), dialect, sections: Vec::new(), resources: Vec::new() })
+fn begin<'w>(out: Box<dyn Write + 'w>, dialect: Dialect, title: &str) -> Box<dyn Export + 'w> {
+    Box::new(Qti {
+        package: Package::new(out),
+        dialect,
+        title: title.to_owned(),
+        sections: Vec::new(),
+        resources: Vec::new(),
+    })
 }
 
 impl<W: Write> Export for Qti<W> {
@@ -56,7 +64,7 @@ impl<W: Write> Export for Qti<W> {
         match self.sections.last_mut() {
             Some(last) if last.name == group => last.items.push(name),
             _ => {
-                let title = question.item.sheet.title.clone();
+                let title = question.form_title();
                 self.sections.push(Section { name: group, title, items: vec![name] });
             }
         }
@@ -92,7 +100,7 @@ impl<W: Write> Qti<W> {
         element("assessment-test")
             .with("xmlns", self.dialect.namespace)
             .with("identifier", "momentous")
-            .with("title", "momentous")
+            .with("title", &self.title)
             .holding(part)
     }
 

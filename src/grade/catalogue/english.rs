@@ -104,6 +104,9 @@ impl English {
         match message {
             Message::RightBecause(because) => format!("Right: {because}."),
             Message::TooFewFigures(asked) => format!("Write {asked} significant figures."),
+            Message::FiguresWanted(asked) => {
+                format!("Not marked yet: write {asked} significant figures, also where the last ones are zeros.")
+            }
             Message::TooManyFigures(asked) => format!("The data support no more than {asked} significant figures."),
             Message::Sense(Some([plus, minus])) => {
                 format!("The magnitude is right. State its direction, too: by a sign, or \"{plus}\" or \"{minus}\".")

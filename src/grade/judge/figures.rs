@@ -1,12 +1,15 @@
 //! The figures with which a right number is written. The value is judged elsewhere.
 
-use super::super::expected::{ExpectedNumber, Writing};
+use super::super::expected::{ExpectedKind, ExpectedNumber, Writing};
 use super::super::messages::Message;
 use super::super::number::Number;
-use super::super::read::Written;
+use super::super::read::{Answer, Written};
 use super::super::verdict::Verdict;
 use super::closeness::{Target, half_unit};
 use super::judgement::Judgement;
+
+/// The fewest figures that are asked for.
+const LEAST_ASKED: usize = 2;
 
 /// The judgement on a right number, with what is to be said of its figures; `number` is in the unit that is asked.
 pub(super) fn judged(
@@ -43,4 +46,31 @@ fn finding(target: &Target, written: Written, number: &Number, converted: bool) 
     let counts = !converted && target.turn().is_none() && target.value() != 0.0;
     let reach = half_unit(target.value(), expected).max(expected.allowance) + expected.error;
     (counts && off > reach * (1.0 + 1e-9)).then_some((Verdict::FiguresWrong, Message::LastFigure))
+}
+
+/// How many figures are asked for, where an answer is written with fewer. Neither the right value nor how near the answer is to it
+/// is looked at.
+#[must_use]
+pub fn too_few_figures(asked: &ExpectedKind, answer: &Answer) -> Option<usize> {
+    let lacks = |own: &ExpectedNumber, number: &Number, written: Written| {
+        let is_written = matches!(written, Written::Figures { most, .. } if most < own.figures);
+        let counts = own.writing != Writing::Ignore && !own.whole && own.figures >= LEAST_ASKED && !number.is_zero();
+        (is_written && counts).then_some(own.figures)
+    };
+    match (asked, answer) {
+        (ExpectedKind::Number(own), Answer::Number(answer)) => lacks(own, &answer.number, answer.written),
+        (ExpectedKind::Vector(own), Answer::Vector(answer)) => {
+            let component = own.components.first()?;
+            let size = answer.heading.as_ref().map(|(size, _)| std::slice::from_ref(size));
+            let numbers = size.unwrap_or(&answer.components).iter().zip(&answer.written);
+            numbers.into_iter().find_map(|(number, written)| lacks(component, number, *written))
+        }
+        (ExpectedKind::Interval(own), Answer::Interval(answer)) => {
+            // The limits of a quantity itself are whole numbers, which need no figures.
+            let boundary = [&own.low, &own.high].into_iter().flatten().find(|end| !end.own)?;
+            let ends = [&answer.low, &answer.high].into_iter().flatten().filter(|end| !end.number.value().is_int());
+            ends.into_iter().find_map(|end| lacks(&boundary.number, &end.number, end.written))
+        }
+        _ => None,
+    }
 }

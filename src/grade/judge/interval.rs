@@ -18,7 +18,7 @@ pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Jud
     let right = judged.iter().filter(|judgement| judgement.verdict.is_right()).count();
     if right == judged.len() && right > 0 {
         let differs = |(asked, given): &(&Option<ExpectedEnd>, &Option<EndAnswer>)| {
-            let closed = given.as_ref().and_then(|end| end.closed);
+            let closed = given.as_ref().map(|end| end.closed);
             // A limit of the quantity's own need not be repeated, so nothing hangs on how it is.
             asked.as_ref().zip(closed).is_some_and(|(asked, closed)| !asked.own && asked.closed != closed)
         };

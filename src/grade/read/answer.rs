@@ -88,8 +88,8 @@ pub struct EndAnswer {
     pub number: Number,
     /// How it was written.
     pub written: Written,
-    /// Whether it belongs to the interval; `None` where words such as `between` leave it open.
-    pub closed: Option<bool>,
+    /// Whether it belongs to the interval; it does where words such as `between` do not say it.
+    pub closed: bool,
 }
 
 /// How a number was written.
@@ -155,11 +155,22 @@ impl VectorAnswer {
 }
 
 impl IntervalAnswer {
+    /// Whether it is a boundary without a side: both ends are the same value.
+    #[must_use]
+    pub fn is_one_value(&self) -> bool {
+        self.low.as_ref().zip(self.high.as_ref()).is_some_and(|(low, high)| low.number == high.number)
+    }
+
     fn echo(&self) -> String {
-        let sign = |end: &EndAnswer| if end.closed == Some(false) { "<" } else { "<=" };
+        let sign = |end: &EndAnswer| if end.closed { "<=" } else { "<" };
         let low = self.low.as_ref().map(|end| format!("{} {}", echo_number(&end.number, end.written), sign(end)));
         let high = self.high.as_ref().map(|end| format!("{} {}", sign(end), echo_number(&end.number, end.written)));
         let unit = self.unit.as_ref().map(|unit| unit.spoken(true));
+        if let (Some(only), Some(_)) = (self.low.as_ref().filter(|_| self.is_one_value()), &self.high) {
+            return join(
+                [self.name.clone(), "=".into(), echo_number(&only.number, only.written)].into_iter().chain(unit),
+            );
+        }
         join([low, Some(self.name.clone()), high, unit].into_iter().flatten())
     }
 }

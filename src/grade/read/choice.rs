@@ -2,6 +2,7 @@
 
 use super::answer::ChoiceAnswer;
 use super::plain::MAX_LENGTH;
+use super::predicate;
 use super::reasons;
 use super::unreadable::{Unreadable, UnreadableKind};
 use super::yes_or_no::{answer_of, first_word};
@@ -21,7 +22,7 @@ const SAME: [(&str, &str); 5] = [
 ];
 
 /// Reads which of the options is meant.
-pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unreadable> {
+pub(super) fn read(answer: &str, question: &str, options: &[String]) -> Result<ChoiceAnswer, Unreadable> {
     if answer.chars().nth(MAX_LENGTH).is_some() {
         return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong(MAX_LENGTH) });
     }
@@ -36,6 +37,7 @@ pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unr
             UnreadableKind::NoOption(_) => in_letters(answer, options)
                 .or_else(|| by_last_words(&normal(answer), options))
                 .or_else(|| reasons::with_reason(&normal(answer), options))
+                .or_else(|| predicate::in_its_words(&normal(answer), &normal(question), options))
                 .ok_or(fault),
             _ => Err(fault),
         })

@@ -56,6 +56,24 @@ const OF_SIZES: [&str; 12] = [
     "in the opposite direction",
     "opposite direction",
 ];
+/// Points of the compass between its sides, of a vector whose size is asked.
+const BETWEEN_SIDES: [&str; 12] = [
+    "north-east",
+    "northeast",
+    "ne",
+    "north-west",
+    "northwest",
+    "nw",
+    "south-east",
+    "southeast",
+    "se",
+    "south-west",
+    "southwest",
+    "sw",
+];
+/// What one moves along.
+const ALONG: [&str; 12] =
+    ["track", "road", "floor", "ice", "table", "slope", "ramp", "ground", "bench", "rail", "rails", "line"];
 /// What one gets into.
 const INTO: [&str; 14] = [
     "target", "ground", "soil", "earth", "sand", "snow", "clay", "mud", "wood", "block", "straw", "gel", "wall",
@@ -108,10 +126,11 @@ fn says_nothing(comment: &str, asked: Asked<'_>) -> bool {
     let is = |words: &[&str]| words.contains(&lower.as_str());
     let dimension = asked.unit.dimension();
     let into = || lower.strip_prefix("into the ").is_some_and(|what| INTO.contains(&what));
+    let along = || lower.strip_prefix("along the ").is_some_and(|what| ALONG.contains(&what));
     is(&OF_ALL)
         || dimension == Dimension::TIME && is(&OF_TIMES)
         || dimension == Dimension::ENERGY && is(&OF_ENERGIES)
-        || dimension == Dimension::LENGTH && asked.senses.is_none() && (is(&OF_LENGTHS) || into())
+        || dimension == Dimension::LENGTH && asked.senses.is_none() && (is(&OF_LENGTHS) || into() || along())
 }
 
 /// Whether a comment is a direction where only a size is asked for.
@@ -119,7 +138,14 @@ fn says_direction_of_size(comment: &str, asked: Asked<'_>) -> bool {
     let is_size = asked.senses.is_none() && asked.unit.dimension() != Dimension::NONE;
     is_size
         && (OF_SIZES.contains(&comment.to_lowercase().as_str())
+            || is_between_sides(comment)
             || !direction::is_compass_letter(comment) && direction::read(comment, None, None) == Phrase::Other)
+}
+
+fn is_between_sides(comment: &str) -> bool {
+    let lower = comment.to_lowercase();
+    let point = lower.strip_prefix("to the ").or_else(|| lower.strip_prefix("towards the ")).unwrap_or(&lower);
+    BETWEEN_SIDES.contains(&point)
 }
 
 /// A count with its word, or in words: `3 bounces`, `three`, `after the 3rd bounce`.

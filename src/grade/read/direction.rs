@@ -18,6 +18,33 @@ const DIRECTIONS: &[&[&str]] = &[
     &["backward", "backwards", "back"],
 ];
 
+/// Directions that are told by a motion, and whether they go along with it.
+const ALONG_MOTION: [(&str, bool); 23] = [
+    ("same", true),
+    ("motion", true),
+    ("its motion", true),
+    ("same as before", true),
+    ("forward", true),
+    ("forwards", true),
+    ("onward", true),
+    ("onwards", true),
+    ("opposite", false),
+    ("opposite motion", false),
+    ("opposite its motion", false),
+    ("against motion", false),
+    ("against its motion", false),
+    ("against original", false),
+    ("against its original", false),
+    ("against its original motion", false),
+    ("opposite its original", false),
+    ("opposite original", false),
+    ("reverse", false),
+    ("reversed", false),
+    ("back", false),
+    ("backward", false),
+    ("backwards", false),
+];
+
 /// Before what one goes away from: `from the wall` is away from it.
 const FROM: &str = "from ";
 
@@ -88,7 +115,17 @@ pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>, axis: Option<char
             return sense(false);
         }
     }
-    if group(&bare).is_some() || along.is_some() { Phrase::Other } else { Phrase::None }
+    if group(&bare).is_some() || along.is_some() || along_motion(phrase).is_some() {
+        Phrase::Other
+    } else {
+        Phrase::None
+    }
+}
+
+/// Whether a phrase says that something goes along with a motion rather than against it, and whether it names the motion.
+pub(super) fn along_motion(phrase: &str) -> Option<(bool, bool)> {
+    let bare = bare(phrase);
+    ALONG_MOTION.iter().find(|(words, _)| *words == bare).map(|(words, along)| (*along, words.contains("motion")))
 }
 
 /// Directions that need no declaration: that in which a component is counted positive, and its opposite, with the letter of the

@@ -6,6 +6,11 @@ use super::unit_vectors::unit_vectors;
 const LETTERS: [(char, &str); 6] = [('i', "î"), ('j', "ĵ"), ('k', "k "), ('x', "î"), ('y', "ĵ"), ('z', "k ")];
 /// What is typed for a hat, the longer first.
 const HATS: [&str; 9] = ["_hat", "-hat", " hat", "hat", "-cap", " cap", "_cap", "cap", "^"];
+/// The factor -1, as it stands before brackets.
+const MINUS_ONE: [&str; 4] = ["(-1)", "[-1]", "(-1.0)", "-1"];
+/// Unit vectors that are named by their axes.
+const NAMED: [(&str, &str); 6] =
+    [("e_{x}", "î"), ("e_{y}", "ĵ"), ("e_{z}", "k "), ("e_x", "î"), ("e_y", "ĵ"), ("e_z", "k ")];
 /// Brackets that may stand round a term.
 const BRACKETS: [(char, char); 2] = [('(', ')'), ('[', ']')];
 
@@ -18,6 +23,14 @@ pub(super) fn put_on(text: &str) -> String {
         let read =
             LETTERS.iter().find(|(letter, _)| *letter == next).filter(|_| !before.is_alphabetic() && before != '_');
         let found = read.and_then(|(_, vector)| Some((vector, hat(&rest[1..])?)));
+        let named = NAMED.iter().find(|(name, _)| rest.starts_with(name) && !before.is_alphanumeric());
+        let ends = |name: &str| !rest[name.len()..].starts_with(|next: char| next.is_alphanumeric());
+        if let Some((name, vector)) = named.filter(|(name, _)| ends(name)) {
+            plain.push_str(vector);
+            plain.extend(std::iter::repeat_n(' ', name.len() - vector.len()));
+            rest = &rest[name.len()..];
+            continue;
+        }
         let taken = match found {
             Some((vector, hat)) => {
                 plain.push_str(vector);
@@ -51,6 +64,7 @@ fn hat(rest: &str) -> Option<usize> {
 /// The text without brackets round its terms: `-i+(8j)`, `(-1i)+(8j)`, `-(i - 8j)`. Brackets round the whole stay, and so do those
 /// round numbers and units.
 pub(super) fn without_brackets(text: &str) -> String {
+    let text = &with_sign_for_factor(text);
     let mut bytes = text.as_bytes().to_vec();
     let groups = groups(text);
     let is_whole = |from: usize, to: usize| {
@@ -82,6 +96,20 @@ pub(super) fn without_brackets(text: &str) -> String {
     String::from_utf8(bytes).unwrap_or_else(|_| text.to_owned())
 }
 
+/// A sign for the factor -1 before brackets: `(-1)(i - 8j)`.
+fn with_sign_for_factor(text: &str) -> String {
+    let found = groups(text).into_iter().find_map(|(from, to)| {
+        let before = text[..from].trim_end_matches([' ', '*', '·', '×']);
+        let rest = MINUS_ONE.iter().find_map(|factor| before.strip_suffix(factor))?;
+        let is_factor = !rest.ends_with(|last: char| last.is_alphanumeric() || ".)".contains(last));
+        (is_factor && unit_vectors(&text[from..=to]).len() > 1).then_some((rest.len(), from))
+    });
+    match found {
+        Some((start, from)) => format!("{}-{}{}", &text[..start], " ".repeat(from - start - 1), &text[from..]),
+        None => text.to_owned(),
+    }
+}
+
 /// Where brackets open and close that stand in no others.
 fn groups(text: &str) -> Vec<(usize, usize)> {
     let mut found = Vec::new();
@@ -110,6 +138,7 @@ mod tests {
             ("-1 i-hat + 8 j hat", "-1 î    + 8 ĵ   "),
             ("-i^+8j^ N s", "-î+8ĵ N s"),
             ("2 x^2", "2 x^2"),
+            ("1.7 e_x - 1.4 e_y m/s", "1.7 î  - 1.4 ĵ  m/s"),
             ("that", "that"),
         ] {
             assert_eq!(put_on(typed), plain);
@@ -124,6 +153,8 @@ mod tests {
             ("(-i)-(-8j)", " -i + 8j "),
             ("-(i-8j)", "- i+8j "),
             ("-(-i-8j)", "+  i+8j "),
+            ("(-1)(i - 8j) N s", "-i+8j N s"),
+            ("-1*(i - 8j) N s", "-i+8j N s"),
             ("(1.5i - 2j) m/s", "(1.5i - 2j) m/s"),
             ("(1.5 N s)i", "(1.5 N s)i"),
         ] {

@@ -129,9 +129,14 @@ impl<'a> Reader<'a> {
         let between = text.strip_prefix("between ").and_then(|rest| rest.split_once(" and "));
         let from = text.strip_prefix("from ").unwrap_or(text).split_once(" to ");
         if let Some((low, high)) = between.or(from) {
-            return self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, [None, None]);
+            return self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, [Some(true); 2]);
         }
-        Err((at, UnreadableKind::NotAnInterval))
+        // The boundary alone, or an equation: both ends are this value.
+        let end = self.end((at, text)).map_err(|_| (at, UnreadableKind::NotAnInterval))?;
+        match &end {
+            Some(Side::Value(value)) if value.sense.is_none() => self.made(end.clone(), end, [Some(true); 2]),
+            _ => Err((at, UnreadableKind::NotAnInterval)),
+        }
     }
 
     /// `0 < e <= 0.5`, `e > 0`, `e > 0 and e <= 0.5`.
@@ -238,8 +243,8 @@ impl<'a> Reader<'a> {
         if low.as_ref().zip(high.as_ref()).is_some_and(|(low, high)| above(low, high)) {
             return Err((0, UnreadableKind::EmptyInterval));
         }
-        let end = |end: Option<NumberAnswer>, closed| {
-            end.map(|end| EndAnswer { number: end.number, written: end.written, closed })
+        let end = |end: Option<NumberAnswer>, closed: Option<bool>| {
+            end.map(|end| EndAnswer { number: end.number, written: end.written, closed: closed != Some(false) })
         };
         Ok(IntervalAnswer { name: self.asked.name.clone(), low: end(low, closed[0]), high: end(high, closed[1]), unit })
     }

@@ -20,6 +20,7 @@ mod mixed;
 mod multiple;
 mod numeral;
 mod plain;
+mod predicate;
 mod quantity;
 mod reasons;
 mod remarks;
@@ -54,7 +55,7 @@ use super::expected::ExpectedKind;
 /// ```
 /// use momentous_grade::{DecimalMark, ExpectedKind, read};
 /// let options = vec!["conserved".to_owned(), "not conserved".to_owned()];
-/// let asked = ExpectedKind::Choice { options, right: 0, because: String::new() };
+/// let asked = ExpectedKind::Choice { question: String::new(), options, right: 0, because: String::new() };
 /// assert_eq!(read("(b)", &asked, DecimalMark::Point)?.echo(), "not conserved");
 /// let fault = read("maybe", &asked, DecimalMark::Point).unwrap_err();
 /// assert_eq!(fault.kind.code(), "no_option");
@@ -69,6 +70,6 @@ pub fn read(text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Result<Answe
         ExpectedKind::Vector(vector) => vector::read(text, vector, mark).map(Answer::Vector),
         ExpectedKind::Formula(formula) => formula::read(text, formula, mark).map(Answer::Formula),
         ExpectedKind::Interval(interval) => interval::read(text, interval, mark).map(Answer::Interval),
-        ExpectedKind::Choice { options, .. } => choice::read(text, options).map(Answer::Choice),
+        ExpectedKind::Choice { question, options, .. } => choice::read(text, question, options).map(Answer::Choice),
     }
 }

@@ -5,7 +5,7 @@ use super::answer::ChoiceAnswer;
 use super::yes_or_no::{answer_of, first_word};
 
 /// Words of reasons.
-const REASONS: [&str; 96] = [
+const REASONS: [&str; 106] = [
     "a",
     "an",
     "the",
@@ -73,6 +73,16 @@ const REASONS: [&str; 96] = [
     "tension",
     "moment",
     "torque",
+    "some",
+    "part",
+    "becomes",
+    "become",
+    "goes",
+    "into",
+    "turns",
+    "turned",
+    "converted",
+    "transformed",
     "lost",
     "loses",
     "dissipated",

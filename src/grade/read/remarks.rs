@@ -61,8 +61,8 @@ const BEHIND: [&str; 14] = [
 ];
 /// Words behind an energy whose name says that it is one of these.
 const BEHIND_ENERGY: [(&str, &[&str]); 2] = [
-    ("lost", &["(lost)", "lost", "(dissipated)", "dissipated"]),
-    ("gained", &["(gained)", "gained", "(supplied)", "supplied"]),
+    ("lost", &["(lost)", "are lost", "is lost", "was lost", "were lost", "lost", "(dissipated)", "dissipated"]),
+    ("gained", &["(gained)", "are gained", "is gained", "was gained", "gained", "(supplied)", "supplied"]),
 ];
 /// How figures and decimals are counted, in brackets behind a number of them.
 const COUNTED: [&str; 12] = [
@@ -129,6 +129,9 @@ pub(super) fn read(
     let comment = comments::start(bare, asked).filter(|end| !bare[..*end].trim().is_empty());
     if let Some(end) = comment {
         to = from + end;
+        while let Some(end) = before_remark(&text[from..to], asked) {
+            to = from + end;
+        }
     }
     let inner = text[from..to].trim_end_matches([' ', ',', '(']);
     if let Some(zero) = in_words(inner, asked) {
@@ -273,8 +276,8 @@ fn before_remark(text: &str, asked: Asked<'_>) -> Option<usize> {
         (end.eq_ignore_ascii_case(word) && apart).then_some(start)
     };
     let counted = || {
-        let open = bare.rfind('(')?;
-        let inner = bare[open + 1..].strip_suffix(')')?.trim();
+        let open = bare.rfind('(').or_else(|| bare.rfind(" to "))?;
+        let inner = bare[open + 1..].trim_end_matches(')').trim();
         let inner = inner.strip_prefix("to ").or(inner.strip_prefix("in ")).unwrap_or(inner);
         let digits = inner.find(|next: char| !next.is_ascii_digit())?;
         (digits > 0 && COUNTED.contains(&inner[digits..].trim())).then_some(open)

@@ -32,6 +32,8 @@ pub(super) struct Asked<'a> {
     pub(super) axis: Option<char>,
     /// The same two directions in space, where the axis follows a string.
     hangs: Option<&'a [String; 2]>,
+    /// Whether what is told to move moves in the positive direction.
+    motion: Option<bool>,
     pub(super) name: &'a str,
 }
 
@@ -42,20 +44,27 @@ impl<'a> Asked<'a> {
         let name = called.map_or("", |called| &called.name);
         let axis = called.and_then(|called| called.axis);
         let hangs = called.and_then(|called| called.hangs.as_ref());
-        Self { unit: &number.unit, senses: number.senses.as_ref(), axis, hangs, name }
+        let motion = called.and_then(|called| called.motion);
+        Self { unit: &number.unit, senses: number.senses.as_ref(), axis, hangs, motion, name }
     }
 
     /// Nothing but a unit.
     pub(super) fn in_unit(unit: &'a Unit) -> Self {
-        Self { unit, senses: None, axis: None, hangs: None, name: "" }
+        Self { unit, senses: None, axis: None, hangs: None, motion: None, name: "" }
     }
 
     /// What a phrase says about direction.
     pub(super) fn direction(&self, phrase: &str) -> Phrase {
         let said = direction::read(phrase, self.senses, self.axis);
         let in_space = || self.hangs.and_then(|hangs| direction::read(phrase, Some(hangs), None).declared());
+        // Of a force the same direction may be that of another.
+        let is_velocity = self.unit.dimension() == Dimension::VELOCITY;
+        let of_motion = || {
+            let (along, names_it) = direction::along_motion(phrase)?;
+            Some(along == self.motion?).filter(|_| is_velocity || names_it)
+        };
         match (&said, self.senses) {
-            (Phrase::Other, Some([plus, minus])) => in_space().map_or(said, |positive| {
+            (Phrase::Other, Some([plus, minus])) => in_space().or_else(of_motion).map_or(said, |positive| {
                 Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() })
             }),
             (Phrase::None, None) if direction::begins(phrase) => Phrase::Other,

@@ -2,6 +2,7 @@
 
 pub(super) mod issued;
 mod limit;
+mod motion;
 mod nearest;
 pub(super) mod neglected;
 pub(super) mod no_variant;

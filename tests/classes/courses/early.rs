@@ -42,7 +42,7 @@ ask:
 const HIDDEN: [&str; 2] = ["1", "1/2"];
 
 /// Texts that a student might have read, to learn from how they are read.
-const TEXTS: [&str; 7] = ["3 m/s", "-3 m/s", "elastic", "yes", "3..2", "5 J", ""];
+const TEXTS: [&str; 7] = ["3.00 m/s", "-3.00 m/s", "elastic", "yes", "3..2", "5.00 J", ""];
 
 fn source(hidden: &str) -> Source {
     Source::new("problem_bank/impact/two-carts.yaml", &PROBLEM.replace("HIDDEN", hidden))
@@ -147,12 +147,12 @@ fn tried(hidden: &str) -> [Vec<(String, String)>; 2] {
         tried.post(&format!("/further/{part}"), &[]);
     }
     // A right part would be locked, and a wrong one would lose an attempt.
-    for (request, text) in [("2", "1 m/s"), ("3", "2 m/s"), ("4", "3 m/s"), ("5", "4 m/s")] {
+    for (request, text) in [("2", "1.00 m/s"), ("3", "2.00 m/s"), ("4", "3.00 m/s"), ("5", "4.00 m/s")] {
         tried.post("", &[("request", request), ("answer.v_A2", text), ("answer.nothing", text)]);
         tried.pages(&university);
     }
     university.set_clock(DAY + 1);
-    tried.post("", &[("request", "late"), ("answer.v_B2", "7 m/s")]);
+    tried.post("", &[("request", "late"), ("answer.v_B2", "7.00 m/s")]);
     tried.pages(&university);
     let before = std::mem::take(&mut tried.seen);
     university.set_clock(3 * DAY + RELEASED);

@@ -205,7 +205,7 @@ fn problems_of_an_open_assignment_are_shown_to_its_staff_only() {
         ("hint", r#", "number": 1"#),
         ("givens", ""),
         ("simulate", ""),
-        ("read", r#", "part": "v_A2", "text": "1 m/s""#),
+        ("read", r#", "part": "v_A2", "text": "1.00 m/s""#),
     ];
     let pages = ["practice", "solution", "solve", "play"].map(|page| format!("/{page}/impact/two-carts?form=forward"));
     for (login, status) in

@@ -63,14 +63,14 @@ fn every_attempt_is_shown_with_what_was_typed_and_read() {
     let handed = Handed::new();
     let mut ada = handed.university.browser_of("ada");
     handed.university.set_clock(DAY + 1);
-    ada.post(&handed.item(""), &[("request", "2"), ("answer.v_B2", "99 m/s")]).to();
+    ada.post(&handed.item(""), &[("request", "2"), ("answer.v_B2", "99.0 m/s")]).to();
     let page = handed.university.browser_of("ann").get(&handed.answers("")).text(200);
     for said in [
         "<code>ask 555-0199 &lt;b&gt;</code>",
         "not read:",
         "Mon, 1 Dec 2025, 21:00",
         "late by 1 started day",
-        "<code>99 m&#x2F;s</code>",
+        "<code>99.0 m&#x2F;s</code>",
         "Attempt 2",
         "This attempt counts",
     ] {

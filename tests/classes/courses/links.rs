@@ -66,7 +66,7 @@ fn the_link_of_a_course_opens_that_course_and_nothing_else() {
     for address in [&item, &university.address("")] {
         assert_eq!(taken.get(address).status, 404, "{address}");
     }
-    assert_eq!(taken.post(&item, &[("answer.v_A2", "9 m/s")]).status, 404);
+    assert_eq!(taken.post(&item, &[("answer.v_A2", "9.00 m/s")]).status, 404);
     assert_eq!(taken.post("/account/password", &NEW).status, 403);
     ada.get(&item).text(200);
     let of_first = trail(&university, university.course.key);

@@ -95,7 +95,7 @@ fn write_the_data_of_this_version() {
     for login in ["ada", "bob"] {
         let mut browser = university.browser_of(login);
         browser.get(&address).text(200);
-        browser.post(&address, &form("1", &[("answer.v_A2", "97 m/s"), ("answer.v_B2", "3..2")])).to();
+        browser.post(&address, &form("1", &[("answer.v_A2", "97.0 m/s"), ("answer.v_B2", "3..2")])).to();
         browser.post(&format!("{address}/hint"), &[("answer.T_lost", "half of it")]).to();
         university.set_clock(DAY + 1);
         let (_, answers) = right(&university, login);

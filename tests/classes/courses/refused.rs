@@ -18,9 +18,13 @@ fn what_would_fill_the_disk_or_cannot_be_kept_is_not_handed_in() {
     let mut ada = university.browser_of("ada");
     let long = "9".repeat(40_000);
     for (fields, status, said) in [
-        (&[("request", &long[..65]), ("answer.v_A2", "1 m/s")][..], 413, "At most 64 bytes make the key of a request"),
+        (
+            &[("request", &long[..65]), ("answer.v_A2", "1.00 m/s")][..],
+            413,
+            "At most 64 bytes make the key of a request",
+        ),
         (&[("answer.v_A2", &long), ("answer.v_B2", &long)], 413, "At most 65536 bytes of answers can be sent"),
-        (&[("request", "a\0"), ("answer.v_A2", "1 m/s")], 400, "nobody can type"),
+        (&[("request", "a\0"), ("answer.v_A2", "1.00 m/s")], 400, "nobody can type"),
     ] {
         let page = ada.post(&address, fields).text(status);
         assert!(page.contains(said), "{said}: {page}");

@@ -107,11 +107,11 @@ fn a_request_that_is_repeated_is_one_attempt() {
     let address = first(&university, &whole);
     let mut ada = university.browser_of("ada");
     for _ in 0..3 {
-        ada.post(&address, &form("same", &[("answer.v_A2", "99 m/s")])).to();
+        ada.post(&address, &form("same", &[("answer.v_A2", "99.0 m/s")])).to();
     }
     assert_eq!(stored(&university).history.handed_in(), 1);
-    let nothing_new = ada.post(&address, &form("other", &[("answer.v_A2", "99 m/s")])).text(422);
-    assert!(nothing_new.contains("nothing new") && nothing_new.contains("value=\"99 m/s\""));
+    let nothing_new = ada.post(&address, &form("other", &[("answer.v_A2", "99.0 m/s")])).text(422);
+    assert!(nothing_new.contains("nothing new") && nothing_new.contains("value=\"99.0 m/s\""));
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn attempts_cost_and_end_part_by_part() {
     let whole = university.assignment(&[(CARTS, "forward", 10)], |_| {});
     let address = first(&university, &whole);
     let mut ada = university.browser_of("ada");
-    for (request, text) in [("1", "97 m/s"), ("2", "98 m/s"), ("3", "99 m/s")] {
+    for (request, text) in [("1", "97.0 m/s"), ("2", "98.0 m/s"), ("3", "99.0 m/s")] {
         ada.post(&address, &form(request, &[("answer.v_A2", text)])).to();
     }
     let page = ada.post(&address, &form("4", &[("answer.v_A2", "100 m/s")])).text(422);
@@ -149,7 +149,7 @@ fn late_answers_lose_a_share_and_closed_assignments_take_none() {
     assert_eq!(on_time.points, on_time.out_of.into());
     assert_eq!(late.points.clone() * momentous::quantity::Rational::from(5), (late.out_of * 4).into());
     university.set_clock(3 * DAY + 1);
-    let page = ada.post(&address, &form("3", &[("answer.v_B2", "1 m/s")])).text(422);
+    let page = ada.post(&address, &form("3", &[("answer.v_B2", "1.00 m/s")])).text(422);
     assert!(page.contains("the time for answers is over"));
     university.set_clock(3 * DAY + RELEASED - 1);
     ada.get(&format!("{address}/solution")).text(403);
@@ -210,8 +210,8 @@ fn reading_says_what_was_read_and_nothing_of_what_is_right() {
     let whole = university.assignment(&[(CARTS, "forward", 10)], |_| {});
     let address = format!("{}/read", first(&university, &whole));
     let mut ada = university.browser_of("ada");
-    let read = ada.post(&address, &[("part", "v_A2"), ("text", "0.5 m/s to the left")]).text(200);
-    assert!(read.contains("0.5 metres per second to the left"), "{read}");
+    let read = ada.post(&address, &[("part", "v_A2"), ("text", "0.500 m/s to the left")]).text(200);
+    assert!(read.contains("0.500 metres per second to the left"), "{read}");
     assert!(ada.post(&address, &[("part", "v_A2"), ("text", "3..2")]).text(200).contains("unreadable"));
     assert_eq!(ada.post(&address, &[("part", "nothing"), ("text", "1")]).status, 404);
 }
@@ -231,7 +231,8 @@ fn pages_ask_the_database_a_counted_number_of_times() {
         (after.0 - before.0, after.1 - before.1)
     };
     assert_eq!(counted(&mut |ada| drop(ada.get(&address).text(200))), SHEET, "a sheet: statements, rows");
-    let hand_in = counted(&mut |ada| drop(ada.post(&address, &form("1", &[("answer.v_A2", "9 m/s")])).to().to_owned()));
+    let hand_in =
+        counted(&mut |ada| drop(ada.post(&address, &form("1", &[("answer.v_A2", "9.00 m/s")])).to().to_owned()));
     assert_eq!(hand_in, HAND_IN, "handing in: statements, rows");
     assert_eq!(
         counted(&mut |ada| drop(ada.get(&university.address("")).text(200))),

@@ -64,16 +64,16 @@ fn what_begins_before_the_close_counts_and_nothing_is_released_meanwhile() {
         let cookie = class.students[0].sign_in(&mut client);
         assert_eq!(client.get(item, &cookie).unwrap().status, 200);
 
-        let body = "request=slow&answer.v_A2=1+m%2Fs";
+        let body = "request=slow&answer.v_A2=1.00+m%2Fs";
         let mut slow = begun(&address, item, &cookie, body.len());
         at(15_000);
         assert_eq!(client.get(&solution, &cookie).unwrap().status, 403, "nothing is released yet");
-        assert_eq!(client.post(item, &cookie, &[("answer.v_A2", "2 m/s")]).unwrap().status, 422, "it has closed");
+        assert_eq!(client.post(item, &cookie, &[("answer.v_A2", "2.00 m/s")]).unwrap().status, 422, "it has closed");
         slow.get_mut().write_all(body.as_bytes()).unwrap();
         assert!(line(&mut slow).starts_with("HTTP/1.1 303"));
         at(60_000);
         let page = client.get(item, &cookie).unwrap().text;
-        assert!(page.contains("class=\"receipts\"") && page.contains("1 m/s"), "{page}");
+        assert!(page.contains("class=\"receipts\"") && page.contains("1.00 m/s"), "{page}");
         assert_eq!(client.get(&solution, &cookie).unwrap().status, 403);
         at(60_001);
         assert_eq!(client.get(&solution, &cookie).unwrap().status, 200);

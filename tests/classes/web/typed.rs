@@ -89,12 +89,12 @@ fn typed_values_are_printed_read_marked_and_solved() {
     for words in ["3\u{a0}kg", "2\u{a0}m/s to the left", "0.7", "Find the velocity of each cart"] {
         assert!(statement.contains(words), "{words}: {statement}");
     }
-    let marked = carts("mark", json!({ "answers": { "v_A2": "-0.4 m/s", "v_B2": "3.1 m/s", "T_lost": "3 J" } }));
+    let marked = carts("mark", json!({ "answers": { "v_A2": "-0.400 m/s", "v_B2": "3.10 m/s", "T_lost": "3.00 J" } }));
     let verdicts: Vec<&str> =
         marked["parts"].as_array().unwrap().iter().map(|part| part["verdict"].as_str().unwrap()).collect();
     assert_eq!(verdicts, ["right", "right", "wrong"]);
-    let read = carts("read", json!({ "part": "v_A2", "text": "0,4 m/s left" }));
-    assert_eq!(read["understood"], "0.4 metres per second to the left");
+    let read = carts("read", json!({ "part": "v_A2", "text": "0,400 m/s left" }));
+    assert_eq!(read["understood"], "0.400 metres per second to the left");
     assert_eq!(carts("hint", json!({ "number": 1 }))["more"], true);
     let page = "/solution/impact/two-carts?set.m_A=3+kg&set.m_B=2+kg&set.v_A1=3+m%2Fs&set.v_B1=-2+m%2Fs&set.e=0.7";
     let solution = client.get(page).text(200);
@@ -128,8 +128,8 @@ fn a_sheet_of_typed_values_is_answered_on_its_page() {
         ("set.v_A1", "3 m/s"),
         ("set.v_B1", "-2 m/s"),
         ("set.e", "0.7"),
-        ("answer.v_A2", "-0.4 m/s"),
-        ("answer.v_B2", "3.1 m/s"),
+        ("answer.v_A2", "-0.400 m/s"),
+        ("answer.v_B2", "3.10 m/s"),
         ("answer.T_lost", "7.65 J"),
     ];
     let fields: Vec<(String, String)> = fields.map(|(name, value)| (name.to_owned(), value.to_owned())).into();

@@ -34,7 +34,7 @@ fn every_key_that_is_printed_is_documented() {
     let all: Vec<&str> =
         ["generate", "--format", "json", "--solution"].into_iter().chain(ids.iter().map(String::as_str)).collect();
     let wrong = ["grade", "--problem", "impact/two-carts", "--seed", "1", "--closed", "--format", "json"];
-    let answers = ["--answer", "v_A2=0.5 m/s", "--answer", "v_B2=9 m/x", "--answer", "T_lost=3 J"];
+    let answers = ["--answer", "v_A2=0.500 m/s", "--answer", "v_B2=9 m/x", "--answer", "T_lost=3.00 J"];
     let printed = [
         bank,
         room.fine(&all),

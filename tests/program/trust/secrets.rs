@@ -114,7 +114,7 @@ fn with_a_secret_a_seed_is_known_by_its_mark_or_by_who_was_given_it() {
         let ran = grade(&[&["own.csv"][..], &known].concat());
         assert!(ran.code == 1 && ran.err.contains("1 row read: 1 marked"), "{}", ran.err);
     }
-    let single = grade(&["--problem", "impact/two-carts", "--seed", "7", "--answer", "v_A2=1 m/s"]);
+    let single = grade(&["--problem", "impact/two-carts", "--seed", "7", "--answer", "v_A2=1.00 m/s"]);
     assert!(single.code == 2 && single.out.is_empty() && single.err.contains("it is 7-jdrgqf"), "{}", single.err);
     // To make a sheet or its solution, the secret and a number are enough.
     room.fine(&["solve", "impact/two-carts", "--seed", "7", "--secret", "weak.txt"]);
@@ -124,7 +124,7 @@ fn with_a_secret_a_seed_is_known_by_its_mark_or_by_who_was_given_it() {
 fn a_sheet_is_not_marked_with_another_secret() {
     let room = Room::with(&[WEAK, ("other.txt", "8f14e45fceea167a5a36dedd4bea2543\n")]);
     let commands: [&[&str]; 4] = [
-        &["grade", "--problem", "impact/two-carts", "--answer", "v_A2=1 m/s"],
+        &["grade", "--problem", "impact/two-carts", "--answer", "v_A2=1.00 m/s"],
         &["solve", "impact/two-carts"],
         &["generate", "impact/two-carts"],
         &["simulate", "impact/two-carts"],

@@ -5,7 +5,7 @@ use momentous_expr::Expr;
 use momentous_quantity::Rational;
 
 use super::super::unreadable::{At, UnreadableKind};
-use super::grammar::{Grammar, Term};
+use super::grammar::{Grammar, Term, is_small};
 use super::named::Named;
 use super::token::Token;
 
@@ -26,7 +26,22 @@ impl Grammar<'_> {
         let token = self.peek();
         self.advance();
         match token {
-            Some(Token::Function(Named::PointAngle)) => self.angle_of_point(),
+            Some(Token::Function(Named::PointAngle)) => {
+                self.count(Named::PointAngle.cost())?;
+                let [y, x] = self.two_arguments()?;
+                Ok(Term::of(y.atan2(x)))
+            }
+            Some(Token::Function(Named::Pow)) => {
+                let [base, exponent] = self.two_arguments()?;
+                let number = exponent.as_number().filter(|number| is_small(number));
+                let number = number.ok_or((at, UnreadableKind::TooLarge))?;
+                if base.is_zero() && *number <= Rational::ZERO {
+                    return Err((at, UnreadableKind::Undefined));
+                }
+                let is_root = !number.is_int() && *number.denominator() != 2_u8.into();
+                self.count(if is_root { 2 } else { 0 })?;
+                Ok(Term::of(base.power(exponent)))
+            }
             Some(Token::Function(named)) => self.function(*named, at),
             Some(Token::Root(degree)) => self.root(*degree),
             Some(Token::IndexedRoot) => {
@@ -143,20 +158,20 @@ impl Grammar<'_> {
         self.product_from(first)
     }
 
-    fn angle_of_point(&mut self) -> At<Term> {
-        self.count(Named::PointAngle.cost())?;
+    /// Two arguments in brackets, with a comma between them.
+    fn two_arguments(&mut self) -> At<[Expr; 2]> {
         let at = self.at();
         let Some(Token::Open(close)) = self.peek() else { return self.fault(UnreadableKind::NoArgument) };
         self.advance();
-        let y = self.sum()?;
+        let first = self.nested(Self::sum)?;
         if !self.take(&Token::Comma) {
             return self.fault(UnreadableKind::NotAFormula);
         }
-        let x = self.sum()?;
+        let second = self.nested(Self::sum)?;
         if !self.take(&Token::Close(*close)) {
             return Err((at, UnreadableKind::OpenBracket));
         }
-        Ok(Term::of(y.value.atan2(x.value)))
+        Ok([first.value, second.value])
     }
 }
 

@@ -389,7 +389,7 @@ impl<'a> Grammar<'a> {
 }
 
 /// Whether a number is an exponent that is worked with.
-fn is_small(number: &Rational) -> bool {
+pub(super) fn is_small(number: &Rational) -> bool {
     let limit = Rational::from(MAX_POWER);
     *number <= limit && *number >= -limit && Rational::from(number.denominator().clone()) <= Rational::from(MAX_DEGREE)
 }

@@ -7,6 +7,7 @@ use super::super::unreadable::{At, UnreadableKind};
 use super::latex::{Command, command};
 use super::named::Named;
 use super::signs::{self, NOTHING};
+use super::systems::without_libraries;
 use super::token::{Letter, Lexeme, MAX_DEPTH, Place, Token};
 
 /// A decimal of so many figures may be a rounded number.
@@ -14,7 +15,8 @@ const ROUNDED_FIGURES: usize = 3;
 
 /// The tokens of a formula; `own_e` says that `e` is a quantity of the problem, so that `2e3` may be a product.
 pub(super) fn lexemes(answer: &str, mark: DecimalMark, own_e: bool) -> At<Vec<Lexeme>> {
-    let signs: Vec<char> = answer.chars().map(signs::plain).collect();
+    let mut signs: Vec<char> = answer.chars().map(signs::plain).collect();
+    without_libraries(&mut signs, own_e);
     let mut lexer = Lexer::new(&signs, mark, own_e);
     while lexer.at < signs.len() {
         lexer.step()?;

@@ -11,6 +11,7 @@ mod names;
 mod over;
 mod resolve;
 mod signs;
+mod systems;
 mod term;
 mod token;
 mod vocabulary;

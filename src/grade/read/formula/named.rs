@@ -20,6 +20,8 @@ pub(super) enum Named {
     Arccsc,
     /// The angle of the point (x, y), as our keys write it: `atan2(y, x)`.
     PointAngle,
+    /// A power, as programs write it: `pow(x, 2)`.
+    Pow,
     Sinh,
     Cosh,
     Tanh,
@@ -41,11 +43,11 @@ pub(super) enum Named {
 
 use Named::{
     Abs, Arccos, Arccot, Arccsc, Arcosh, Arcsec, Arcsin, Arctan, Arsinh, Artanh, Cbrt, Cos, Cosh, Cot, Coth, Csc, Csch,
-    Exp, Ln, Log, Log10, PointAngle, Sec, Sech, Sin, Sinh, Sqrt, Tan, Tanh,
+    Exp, Ln, Log, Log10, PointAngle, Pow, Sec, Sech, Sin, Sinh, Sqrt, Tan, Tanh,
 };
 
 /// Every spelling. Those that are not firm may as well be a product of the sheet's names: `lg`, `a sin`.
-const SPELT: [(&str, Named, bool); 51] = [
+const SPELT: [(&str, Named, bool); 70] = [
     ("sin", Sin, true),
     ("cos", Cos, true),
     ("tan", Tan, true),
@@ -97,6 +99,25 @@ const SPELT: [(&str, Named, bool); 51] = [
     ("Tan", Tan, true),
     ("Exp", Exp, true),
     ("Ln", Ln, true),
+    ("cotan", Cot, true),
+    ("asec", Arcsec, false),
+    ("acsc", Arccsc, false),
+    ("pow", Pow, true),
+    ("power", Pow, true),
+    ("Pow", Pow, true),
+    ("Power", Pow, true),
+    ("Abs", Abs, true),
+    ("Cot", Cot, true),
+    ("Sec", Sec, true),
+    ("Csc", Csc, true),
+    ("Sinh", Sinh, true),
+    ("Cosh", Cosh, true),
+    ("Tanh", Tanh, true),
+    ("ArcSin", Arcsin, true),
+    ("ArcCos", Arccos, true),
+    ("ArcTan", Arctan, true),
+    ("ArcSinh", Arsinh, true),
+    ("ArcCosh", Arcosh, true),
 ];
 
 /// All spellings with their functions, and whether no product of names is meant by them.
@@ -117,13 +138,13 @@ impl Named {
 
     /// Whether its argument is a pure number.
     pub(super) fn takes_pure(self) -> bool {
-        !matches!(self, Abs | Sqrt | Cbrt)
+        !matches!(self, Abs | Sqrt | Cbrt | Pow)
     }
 
     /// How many functions of a term it takes, which are costly at many digits.
     pub(super) fn cost(self) -> usize {
         match self {
-            Abs | Sqrt => 0,
+            Abs | Sqrt | Pow => 0,
             Sinh | Cosh | Sech | Csch | Tan | Cot | Cbrt | Arcsin | Arccos | Arctan | Arccot | Arcsec | Arccsc
             | PointAngle => 2,
             Tanh | Coth => 4,
@@ -185,6 +206,7 @@ impl Named {
             Ln | Log => ln(argument),
             Log10 => ln(argument) / ln(Expr::integer(10)),
             Abs => apply(Function::Abs, argument),
+            Pow => argument,
             Sqrt => argument.sqrt(),
             Cbrt => argument.power(Expr::ratio(1, 3)),
         }

@@ -42,6 +42,8 @@ impl<'a> Names<'a> {
         let mut known: Vec<Known> =
             vocabulary.names.iter().flat_map(|symbol| spelt(*symbol, Meant::Given(*symbol))).collect();
         known.extend(vocabulary.asked.into_iter().flat_map(|asked| spelt(asked, Meant::Asked)));
+        known.extend(turned(&known));
+        known.extend(without_instants(&known, vocabulary));
         known.push(Known { letters: vec!['π'], meant: Meant::Pi });
         Self { known, vocabulary }
     }
@@ -109,6 +111,36 @@ impl<'a> Names<'a> {
         let near = near.or_else(|| longer.map(|known| self.printed(known.meant).to_owned()));
         UnreadableKind::UnknownName { name: text.to_owned(), near }
     }
+}
+
+/// Names with the number of their instant before their body, `v_1A` for `v_A1`, where nothing else is called so.
+fn turned(known: &[Known]) -> Vec<Known> {
+    let turned = |own: &Known| {
+        let [stem @ .., body, instant] = own.letters.as_slice() else { return None };
+        let fits = body.is_uppercase() && instant.is_ascii_digit() && !stem.is_empty();
+        let letters: Vec<char> = stem.iter().copied().chain([*instant, *body]).collect();
+        (fits && known.iter().all(|other| other.letters != letters)).then_some(Known { letters, meant: own.meant })
+    };
+    known.iter().filter_map(turned).collect()
+}
+
+/// Names without the number of their instant, `vA` for `v_A1`, where one quantity alone can be meant and it is given.
+fn without_instants(known: &[Known], vocabulary: &Vocabulary<'_>) -> Vec<Known> {
+    let short = |own: &Known| {
+        let (last, rest) = own.letters.split_last()?;
+        let is_of_body = rest.len() > 1 && rest.last().is_some_and(|body| body.is_uppercase());
+        (last.is_ascii_digit() && is_of_body).then(|| rest.to_vec())
+    };
+    let is_answer = vocabulary.asked.is_some();
+    let given = known.iter().filter(|own| is_answer && matches!(own.meant, Meant::Given(_)));
+    let alone = |own: &Known| {
+        let letters = short(own)?;
+        let is_other = |other: &Known| {
+            other.meant != own.meant && (other.letters == letters || short(other).as_ref() == Some(&letters))
+        };
+        (!known.iter().any(is_other)).then_some(Known { letters, meant: own.meant })
+    };
+    given.filter_map(alone).collect()
 }
 
 /// The letters of a name, Greek ones as such: as the file spells it, and as it is printed where that differs.

@@ -13,10 +13,12 @@ const MAX_LETTERS: usize = 64;
 const MANY: u8 = 2;
 
 /// The tokens without their words: names, functions and units of angles in their place.
-pub(super) fn resolve(lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
+pub(super) fn resolve(mut lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
     let start = behind_the_name(&lexemes, names)?;
     let mut found: Vec<Lexeme> = Vec::with_capacity(lexemes.len());
-    let mut rest = lexemes.into_iter().skip(start).peekable();
+    lexemes.drain(..start);
+    take_indices(&mut lexemes, names);
+    let mut rest = lexemes.into_iter().peekable();
     while let Some(lexeme) = rest.next() {
         let Token::Word(word) = &lexeme.token else {
             found.push(lexeme);
@@ -52,6 +54,36 @@ pub(super) fn resolve(lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
         }
     }
     Ok(found)
+}
+
+/// Gives words their indices in brackets: `m[1]` and `m(1)`, where these are names and `m` alone is none.
+fn take_indices(lexemes: &mut Vec<Lexeme>, names: &Names) {
+    let mut at = 0;
+    while at < lexemes.len() {
+        if let Some(word) = indexed(&lexemes[at..], names) {
+            lexemes[at].token = Token::Word(word);
+            // The bracket and what stands in it.
+            lexemes.drain(at + 1..at + 4);
+        }
+        at += 1;
+    }
+}
+
+/// The name that a word and the bracket behind it spell.
+fn indexed(lexemes: &[Lexeme], names: &Names) -> Option<Vec<Letter>> {
+    let [word, open, inside, close, ..] = lexemes else { return None };
+    let (Token::Word(letters), Token::Open(end)) = (&word.token, &open.token) else { return None };
+    let below = |(sign, at): (char, usize)| Letter { sign, place: Place::Below, at };
+    let index: Vec<Letter> = match &inside.token {
+        Token::Number { value, half: None } if value.is_int() => {
+            value.numerator().to_string().chars().map(|sign| below((sign, inside.at))).collect()
+        }
+        Token::Word(own) => own.iter().map(|letter| below((letter.sign, letter.at))).collect(),
+        _ => return None,
+    };
+    let whole = [letters.as_slice(), &index].concat();
+    let is_name = names.whole(letters).is_none() && names.whole(&whole).is_some();
+    (close.token == Token::Close(*end) && !open.gap && is_name).then_some(whole)
 }
 
 /// Where the formula begins, behind `v_B2 =`.
@@ -223,8 +255,8 @@ impl Word<'_> {
         }
         let names = self.names.at(self.letters, at).filter(|(_, length)| *length >= firm);
         found.extend(names.map(|(meant, length)| (vec![(Piece::Name(meant), at)], at + length)));
-        let last =
-            at + 1 == self.letters.len() && self.letters[at].sign == 'e' && self.letters[at].place != Place::Below;
+        let is_euler = |letter: &Letter| matches!(letter.sign, 'e' | 'E') && letter.place != Place::Below;
+        let last = at + 1 == self.letters.len() && is_euler(&self.letters[at]);
         if last && self.next == Some(&Token::Power) && !self.names.has_own_e() {
             found.push((vec![(Piece::Euler, at)], at + 1));
         }

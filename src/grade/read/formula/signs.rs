@@ -72,6 +72,11 @@ const FULL_WIDTH: u32 = 0xFEE0;
 /// The letters of mathematics in all their faces (Unicode's mathematical alphanumeric symbols), and how many a face has.
 const FACES: std::ops::RangeInclusive<u32> = 0x1D400..=0x1D6A3;
 const FACE: u32 = 52;
+/// The same with Greek letters: a face has the capitals, the nabla, the small ones, and other forms of six of them.
+const GREEK_FACES: std::ops::RangeInclusive<u32> = 0x1D6A8..=0x1D7CB;
+const GREEK_FACE: &str = "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΘΣΤΥΦΧΨΩ∇αβγδεζηθικλμνξοπρςστυφχψω∂εθκφρπ";
+/// The digits of mathematics in all their faces.
+const DIGIT_FACES: std::ops::RangeInclusive<u32> = 0x1D7CE..=0x1D7FF;
 
 /// The character that is meant.
 pub(super) fn plain(character: char) -> char {
@@ -82,6 +87,14 @@ pub(super) fn plain(character: char) -> char {
         code if FACES.contains(&code) => {
             let place = (code - FACES.start()) % FACE;
             char::from_u32(if place < 26 { 65 + place } else { 71 + place }).unwrap_or(character)
+        }
+        code if GREEK_FACES.contains(&code) => {
+            let letters: usize = GREEK_FACE.chars().count();
+            let place = usize::try_from(code - GREEK_FACES.start()).unwrap_or(0) % letters;
+            GREEK_FACE.chars().nth(place).unwrap_or(character)
+        }
+        code if DIGIT_FACES.contains(&code) => {
+            char::from_digit((code - DIGIT_FACES.start()) % 10, 10).unwrap_or(character)
         }
         _ if character.is_whitespace() => ' ',
         _ => character,

@@ -6,6 +6,9 @@ use super::lexer::Lexer;
 use super::signs::{self, NOTHING};
 use super::token::{Letter, Place, Token};
 
+/// The longest index in round brackets.
+const LONGEST_INDEX: usize = 4;
+
 impl Lexer<'_> {
     /// Reads the letters that stand side by side.
     pub(super) fn word(&mut self) -> At<Vec<Letter>> {
@@ -88,6 +91,14 @@ impl Lexer<'_> {
                 return Err((start, UnreadableKind::NotAFormula));
             }
         }
+        if let Some(length) = self.index_in_brackets() {
+            self.at += 1;
+            for _ in 0..length {
+                self.index(letters)?;
+            }
+            self.at += 1;
+            return Ok(());
+        }
         let grouped = self.peek(0) == Some('{');
         if !grouped {
             return self.index(letters);
@@ -117,6 +128,13 @@ impl Lexer<'_> {
             }
         }
         Ok(())
+    }
+
+    /// `v_(A1)`: how long the index in round brackets is.
+    fn index_in_brackets(&self) -> Option<usize> {
+        let inside = self.signs.get(self.at..)?.strip_prefix(&['('])?;
+        let length = inside.iter().take_while(|sign| sign.is_alphanumeric()).count();
+        (length > 0 && length <= LONGEST_INDEX && inside.get(length) == Some(&')')).then_some(length)
     }
 
     /// `v^2_A`: the index behind the power belongs to the name before it; whether one stands there.
