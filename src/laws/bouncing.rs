@@ -104,11 +104,19 @@ pub fn first_fall(gravity: &Expr, drop: &Expr) -> Expr {
     (Expr::integer(2) * drop.clone() / gravity.clone()).sqrt()
 }
 
+/// `1 + e + ... + e^(count - 1)`; where nothing is lost, as many terms of 1.
+fn series(e: &Expr, count: &Expr) -> Expr {
+    if e.is_one() {
+        return count.clone();
+    }
+    (Expr::one() - e.clone().power(count.clone())) / (Expr::one() - e.clone())
+}
+
 /// The time at which the n-th bounce happens: `t_0 (1 + 2 e (1 - e^(n-1)) / (1 - e))`, `t_0` the time of the first fall.
 #[must_use]
 pub fn bounce_time(e: &Expr, count: &Expr, first: &Expr) -> Expr {
     let one = Expr::one();
-    let series = (one.clone() - e.clone().power(count.clone() - one.clone())) / (one.clone() - e.clone());
+    let series = series(e, &(count.clone() - one.clone()));
     first.clone() * (one + Expr::product([Expr::integer(2), e.clone(), series]))
 }
 
@@ -123,7 +131,11 @@ pub fn total_time(e: &Expr, first: &Expr) -> Expr {
 pub fn path_to(e: &Expr, count: &Expr, drop: &Expr) -> Expr {
     let (one, square) = (Expr::one(), e.clone().powi(2));
     let flights = Expr::integer(2) * (count.clone() - one.clone());
-    let series = (one.clone() - e.clone().power(flights)) / (one.clone() - square.clone());
+    let series = if e.is_one() {
+        count.clone() - one.clone()
+    } else {
+        (one.clone() - e.clone().power(flights)) / (one.clone() - square.clone())
+    };
     drop.clone() * (one + Expr::product([Expr::integer(2), square, series]))
 }
 
@@ -156,9 +168,7 @@ pub fn flight(speed: &Expr, gravity: &Expr) -> Expr {
 /// the speed of the first arrival.
 #[must_use]
 pub fn time_to(e: &Expr, count: &Expr, whole: &Expr) -> Expr {
-    let one = Expr::one();
-    let series = (one.clone() - e.clone().power(count.clone() - one.clone())) / (one - e.clone());
-    Expr::product([whole.clone(), e.clone(), series])
+    Expr::product([whole.clone(), e.clone(), series(e, &(count.clone() - Expr::one()))])
 }
 
 /// The time from the first bounce to the end of all: `T e / (1 - e)`.

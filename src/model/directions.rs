@@ -41,7 +41,8 @@ impl Builder<'_> {
         }
         if let Some((turn, base)) = text.split_once(" from ") {
             let base = self.base_direction(base, path);
-            return Direction::turned(base.quarters, self.read_angle(turn, path));
+            let turn = self.read_angle(turn, path);
+            return Direction::turned(base.quarters, self.zero_if_so_written(turn));
         }
         if let Some((before, base)) = text.split_once(" of ")
             && let Some((turn, towards)) = before.rsplit_once(' ')
@@ -116,8 +117,8 @@ impl Builder<'_> {
         let falls = self.axes.iter().any(|(axis, senses)| *axis == Axis::Y && senses.rise() == Some(-1));
         let sign_of_y = if falls { -sign_of_y } else { sign_of_y };
         let sign = if base.quarters == 2 { -sign_of_y } else { sign_of_y };
-        let turn = Expr::integer(sign) * self.read_angle(turn, path);
-        Direction::turned(base.quarters, turn)
+        let turn = self.read_angle(turn, path);
+        Direction::turned(base.quarters, Expr::integer(sign) * self.zero_if_so_written(turn))
     }
 
     /// The whole angle of a direction, counter-clockwise from the first axis; quarter turns as values in degrees.

@@ -115,8 +115,10 @@ impl Builder<'_> {
         path: &Path,
     ) -> Expr {
         if friction.at_rest.is_some() {
-            let fault =
-                Fault::new(Code::Value, "a force that depends on the position needs a body that slides all the way");
+            let fault = Fault::new(
+                Code::Value,
+                "beside a resistance or a force that depends on the position, a body slides all the way",
+            );
             self.faults.push(fault.help("remove `static`").at_path(path.key("static")));
         }
         let kinetic =
@@ -285,10 +287,13 @@ impl Builder<'_> {
         self.choices.push(ways);
     }
 
-    /// Whether a body may move when a stage begins: something has happened to it, or the problem gives its velocity.
+    /// Whether a body may move when a stage begins: something has happened to it, or the problem gives how it moves.
     fn may_move(&self, body: &str, index: usize) -> bool {
-        let since = self.timeline.naming_instant(body, index + 1);
-        since > 1 || self.given.contains(&Name::of(QuantityKind::Velocity, body).at(1).to_string())
+        let tells = [QuantityKind::Velocity, QuantityKind::Speed, QuantityKind::Momentum, QuantityKind::KineticEnergy];
+        let is_given = |instant: usize| {
+            tells.iter().any(|kind| self.given.contains(&Name::of(kind.clone(), body).at(instant).to_string()))
+        };
+        self.timeline.naming_instant(body, index + 1) > 1 || (1..=index + 1).any(is_given)
     }
 
     /// A body that moves when the push begins slides from then on.

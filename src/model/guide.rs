@@ -59,6 +59,18 @@ impl Builder<'_> {
         Some(Guided { body: body.to_owned(), by, along })
     }
 
+    /// A guide holds its body before, between and behind the stages, too, and where no stage names the body.
+    pub(super) fn hold_the_guided(&mut self) {
+        for instant in 1..=self.timeline.last() {
+            let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+            for body in alive {
+                if let Some(guide) = self.guided(&body) {
+                    self.hold(&guide, instant, None);
+                }
+            }
+        }
+    }
+
     /// That a guided body does not move at right angles to its guide; `stage` says what brought it to that instant.
     pub(super) fn hold(&mut self, guide: &Guided, instant: usize, stage: Option<usize>) {
         let since = self.timeline.naming_instant(&guide.body, instant);

@@ -115,6 +115,7 @@ impl<'s> Builder<'s> {
             }
         }
         builder.stages();
+        builder.hold_the_guided();
         builder.times_of_instants();
         Ok(builder)
     }

@@ -26,9 +26,10 @@ impl Builder<'_> {
     /// Whose place, and since when, a body has at an instant. Impacts and separations take no time, a part starts where the
     /// whole was, and in the flight of others a body's own clock stands still.
     pub(super) fn place_since(&self, body: &str, instant: usize) -> (String, usize) {
-        let Some(index) = instant.checked_sub(2).filter(|_| !self.axes.is_empty()) else {
-            return (body.to_owned(), instant);
-        };
+        if self.axes.is_empty() {
+            return (body.to_owned(), self.distance_since(body, instant));
+        }
+        let Some(index) = instant.checked_sub(2) else { return (body.to_owned(), instant) };
         let stage = self.scene.stages.get(index);
         if let Some(Stage::Impact(Impact { becomes: Some(union), between: Some([first, _]), .. })) = stage
             && union == body
@@ -42,5 +43,13 @@ impl Builder<'_> {
         }
         let stays = stage.is_some_and(|stage| Description::of(self.scene, stage).leaves(body));
         if stays { self.place_since(body, instant - 1) } else { (body.to_owned(), instant) }
+    }
+
+    /// Since when a body has been at its distance from a centre: a blow takes no time.
+    pub(super) fn distance_since(&self, body: &str, instant: usize) -> usize {
+        let since = self.timeline.naming_instant(body, instant);
+        let before = since.checked_sub(2).and_then(|index| self.scene.stages.get(index));
+        let struck = before.is_some_and(|stage| matches!(stage, Stage::Blow(own) if own.body == body));
+        if struck { self.distance_since(body, since - 1) } else { since }
     }
 }

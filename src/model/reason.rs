@@ -363,6 +363,10 @@ impl Reason {
             Self::BeyondBeforeStart | Self::BeyondBackwards(_) => {
                 "a body that starts against its axis needs a `direction` in that stage; otherwise give other values"
             }
+            Self::SlidesOtherWay(..) => {
+                "where the body below is the faster one, write the `direction` in which the upper one slides on it; a slide that ends \
+                    when both move alike is `until: together`"
+            }
             Self::Slack(_) => "it cannot push: let the stage end before it goes slack",
             Self::Unsupported(..) => "ask for nothing of it afterwards; a `push` can name it, too (`bodies`)",
             Self::StringStretches(..) => {

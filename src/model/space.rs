@@ -4,6 +4,7 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_scene::Axes;
+use momentous_scene::Plane;
 use momentous_scene::Scene;
 use momentous_scene::Stage;
 use momentous_scene::stage::Moment;
@@ -113,9 +114,11 @@ fn not_fixed(scene: &Scene, timeline: &Timeline, stage: &Stage, point: &str) -> 
 
 /// A stage that has no equations in polar axes, in a scene that has them; those that turn about a point say so themselves.
 pub(super) fn without_polar_axes(scene: &Scene, stage: &Stage) -> Option<Fault> {
-    let has_none = matches!(scene.axes, Axes::Polar(_)) && Description::of(scene, stage).axes.is_empty();
+    let is_blow = matches!(stage, Stage::Blow(_)) && scene.plane == Plane::Horizontal;
+    let is_polar = matches!(scene.axes, Axes::Polar(_));
+    let has_none = is_polar && !is_blow && Description::of(scene, stage).axes.is_empty();
     let message = format!("`{}` has no equations in polar axes", stage.key());
-    let help = "write `axes: { x: to the right, y: upwards }`; polar axes are for `central` and `bowl`";
+    let help = "write `axes: { x: to the right, y: upwards }`; polar axes are for `central`, with a `blow` before or after it, and for `bowl`";
     has_none.then(|| Fault::new(Code::Value, message).help(help))
 }
 

@@ -60,9 +60,12 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
     };
     match ask.conserved {
         Conservable::Momentum => {
-            let letters = letters(scene, ask).into_iter();
-            let is_same =
-                letters.map(|letter| total("p", letter).map(same)).try_fold(true, |all, own| Some(all && own?))?;
+            // What is nothing along one axis is known to the error of the others.
+            let all = every_letter(scene).into_iter().filter_map(|letter| total("p", letter));
+            let size = all.flatten().map(|own| own.1).fold(0.0, f64::max);
+            let is_same = |[before, after]: [Total; 2]| (after.0 - before.0).abs() <= UNCHANGED * size;
+            let asked = letters(scene, ask).into_iter().map(|letter| total("p", letter).map(is_same));
+            let is_same = asked.collect::<Option<Vec<bool>>>()?.into_iter().all(|own| own);
             // On which side of the support an arm carries a body is not said: with all on one side, equal sums prove nothing.
             let has_sides = matches!(scene.stages.get(stage), Some(Stage::Strike(_)));
             (!(is_same && has_sides)).then_some(is_same)
@@ -70,6 +73,18 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
         Conservable::Energy => total("T", "").map(same),
         Conservable::AngularMomentum => {
             let point = about(scene, ask)?;
+            let of: Vec<&str> = ask.of.iter().map(String::as_str).collect();
+            let moments = [stage + 1, stage + 2].map(|instant| turning::moments(witness, &of, point, instant));
+            if let [Some(before), Some(after)] = moments {
+                let size = before.1.max(after.1);
+                let is_same = |(before, after): (&f64, &f64)| (after - before).abs() <= UNCHANGED * size;
+                return Some(before.0.iter().zip(&after.0).all(is_same));
+            }
+            let is_asked =
+                |body: &String| ask.of.iter().any(|own| own == body || scene.members(own).contains(&body.as_str()));
+            if !scene.bodies.keys().all(is_asked) {
+                return None;
+            }
             let ends = [stage + 1, stage + 2].map(|instant| witness.seen(&format!("H_{point}{instant}")));
             match ends {
                 // Where all of it cancels, what is left is known to its error only.
@@ -83,11 +98,16 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
     }
 }
 
-/// The letters of the axes along which momentum is asked; none of the only axis.
-fn letters<'s>(scene: &'s Scene, ask: &Conserved) -> Vec<&'s str> {
+/// The letters of the axes; none of the only axis.
+fn every_letter(scene: &Scene) -> Vec<&'static str> {
     let axes = scene.axes.rectangular();
-    let asked = axes.iter().map(|(axis, _)| *axis).filter(|axis| ask.along.is_none_or(|own| own == *axis));
-    asked.map(|axis| if axes.len() > 1 { axis.letter() } else { "" }).collect()
+    axes.iter().map(|(axis, _)| if axes.len() > 1 { axis.letter() } else { "" }).collect()
+}
+
+/// The letters of those along which momentum is asked.
+fn letters(scene: &Scene, ask: &Conserved) -> Vec<&'static str> {
+    let asked = |letter: &&str| letter.is_empty() || ask.along.is_none_or(|own| own.letter() == *letter);
+    every_letter(scene).into_iter().filter(asked).collect()
 }
 
 fn same([before, after]: [Total; 2]) -> bool {

@@ -386,8 +386,12 @@ impl<'a> Witness<'a> {
     pub(super) fn carried(&self, base: &str, body: &str, instant: usize, letter: &str) -> Option<f64> {
         let component = Some(letter).filter(|letter| !letter.is_empty());
         let asked = Asked { base, subject: body, instant, component };
-        let value = |name: &str| self.found_as(name).map(|own| own.value).or_else(|| self.value(name));
-        Some(measure(self.case.scene, &[body], asked, &value)?.0)
+        Some(measure(self.case.scene, &[body], asked, &|name| self.known(name))?.0)
+    }
+
+    /// A value as it is found, else as it is told.
+    pub(super) fn known(&self, name: &str) -> Option<f64> {
+        self.found_as(name).map(|own| own.value).or_else(|| self.value(name))
     }
 
     fn found_as(&self, name: &str) -> Option<&Reached> {

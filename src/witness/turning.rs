@@ -3,7 +3,9 @@
 use momentous_problem::Conserved;
 use momentous_scene::Scene;
 use momentous_scene::Stage;
+use momentous_simulate::scene::Asked;
 use momentous_simulate::scene::RecordedMotion;
+use momentous_simulate::scene::measure;
 use momentous_simulate::scene::value_of;
 
 use super::simulation::UNCHANGED;
@@ -81,6 +83,19 @@ pub(super) fn stays(
         stays &= totals.iter().all(|own| (0..3).all(|axis| (own[axis] - first[axis]).abs() <= UNCHANGED * size));
     }
     Some(stays)
+}
+
+/// The angular momentum of bodies about a fixed point, each component where there are several, and the sizes that went into it.
+pub(super) fn moments(witness: &Witness<'_>, of: &[&str], subject: &str, instant: usize) -> Option<(Vec<f64>, f64)> {
+    let scene = witness.scene();
+    let axes = scene.axes.rectangular();
+    let components: Vec<Option<&str>> =
+        if axes.len() == 3 { axes.iter().map(|(axis, _)| Some(axis.letter())).collect() } else { vec![None] };
+    let own =
+        |component| measure(scene, of, Asked { base: "H", subject, instant, component }, &|name| witness.known(name));
+    let all: Vec<(f64, f64)> = components.into_iter().map(own).collect::<Option<_>>()?;
+    let size = all.iter().map(|own| own.1).fold(0.0, f64::max);
+    Some((all.into_iter().map(|own| own.0).collect(), size))
 }
 
 fn square(vector: [f64; 3]) -> f64 {

@@ -3,8 +3,11 @@
 use std::collections::BTreeSet;
 
 use momentous_figure::Drawing;
+use momentous_model::Timeline;
 use momentous_problem::Worked;
+use momentous_scene::Scene;
 use momentous_scene::Stage;
+use momentous_scene::stage::Slide;
 use momentous_solve::Step;
 
 use super::super::Audience;
@@ -138,11 +141,12 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
     let opening = if last > 2 { format!("{who}.") } else { format!("{who}, {when}.") };
     let mut blocks = vec![Block::text(&opening)];
     if last > 2 {
+        let timeline = Timeline::new(scene);
         let rows = scene.stages.iter().enumerate().take(last - 1).map(|(index, stage)| {
             let phrase = worked.problem.model().phrase(scene, index);
             vec![Inline::Text(format!(
                 "From ({}) to ({}): {}.",
-                index + 1,
+                begins(scene, &timeline, index),
                 index + 2,
                 happening(scene, stage, &phrase)
             ))]
@@ -150,6 +154,21 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
         blocks.push(Block::List(rows.collect()));
     }
     blocks
+}
+
+/// The instant from which a stage runs. A body that slides or flies has done so since something set it in motion, beside what
+/// happens to others meanwhile.
+fn begins(scene: &Scene, timeline: &Timeline, index: usize) -> usize {
+    let mut moving: Vec<&str> = Vec::new();
+    if let Stage::Slide(Slide { body, on: None, .. }) = &scene.stages[index] {
+        moving.push(body);
+    }
+    if let Stage::Flight(flight) = &scene.stages[index] {
+        moving.extend(flight.flying());
+    }
+    let since = moving.into_iter().map(|body| timeline.naming_instant(body, index + 1)).max();
+    let is_beside = |since: &usize| *since > 1 && scene.stages[since - 1..index].iter().all(Stage::takes_time);
+    since.filter(is_beside).unwrap_or(index + 1)
 }
 
 /// The steps of the answer plan.

@@ -1,6 +1,7 @@
 //! Angular momentum about a fixed point or the centre of mass, and the moments of the forces of a push, or of weight in flight.
 
 use momentous_expr::Expr;
+use momentous_expr::Function;
 use momentous_expr::Symbol;
 use momentous_fault::Path;
 use momentous_laws::angular;
@@ -76,7 +77,10 @@ pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Opti
     };
     let meaning = format!("the time of a revolution {}", builder.when(instant));
     let period = builder.positive(builder.canonical(name), meaning);
-    let sides = (turning * Expr::from(period), Expr::integer(2) * Expr::Pi);
+    // Clockwise, an angular velocity is negative; one that is told by its period is counter-clockwise.
+    let is_told = builder.given.contains(&builder.symbols.entry(period).name);
+    let rate = if is_told { turning } else { Expr::apply(Function::Abs, turning) };
+    let sides = (rate * Expr::from(period), Expr::integer(2) * Expr::Pi);
     builder.law(&angular::REVOLUTION, None, "a revolution is an angle of two pi", sides);
     Some(period)
 }

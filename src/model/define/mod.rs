@@ -157,8 +157,9 @@ impl Builder<'_> {
     /// The one name under which a quantity is kept.
     pub(super) fn canonical(&self, name: &Name) -> Name {
         let Some(Instant::Number(number)) = name.instant else { return name.clone() };
-        // A part begins where the whole was.
+        // A part begins where the whole was. Relative to the centre of mass, a body moves otherwise as soon as another does.
         let (subject, since) = match name.kind {
+            QuantityKind::RelativeVelocity => (name.subject.clone(), number),
             QuantityKind::Position if !name.is_of_mass_centre() => self.place_since(&name.subject, number),
             _ => (name.subject.clone(), self.timeline.naming_instant(&name.subject, number)),
         };
@@ -317,17 +318,20 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     if name.subject.is_empty() {
         return total_impulse(builder, name);
     }
-    // The impulse on a body during a push: the sum of those of its forces.
+    // The impulse on a body during a push: the sum of those of its forces. That of a sudden stage leaves out the weight beside it.
     let axis = builder.axis_of(name)?;
     let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
     let in_stage = |stage: usize| match &name.stage {
         Some(_) => builder.stage_label(stage) == name.stage,
         None => true,
     };
+    let is_sudden =
+        |stage: usize| builder.impulses.iter().any(|own| own.stage == stage && own.impulsive && own.by != Agent::Guide);
     let acting: Vec<(usize, Expr)> = builder
         .impulses
         .iter()
         .filter(|impulse| impulse.on == name.subject && in_stage(impulse.stage))
+        .filter(|impulse| impulse.impulsive || !is_sudden(impulse.stage))
         // That of a guide has a name of its own: `R_A`.
         .filter(|impulse| impulse.by != Agent::Guide)
         .filter_map(|impulse| Some((impulse.stage, impulse.components.get(position)?.clone())))

@@ -4,6 +4,7 @@ use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_laws::energy;
 use momentous_laws::mass_centre;
+use momentous_scene::Axis;
 
 use super::super::Builder;
 use super::super::Name;
@@ -16,25 +17,12 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
     let (body, _) = builder.body_at(name)?;
     let instant = builder.number(name)?;
     let axis = builder.axis_of(name)?;
-    let letter = builder.letter(axis);
-    let centre = builder.quantity(Name::of(QuantityKind::Velocity, MASS_CENTRE).at(instant).along(letter))?;
-    let own = builder.velocity(&body, instant, axis);
-    let owner = builder.called(&body);
-    let of = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
-    let relative = |body: &str| Name::of(QuantityKind::RelativeVelocity, body).at(instant).along(letter);
-    let symbol = builder.component(relative(&body), Meaning { noun: "the velocity", of });
-    let sides = (symbol.into(), own - Expr::from(centre));
-    builder.law(
-        &mass_centre::RELATIVE,
-        None,
-        format!("the velocity of {owner} is taken relative to the centre of mass"),
-        sides,
-    );
-    if builder.defined.insert(format!("relative {instant} {letter:?}")) {
+    let symbol = seen_from_the_centre(builder, &body, instant, axis)?;
+    if builder.defined.insert(format!("relative {instant} {axis:?}")) {
         let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
         let mut terms = Vec::new();
         for body in bodies {
-            let relative = builder.quantity(relative(&body))?;
+            let relative = seen_from_the_centre(builder, &body, instant, axis)?;
             terms.push(builder.mass_at(&body, instant) * Expr::from(relative));
         }
         let because = "relative to the centre of mass, the total momentum of the system is zero";
@@ -43,16 +31,37 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
     Some(symbol)
 }
 
+/// The velocity of a body as seen from the centre of mass.
+fn seen_from_the_centre(builder: &mut Builder<'_>, body: &str, instant: usize, axis: Axis) -> Option<Symbol> {
+    let letter = builder.letter(axis);
+    let relative = Name::of(QuantityKind::RelativeVelocity, body).at(instant).along(letter);
+    if let Some(symbol) = builder.symbols.find(&relative.to_string()) {
+        return Some(symbol);
+    }
+    let centre = builder.quantity(Name::of(QuantityKind::Velocity, MASS_CENTRE).at(instant).along(letter))?;
+    let own = builder.velocity(body, instant, axis);
+    let owner = builder.called(body);
+    let of = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
+    let symbol = builder.component(relative, Meaning { noun: "the velocity", of });
+    let sides = (symbol.into(), own - Expr::from(centre));
+    builder.law(
+        &mass_centre::RELATIVE,
+        None,
+        format!("the velocity of {owner} is taken relative to the centre of mass"),
+        sides,
+    );
+    Some(symbol)
+}
+
 pub(super) fn relative_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty() && !builder.axes.is_empty())?;
     let meaning = format!("the kinetic energy relative to the centre of mass {}", builder.when(instant));
     let symbol = builder.symbol(Name::of(QuantityKind::RelativeEnergy, "").at(instant), meaning);
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-    let letters: Vec<Option<&str>> = builder.axes.iter().map(|(axis, _)| builder.letter(*axis)).collect();
+    let axes: Vec<Axis> = builder.axes.iter().map(|(axis, _)| *axis).collect();
     let mut terms = Vec::new();
     for body in bodies {
-        let name = Name::of(QuantityKind::RelativeVelocity, &body).at(instant);
-        let components = letters.iter().map(|letter| builder.quantity(name.clone().along(*letter)).map(Expr::from));
+        let components = axes.iter().map(|axis| seen_from_the_centre(builder, &body, instant, *axis).map(Expr::from));
         let components: Vec<Expr> = components.collect::<Option<_>>()?;
         terms.push(energy::kinetic(&builder.mass_at(&body, instant), &components));
     }

@@ -15,6 +15,9 @@ use momentous_scene::stage::Blow;
 
 impl Builder<'_> {
     pub(crate) fn blow(&mut self, index: usize, stage: &Blow, path: &Path) {
+        if self.axes.is_empty() {
+            return self.blow_round(index, stage, path);
+        }
         let body = stage.body.as_str();
         let name = self.called(body);
         let mass = self.mass(body);

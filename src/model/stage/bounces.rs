@@ -127,6 +127,10 @@ impl Builder<'_> {
                 path_length,
             );
         }
+        // A ball that loses nothing does not stop.
+        if e.is_one() {
+            return;
+        }
         let total = bouncing::total_time(e, &first);
         law(
             self,

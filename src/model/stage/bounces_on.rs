@@ -101,6 +101,10 @@ impl Builder<'_> {
         let time = self.positive(at_bounce(QuantityKind::Time), meaning);
         let value = start.clone() + bouncing::time_to(e, own.count, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
+        // A ball that loses nothing does not stop.
+        if e.is_one() {
+            return;
+        }
         let meaning = format!("the time at which {name} stops bouncing");
         let total = self.positive(Name::of(QuantityKind::Time, IN_ALL), meaning);
         let value = start + bouncing::time_of_all(e, &whole);
@@ -118,14 +122,14 @@ impl Builder<'_> {
             format!("the slope is smooth: along it, only weight accelerates {}", own.name)
         };
         let way = |time: &Expr| bouncing::along(&along.velocity, &along.acceleration, time);
-        let meaning = format!("the time for which {} bounces", own.name);
-        let lasts = self.positive(Name::of(QuantityKind::Duration, IN_ALL), meaning);
-        let each = format!("each flight of {} takes e times as long as the one before", own.name);
-        own.law(self, &bouncing::BOUNCE_TIME, &each, (lasts, bouncing::time_of_all(own.e, &own.whole())));
-        let times = [
-            (COUNTED, "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole())),
-            (IN_ALL, "where its bouncing ends", lasts.into()),
-        ];
+        let mut times = vec![(COUNTED, "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole()))];
+        if !own.e.is_one() {
+            let meaning = format!("the time for which {} bounces", own.name);
+            let lasts = self.positive(Name::of(QuantityKind::Duration, IN_ALL), meaning);
+            let each = format!("each flight of {} takes e times as long as the one before", own.name);
+            own.law(self, &bouncing::BOUNCE_TIME, &each, (lasts, bouncing::time_of_all(own.e, &own.whole())));
+            times.push((IN_ALL, "where its bouncing ends", lasts.into()));
+        }
         for (which, when, time) in times {
             let meaning = format!("the {letter}-component of the position of {} {when}", own.name);
             let place = self.symbol(Name::of(QuantityKind::Coordinate(along.axis), which), meaning);

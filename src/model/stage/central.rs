@@ -122,9 +122,10 @@ impl Builder<'_> {
     pub(crate) fn polar_state(&mut self, body: &str, point: &str, instant: usize) -> (Expr, Expr) {
         let since = self.timeline.naming_instant(body, instant);
         let (name, centre, when) = (self.called(body), self.point(point), self.when(since));
+        let place = self.distance_since(body, since);
         let radius = self.positive(
-            Name::of(QuantityKind::Position, body).at(since),
-            format!("the distance of {name} from {centre} {when}"),
+            Name::of(QuantityKind::Position, body).at(place),
+            format!("the distance of {name} from {centre} {}", self.when(place)),
         );
         let meaning = format!("the transverse velocity of {name} {when}");
         let velocity = self.symbol(Name::of(QuantityKind::Velocity, body).at(since).along("theta"), meaning);

@@ -47,6 +47,9 @@ impl Builder<'_> {
         let pulley = stage.over.clone().unwrap_or_else(|| "the pulley".into());
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
         self.lasting[index] = Some(duration.clone());
+        if stops {
+            self.takes_time(index, &duration);
+        }
         let because = "the string stays taut and does not stretch";
         let is_plain = leading.strands == trailing.strands;
         let constraint = if is_plain { &kinematics::TOGETHER } else { &kinematics::STRANDS };
@@ -63,7 +66,8 @@ impl Builder<'_> {
         let meaning = format!("the tension of the string during {}", self.stage_phrase(index));
         let tension = Expr::from(self.symbol(self.in_stage(QuantityKind::Tension, "", index), meaning));
         let sides = [&trailing, &leading];
-        self.string_acts(index, stage, &pulley, [trailing.of_string(&tension), -leading.of_string(&tension)]);
+        let pulls = [trailing.of_string(&tension), -leading.of_string(&tension)];
+        self.string_acts(index, stage, (&pulley, is_plain), pulls);
         let fact = format!(
             "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it",
             trailing.name, leading.name
@@ -126,13 +130,14 @@ impl Builder<'_> {
         self.neglect("the mass of the string", "it is light");
     }
 
-    /// The string takes from one body what it gives to the other, and the pulley turns it.
-    fn string_acts(&mut self, index: usize, stage: &Connected, pulley: &str, pulls: [Expr; 2]) {
+    /// A plain string takes from one body what it gives to the other; along it the pulley, which turns it, gives nothing. The strands
+    /// of a movable pulley give more than they take.
+    fn string_acts(&mut self, index: usize, stage: &Connected, (pulley, is_plain): (&str, bool), pulls: [Expr; 2]) {
         let [trailing, leading] = [&stage.trailing, &stage.leading];
         for ([own, other], pull) in [[trailing, leading], [leading, trailing]].into_iter().zip(pulls) {
-            let pull = pull.simplify();
-            self.acts(Influence::outside(index, &own.body, "the string").by(&[&other.body]).force(vec![pull]));
-            self.acts(Influence::outside(index, &own.body, pulley).workless());
+            let string = Influence::outside(index, &own.body, "the string").force(vec![pull.simplify()]);
+            self.acts(if is_plain { string.by(&[&other.body]) } else { string });
+            self.acts(Influence::outside(index, &own.body, pulley).force(vec![Expr::zero()]).workless());
         }
     }
 

@@ -4,6 +4,7 @@
 
 mod along_path;
 mod blow;
+mod blow_round;
 mod bounce_heights;
 mod bounces;
 mod bounces_on;

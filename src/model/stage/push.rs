@@ -120,7 +120,7 @@ impl Builder<'_> {
             return self.push_by_place(&pushed, place, stage, friction, path);
         }
         if let Some(resistance) = &stage.resistance {
-            return self.push_against_resistance(&pushed, resistance, stage, path);
+            return self.push_against_resistance(&pushed, resistance, stage, friction, path);
         }
         self.check_over(&pushed, path);
         match friction {

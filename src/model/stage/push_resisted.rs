@@ -2,13 +2,14 @@
 
 use crate::Builder;
 use crate::Influence;
+use crate::Opposing;
 use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::kinematics;
 use momentous_scene::Axis;
-use momentous_scene::Force;
+use momentous_scene::Friction;
 use momentous_scene::stage::Push;
 use momentous_scene::stage::Resistance;
 
@@ -22,6 +23,7 @@ impl Builder<'_> {
         pushed: &Pushed<'_>,
         resistance: &Resistance,
         stage: &Push,
+        friction: Option<(&Friction, Path)>,
         path: &Path,
     ) {
         self.check_resisted(pushed, stage, path);
@@ -35,8 +37,10 @@ impl Builder<'_> {
         let lasts = (pushed.end.clone() - pushed.start.clone()).simplify();
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let mut impulses = Vec::new();
+        let rubs = friction.is_some();
+        let friction = friction.and_then(|(own, at)| self.friction_beside(pushed, own, &at));
         for (position, axis) in axes.into_iter().enumerate() {
-            let steady = self.steady_along(pushed, position);
+            let steady = (self.steady_along(pushed, position) + friction.clone().unwrap_or_else(Expr::zero)).simplify();
             match resistance {
                 Resistance::Linear(_) => self.linearly_resisted(pushed, axis, steady, &coefficient),
                 Resistance::Quadratic(_) => {
@@ -45,13 +49,27 @@ impl Builder<'_> {
             }
             impulses.push(self.impulse_of_all(index, pushed.body, axis, &lasts));
         }
-        if stage.incline.is_some() {
+        if stage.incline.is_some() && !rubs {
             self.neglect("friction", "the slope is smooth");
-        } else {
+        } else if !rubs {
             self.leave_out_what_acts_across();
         }
         self.acts(Influence::outside(index, pushed.body, "the net force"));
         self.note_impulse_of_all(index, pushed.body, impulses);
+    }
+
+    /// The friction on a body that slides one way all the time, as a force along the axis.
+    fn friction_beside(&mut self, pushed: &Pushed<'_>, friction: &Friction, path: &Path) -> Option<Expr> {
+        let [(axis, _)] = self.axes[..] else {
+            let fault = Fault::new(Code::Value, "friction needs a scene with one axis, along the floor");
+            self.faults.push(fault.help("leave one axis, such as `axes: { x: to the right }`").at_path(path.clone()));
+            return None;
+        };
+        self.rubs_on_a_floor(&pushed.incline, path);
+        let ends = [pushed.index + 1, pushed.index + 2];
+        let [before, after] = ends.map(|own| Expr::integer(pushed.sign) * self.velocity(pushed.body, own, axis));
+        self.moves_along(pushed.index, pushed.body, [&before, &after], Some(Opposing::Friction));
+        Some(self.sliding_friction(pushed, friction, axis, path))
     }
 
     /// What acts along the axis of that position beside the resistance.
@@ -94,19 +112,11 @@ impl Builder<'_> {
             let help = "write `body: A`, and a push of its own for each body";
             self.faults.push(fault.help(help).at_path(path.key("resistance")));
         }
-        let mut fault = |message: &str, help: &str| {
-            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("forces")));
-        };
         if pushed.acting.iter().any(|force| force.strength.contains(pushed.clock)) {
             let message =
                 "beside a `resistance` forces must not change with time: there is no formula for the motion in general";
-            fault(message, "write forces that stay the same, in several stages where they change in steps");
-        }
-        if stage.forces.iter().any(|force| matches!(force, Force::Friction(_))) {
-            let message = "`friction` cannot act beside a `resistance`";
-            let help =
-                "write it as a force: `{ name: friction, value: mu*m*g, direction: -x }`, with an axis of the scene";
-            fault(message, help);
+            let help = "write forces that stay the same, in several stages where they change in steps";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("forces")));
         }
     }
 }

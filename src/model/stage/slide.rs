@@ -109,6 +109,12 @@ impl Builder<'_> {
         }
     }
 
+    /// Bodies that are at rest already do not come to rest, and nothing tells what acts between them.
+    pub(super) fn takes_time(&mut self, index: usize, duration: &Expr) {
+        let reason = Reason::TakesTime(self.stage_phrase(index));
+        self.require(duration.clone(), Relation::Greater, Expr::zero(), reason);
+    }
+
     fn retardation(&mut self, name: &str, friction: Option<&Expr>, incline: &Incline, way: &Speeds) -> Retardation {
         let mut parts = Vec::new();
         if let Some(friction) = friction {

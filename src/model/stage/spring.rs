@@ -171,6 +171,11 @@ impl Builder<'_> {
             }
             self.law(law, Some(index), because, sides);
         }
+        // Released at rest, it is at rest at once: the end of its way is the other one.
+        if stops && (on_the_way.acts() || !deformation.before.is_zero()) {
+            let reason = Reason::TakesTime(self.stage_phrase(index));
+            self.require(deformation.travel.clone().powi(2), Relation::Greater, Expr::zero(), reason);
+        }
         self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));
         self.note_impulse(index, body, "the spring", Vec::new());
         if stage.friction.is_none() && on_the_way.incline.along != Expr::one() {

@@ -43,6 +43,9 @@ impl Builder<'_> {
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
         self.lasting[index] = Some(duration.clone());
         let stops = stage.until == Some(Until::Rest);
+        if stops {
+            self.takes_time(index, &duration);
+        }
         let front = self.member(index, &stage.front, &incline, &duration, stops, &path.key("front"));
         let rear = self.member(index, &stage.rear, &incline, &duration, stops, &path.key("rear"));
         let because = format!("{joint} keeps {} and {} together", front.name, rear.name);

@@ -1,5 +1,6 @@
 //! What an author may do where a form cannot be solved. Whatever is advised has been tried: with it, there is a plan.
 
+use std::cell::Cell;
 use std::collections::BTreeSet;
 
 use momentous_expr::Symbol;
@@ -21,6 +22,9 @@ use super::regimes::Unplanned;
 
 /// The most ways out that a message names: each costs a plan.
 const MOST_WAYS: usize = 4;
+
+/// The most plans that are tried for one message: where nothing closes the equations, each is a whole search.
+const MOST_TRIALS: usize = 8;
 
 /// The most quantities that are named together.
 const MOST_TOGETHER: usize = 3;
@@ -157,10 +161,12 @@ impl Lacking<'_> {
             stuck.known.contains(symbol) && !is_number && model.name(*symbol).kind != QuantityKind::Gravity
         };
         let givens: BTreeSet<Symbol> = within.filter(can_be_left_out).collect();
+        let trials = Cell::new(0);
         let replaced = |symbol: &Symbol| {
             // What is told of masses mostly stays: later symbols are those of the motion.
-            let mut givens = givens.iter().rev().copied();
+            let mut givens = givens.iter().rev().copied().take_while(|_| trials.get() < MOST_TRIALS);
             let given = givens.find(|given| {
+                trials.set(trials.get() + 1);
                 let known = stuck.known.iter().copied().filter(|own| own != given).chain([*symbol]).collect();
                 planner.plan(system, &known, self.wanted).is_ok()
             })?;

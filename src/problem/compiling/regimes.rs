@@ -86,8 +86,12 @@ impl Regimes {
         let mut first = None;
         for (words, mut system) in model.systems() {
             system.equations.extend(equations.iter().cloned());
-            system.conditions.extend(conditions.iter().cloned());
+            // Those of the way, which tell it from the others, and the author's.
+            let mut judging = system.conditions.split_off(model.system.conditions.len());
+            judging.extend(conditions.iter().cloned());
+            judging.retain(applies);
             system.conditions.retain(applies);
+            system.conditions.extend(judging.iter().cloned());
             let planned = match planner.plan(&system, told, wanted) {
                 Ok(planned) => planned,
                 Err(stuck) => {
@@ -99,7 +103,7 @@ impl Regimes {
                     continue;
                 }
             };
-            let audit = judged(planner, &system, told, &planned, conditions);
+            let audit = judged(planner, &system, told, &planned, &judging);
             let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
                 .map_err(|unknown| Unplanned::Unknown(unknown.to_string()))?;
             programs.push(program);
@@ -137,7 +141,7 @@ impl Regimes {
     }
 }
 
-/// The audit of a plan, in which whatever the author's conditions compare is found, too, where it follows: none is passed over.
+/// The audit of a plan, in which whatever those conditions compare is found, too, where it follows: none is passed over.
 fn judged(
     planner: &mut Planner,
     system: &System,
@@ -152,13 +156,20 @@ fn judged(
     let compared = conditions.iter().flat_map(|own| [&own.left, &own.right]).flat_map(Expr::symbols);
     let of_the_scene: BTreeSet<Symbol> = system.equations.iter().flat_map(Equation::symbols).collect();
     let judged = found(&audit.plan);
-    let open: Vec<Symbol> = compared.filter(|own| of_the_scene.contains(own) && !judged.contains(own)).collect();
-    if open.is_empty() {
+    let open: BTreeSet<Symbol> = compared.filter(|own| of_the_scene.contains(own) && !judged.contains(own)).collect();
+    let mut whole = plan.clone();
+    for symbol in open {
+        let known = found(&whole);
+        if !known.contains(&symbol)
+            && let Ok(further) = planner.plan(system, &known, &[symbol])
+        {
+            whole.steps.extend(further.steps);
+        }
+    }
+    if whole.steps.len() == plan.steps.len() {
         return audit;
     }
-    let Ok(further) = planner.plan(system, &found(plan), &open) else { return audit };
-    let steps = plan.steps.iter().chain(&further.steps).cloned().collect();
-    Audit { answer_steps: audit.answer_steps, ..planner.audit(system, told, &Plan { steps }) }
+    Audit { answer_steps: audit.answer_steps, ..planner.audit(system, told, &whole) }
 }
 
 /// The memory of solving: kept between variants, so that a replay allocates little.

@@ -57,7 +57,9 @@ impl Sampler<'_> {
             let reason = condition.and_then(|condition| model.reasons.get(condition.tag));
             matches!(reason, Some(Reason::OtherSolutionAsked))
         };
-        let furthest = dead.iter().rev().max_by_key(|dead| (dead.step.unwrap_or(usize::MAX), !is_other(dead)));
+        let is_negative = |dead: &Dead| matches!(dead.cause, Cause::NotPositive);
+        let nearness = |dead: &&Dead| (dead.step.unwrap_or(usize::MAX), !is_other(dead), !is_negative(dead));
+        let furthest = dead.iter().rev().max_by_key(nearness);
         let lost = furthest.and_then(|dead| {
             let step = leaf.audit.plan.steps.get(dead.step?).filter(|_| matches!(dead.cause, Cause::NotReal))?;
             step.unknowns.iter().copied().find(|unknown| self.directions.contains(unknown))

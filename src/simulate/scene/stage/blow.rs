@@ -18,6 +18,9 @@ const IMPULSE: usize = 6;
 
 impl StageRun<'_> {
     pub(super) fn blow(&mut self, stage: &Blow) -> Result<(), NothingToSimulate> {
+        if self.values.axes().is_empty() {
+            return self.blow_round(stage);
+        }
         let body = stage.body.as_str();
         let particle = self.values.particle(body)?;
         let (mass, before) = (self.values.mass(body)?, particle.velocity);
@@ -59,6 +62,42 @@ impl StageRun<'_> {
         self.remark("How the force varies is not given: it is drawn as half a sine wave of one second.");
         self.note_velocity(body, velocity(&reached, 0), size(before));
         self.note_impulse(body, times(reached[IMPULSE], force), stage.duration.as_ref());
+        Ok(())
+    }
+
+    /// The same where the velocity is told along the radius from a centre and across it: the body stays where it is meanwhile, so that
+    /// these are fixed directions.
+    fn blow_round(&mut self, stage: &Blow) -> Result<(), NothingToSimulate> {
+        let body = stage.body.as_str();
+        let (mass, suffix, instant) = (self.values.mass(body)?, self.values.suffix(), self.values.index + 1);
+        let end = 1.0 / self.shorter;
+        let (integrator, until) = (self.integrator(end / 4.0), Until::Time(end));
+        let values = self.values;
+        let struck = |speed: f64, strength: f64| {
+            let wave =
+                Force::in_time(vec![(0, [strength, 0.0, 0.0])], Arc::new(move |time| libm::sin(PI * time / end)));
+            let particle = Particle::free(body, mass, [speed, 0.0, 0.0]);
+            System { forces: vec![wave], ..System::<7>::new(values.frame(), vec![particle]) }
+        };
+        let tried = self.try_out(&struck(0.0, 1.0), integrator, &until)?.state;
+        let mut whole = ZERO;
+        for (own, letter) in whole.iter_mut().zip(["r", "theta"]) {
+            let before = values.named(&format!("v_{body}{instant}.{letter}"))?;
+            let impulse = values.named(&format!("J_{body}.{letter}{suffix}"));
+            let strength = match (impulse, values.named(&format!("v_{body}{}.{letter}", instant + 1))) {
+                (_, Ok(after)) => (after - before) / velocity(&tried, 0)[0],
+                (Ok(impulse), Err(_)) => impulse / tried[IMPULSE],
+                (Err(missing), Err(_)) => return Err(missing),
+            };
+            let reached = self.try_out(&struck(before, strength), integrator, &until)?.state;
+            *own = strength * reached[IMPULSE];
+            self.note(&format!("v_{body}{}.{letter}", instant + 1), velocity(&reached, 0)[0], before.abs());
+            self.note_here(&format!("J_{body}.{letter}"), *own, mass * before.abs());
+        }
+        self.note_here(&format!("J_{body}"), size(whole), size(whole));
+        if let Some(time) = values.known(stage.duration.as_ref()) {
+            self.note_here(&format!("F_avg_{body}"), size(whole) / time, size(whole) / time);
+        }
         Ok(())
     }
 }

@@ -84,7 +84,7 @@ impl StageRun<'_> {
         let to = deformed(&end.state);
         let stiffness = self.values.term(&stage.stiffness)?;
         self.note_stored([from, to], |deformed| stiffness * deformed);
-        self.note_term(stage.to.as_ref(), to, 0.0);
+        self.note_term(stage.to.as_ref(), to, from);
         self.note_term(stage.travel.as_ref(), to - from, to);
         self.note_duration(None, end.time);
         Ok(())
