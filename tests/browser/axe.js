@@ -24,12 +24,14 @@ export async function barriers(page) {
 
 /**
  * What cannot be seen of the page that is shown without scrolling it sideways: what lies beyond the window, what an element hides of what is
- * in it, choices longer than their field, and numbers longer than theirs.
+ * in it, choices longer than their field, numbers longer than theirs, what runs out of a table's cell, and letters too small to read.
  * @param {import("playwright-core").Page} page
  * @returns {Promise<string[]>}
  */
 export function cut_off(page) {
   return page.evaluate(() => {
+    /** The height of the smallest text that can be read, in px. */
+    const SMALLEST = 6;
     const root = document.documentElement;
     const beyond = root.scrollWidth - root.clientWidth;
     const found = beyond > 0 ? [`${beyond} px too wide`] : [];
@@ -43,7 +45,12 @@ export function cut_off(page) {
         const is_low = element.scrollHeight > element.clientHeight + (element.matches(".equation") ? 8 : 1);
         if ((is_hidden(overflowX) && element.scrollWidth > element.clientWidth + 1) || (is_hidden(overflowY) && is_low)) found.push(`hides a part: ${name(element)}`);
       }
+      if (element.matches("td, th") && element.scrollWidth > element.clientWidth + 1) found.push(`runs out of its cell: ${name(element)}`);
       if (element.matches("input[type=number]") && element.scrollWidth > element.clientWidth + 1) found.push(`a number is cut: ${name(element)}`);
+    }
+    for (const text of document.querySelectorAll("svg text")) {
+      const { height } = text.getBoundingClientRect();
+      if (height > 0 && height < SMALLEST) found.push(`a text is ${height} px high: ${name(text)}`);
     }
     for (const select of document.querySelectorAll("select")) {
       // Names of people may have any length; the list that opens shows them whole.

@@ -41,6 +41,8 @@ after(async () => {
 const PAGES = [
   ["/sign-in", { who: "nobody", at: () => "/sign-in" }],
   ["/sign-in/{token}", { who: "nobody", at: () => "/sign-in/0" }],
+  ["/mail", { who: "nobody", at: () => "/mail" }],
+  ["/mail/{token}", { who: "nobody", at: () => "/mail/0" }],
   ["/join", { who: "nobody", at: () => "/join" }],
   ["/join/{code}", { who: "nobody", at: () => made.join }],
   ["/join/{code}", { who: "nobody", at: () => made.join, then: (page) => page.getByRole("button", { name: "Ask for a place" }).click() }],

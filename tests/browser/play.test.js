@@ -18,13 +18,13 @@ async function played(problem, options) {
   await page.locator("html[data-state=ready]").waitFor();
   const request = { problem, seed: 1, together: true };
   const response = await page.request.post(`${site.url}/api/simulate`, { data: request });
-  const scene = page.locator("section.scene");
+  const scene = page.locator("section.film");
   return {
     ...own,
     record: await response.json(),
     scene,
     /** @param {string} state */
-    is: (state) => page.locator(`section.scene[data-state=${state}]`).waitFor(),
+    is: (state) => page.locator(`section.film[data-state=${state}]`).waitFor(),
     /** @param {number} seconds */
     pass: (seconds) => page.evaluate(`pass(${seconds})`),
     /** How many seconds of the scene are shown in one of the reader's. */

@@ -100,7 +100,7 @@ test("a file from disk shows, marks and solves without a network", { skip }, asy
   assert.match(page.url(), /#\/solution\//);
   await page.goBack();
   await frame.getByRole("link", { name: "Play" }).click();
-  await frame.locator("section.scene").waitFor();
+  await frame.locator("section.film").waitFor();
   await frame.getByRole("link", { name: "Momentous" }).click();
   await frame.getByText("✓ all right").waitFor();
   await frame.locator("img[data-figure][src]").first().waitFor();

@@ -362,7 +362,7 @@ class Player {
 
 /** @param {HTMLElement} article */
 async function play(article) {
-  const home = article.querySelector("section.scene");
+  const home = article.querySelector("section.film");
   if (!(home instanceof HTMLElement)) return;
   try {
     const record = await call("simulate", { ...JSON.parse(article.dataset.variant ?? "{}"), together: true });

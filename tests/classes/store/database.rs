@@ -1,6 +1,7 @@
 //! The databases that a test runs on.
 
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
 
 use momentous::store::sqlx;
 use momentous::store::sqlx::{AnyConnection, Connection, Executor};
@@ -30,13 +31,16 @@ pub fn postgres_with(url: &str, setting: &str) -> Address {
 
 /// Runs a test on SQLite, and on PostgreSQL where the machine has it.
 #[allow(clippy::needless_pass_by_value, reason = "a test is written where it is passed")]
-pub fn on_both(test: impl AsyncFn(&Database)) {
+pub fn on_both(test: impl AsyncFn(&Database) + Sync) {
     let folder = tempfile::tempdir().unwrap();
-    block_on(test(&Database::Folder(Address::Folder(folder.path().join("data")))));
-    match postgres() {
-        Some(_) => block_on(async { test(&Database::made().await).await }),
-        None => eprintln!("skipped on PostgreSQL: MOMENTOUS_POSTGRES names none"),
-    }
+    // Both wait for the disk most of the time.
+    thread::scope(|scope| {
+        scope.spawn(|| block_on(test(&Database::Folder(Address::Folder(folder.path().join("data"))))));
+        match postgres() {
+            Some(_) => block_on(async { test(&Database::made().await).await }),
+            None => eprintln!("skipped on PostgreSQL: MOMENTOUS_POSTGRES names none"),
+        }
+    });
 }
 
 pub fn block_on<T>(future: impl Future<Output = T>) -> T {
