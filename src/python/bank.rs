@@ -12,7 +12,7 @@ use super::problem::{Problem, compiled};
 
 /// Problems that are known by their identities.
 #[pyclass(frozen, module = "momentous")]
-pub(super) struct Bank(bank::Bank);
+pub(super) struct Bank(pub(super) bank::Bank);
 
 #[pymethods]
 impl Bank {

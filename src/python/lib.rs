@@ -5,6 +5,7 @@ mod bank;
 mod error;
 mod problem;
 mod report;
+mod rows;
 mod variant;
 
 use pyo3::prelude::*;
@@ -44,5 +45,6 @@ fn _engine(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Variant>()?;
     module.add_class::<Report>()?;
     module.add_class::<Part>()?;
+    module.add_function(wrap_pyfunction!(rows::mark_rows, module)?)?;
     module.add_function(wrap_pyfunction!(mark, module)?)
 }

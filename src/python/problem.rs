@@ -78,20 +78,28 @@ impl Problem {
         form: Option<&str>,
         number: fn(&SheetSeed, &problem::Problem) -> Result<u64, String>,
     ) -> PyResult<Variant> {
-        let drawn = || {
-            let seed = match seed {
-                Seed::Number(number) => SheetSeed { number, mark: None },
-                Seed::Text(text) => text.parse()?,
-            };
-            let seed = number(&seed, &self.0)?;
-            let unknown = || match form {
-                Some(name) => unknown_name(name, &format!("form of {}", self.0.id()), &self.forms()),
-                None => format!("{} asks for nothing", self.0.id()),
-            };
-            let form = self.0.form(form).ok_or_else(unknown)?;
-            Exercise::draw(&self.0, form, seed).map_err(|reason| format!("{}, seed {seed}: {reason}", self.0.id()))
+        let drawn = py.detach(|| self.draw(&seed, form, number));
+        drawn.map(Variant).map_err(|message| error::of_message(py, &message))
+    }
+
+    /// Draws and solves; the seed is read as a program's own, or as one that was copied from a sheet.
+    pub(super) fn draw(
+        &self,
+        seed: &Seed,
+        form: Option<&str>,
+        number: fn(&SheetSeed, &problem::Problem) -> Result<u64, String>,
+    ) -> Result<Exercise, String> {
+        let seed = match seed {
+            Seed::Number(number) => SheetSeed { number: *number, mark: None },
+            Seed::Text(text) => text.parse()?,
         };
-        py.detach(drawn).map(Variant).map_err(|message: String| error::of_message(py, &message))
+        let seed = number(&seed, &self.0)?;
+        let unknown = || match form {
+            Some(name) => unknown_name(name, &format!("form of {}", self.0.id()), &self.forms()),
+            None => format!("{} asks for nothing", self.0.id()),
+        };
+        let form = self.0.form(form).ok_or_else(unknown)?;
+        Exercise::draw(&self.0, form, seed).map_err(|reason| format!("{}, seed {seed}: {reason}", self.0.id()))
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) struct Part(grade::PartReport);
 impl Report {
     /// The points reached.
     #[getter]
-    fn points(&self) -> f64 {
+    pub(super) fn points(&self) -> f64 {
         self.report.total.0.to_f64().value()
     }
 

@@ -89,23 +89,9 @@ impl Variant {
         hints: usize,
         closed: bool,
     ) -> PyResult<Report> {
-        let decimal = match decimal {
-            "point" => DecimalMark::Point,
-            "comma" => DecimalMark::Comma,
-            other => {
-                let message = format!("`{other}` is not a decimal mark\nhelp: choose one of point, comma");
-                return Err(error::of_message(py, &message));
-            }
-        };
         let answers: Vec<(String, String)> = answers.items()?.extract()?;
-        let marked = || {
-            let typed = answers.iter().map(|(name, text)| (name.as_str(), text.as_str()));
-            let answers = self.0.answers_by_part(typed).map_err(|faults| faults.join("\n"))?;
-            let report = self.0.mark(&answers, decimal, Sitting { hints, closed });
-            let record = self.0.mark_record(&report).map_err(|error| error.to_string())?;
-            Ok(Report { report, record: record.to_string() })
-        };
-        py.detach(marked).map_err(|message: String| error::of_message(py, &message))
+        let marked = py.detach(|| marked(&self.0, &answers, decimal_mark(decimal)?, Sitting { hints, closed }));
+        marked.map_err(|message| error::of_message(py, &message))
     }
 
     /// The sheet for a page of somebody else, such as a notebook's: a document in a frame, so that neither changes the other's style.
@@ -120,6 +106,29 @@ impl Variant {
         let named = [Some(self.problem().to_owned()), self.form().map(str::to_owned), seed];
         format!("<Variant of {}>", named.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
+}
+
+/// The decimal mark of that name.
+pub(super) fn decimal_mark(name: &str) -> Result<DecimalMark, String> {
+    match name {
+        "point" => Ok(DecimalMark::Point),
+        "comma" => Ok(DecimalMark::Comma),
+        other => Err(format!("`{other}` is not a decimal mark\nhelp: choose one of point, comma")),
+    }
+}
+
+/// The report on answers, by the names of the parts.
+pub(super) fn marked(
+    exercise: &Exercise,
+    answers: &[(String, String)],
+    decimal: DecimalMark,
+    sitting: Sitting,
+) -> Result<Report, String> {
+    let typed = answers.iter().map(|(name, text)| (name.as_str(), text.as_str()));
+    let answers = exercise.answers_by_part(typed).map_err(|faults| faults.join("\n"))?;
+    let report = exercise.mark(&answers, decimal, sitting);
+    let record = exercise.mark_record(&report).map_err(|error| error.to_string())?;
+    Ok(Report { report, record: record.to_string() })
 }
 
 /// A document by the built-in templates.

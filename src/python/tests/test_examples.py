@@ -7,7 +7,7 @@ import pathlib
 import re
 import unittest
 
-MODULES = ["momentous", "momentous.notebooks", "momentous.prairielearn"]
+MODULES = ["momentous", "momentous.batch", "momentous.notebooks", "momentous.prairielearn"]
 PAGE = pathlib.Path(os.environ["DOCS"]) / "python.md"
 
 

@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Union, final
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union, final
 
 __version__: str
 
@@ -18,6 +18,13 @@ class Bank:
     def __contains__(self, id: str) -> bool: ...
     def __len__(self) -> int: ...
 
+def mark_rows(
+    rows: List[Tuple[str, Union[int, str], Optional[str], List[Tuple[str, str]], int, bool]],
+    bank: Bank,
+    *,
+    decimal: str = "point",
+    secret: Optional[bytes] = None,
+) -> List[Tuple[Optional[Tuple[float, int, str]], Optional[str]]]: ...
 @final
 class Problem:
     """What is in the scene, and what is asked: numbers for it come from a seed."""

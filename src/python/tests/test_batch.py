@@ -1,0 +1,101 @@
+"""Marks of a table are those of single calls, whatever the columns look like."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+import pyarrow
+
+import momentous
+from momentous.batch import mark_batch, packed
+from test_marks import typings
+
+#: One problem of so many is asked.
+EVERY = 7
+
+
+def submissions():
+    """Rows with the reports that single calls give."""
+    rows, expected = [], []
+    bank = momentous.Bank.built_in()
+    for name in bank.ids()[::EVERY]:
+        problem = bank[name]
+        form = problem.forms[-1] if problem.forms else None
+        for seed in (3, 1_000_003):
+            variant = problem.variant(seed, form=form)
+            for answers in typings(variant.answers()):
+                rows.append({"student": f"s{len(rows)}", "problem": name, "form": form, "seed": seed, "answers": answers})
+                expected.append(variant.mark(answers).record())
+    return rows, expected
+
+
+class Batches(unittest.TestCase):
+    def test_a_table_is_marked_as_its_rows_are(self):
+        rows, expected = submissions()
+        self.assertGreater(len(rows), 200)
+        kind = pyarrow.map_(pyarrow.string(), pyarrow.string())
+        columns = {name: [row[name] for row in rows] for name in ("student", "problem", "form", "seed")}
+        answers = [row["answers"] for row in rows]
+        for given in (
+            pyarrow.array([list(own.items()) for own in answers], kind),
+            [json.dumps(own) for own in answers],
+            answers,
+        ):
+            marked = mark_batch({**columns, "answers": given})
+            self.assertEqual(marked["student"].to_pylist(), columns["student"])
+            self.assertEqual(marked["fault"].null_count, len(rows))
+            self.assertEqual([json.loads(own) for own in marked["report"].to_pylist()], expected)
+            points = [own["total"] for own in expected]
+            self.assertTrue(all(abs(a - b) < 1e-9 for a, b in zip(marked["points"].to_pylist(), points)), points[:3])
+
+    def test_one_problem_has_a_struct_of_answers(self):
+        answers = pyarrow.array([{"v_A2": "1 m/s", "v_B2": None}, {"v_A2": None, "v_B2": "2 m/s"}])
+        table = pyarrow.table({"problem": ["impact/two-carts"] * 2, "seed": pyarrow.array([7.0, 8.0]), "answers": answers})
+        verdicts = [[part["verdict"] for part in json.loads(own)["parts"]] for own in mark_batch(table)["report"].to_pylist()]
+        self.assertEqual([own.count("unanswered") for own in verdicts], [2, 2])
+
+    def test_a_row_that_cannot_be_marked_says_why(self):
+        good = ("impact/two-carts", 7, None, "{}")
+        rows = [
+            (good, None),
+            (("impact/two-cart", 7, None, "{}"), "did you mean `impact/two-carts`?"),
+            (("../secret.yaml", 7, None, "{}"), "there is no problem"),
+            (("impact/two-carts", -7, None, "{}"), "-7"),
+            (("impact/two-carts", None, None, "{}"), "None"),
+            (("impact/two-carts", 7, "backward", "{}"), "backward"),
+            (("impact/two-carts", 7, None, '{"v_C": "1"}'), "`v_C` is not a part"),
+            (("impact/two-carts", 7, None, "1 m/s"), "no object of JSON"),
+            (("impact/two-carts", 7, None, "[1]"), "no object of JSON"),
+        ]
+        columns = zip(*(row for row, _ in rows))
+        table = {name: list(values) for name, values in zip(("problem", "seed", "form", "answers"), columns)}
+        marked = mark_batch(table)
+        for fault, points, (row, said) in zip(marked["fault"].to_pylist(), marked["points"].to_pylist(), rows):
+            if said is None:
+                self.assertEqual((fault, points), (None, 0), row)
+            else:
+                self.assertIn(said, fault or "nothing", row)
+                self.assertIsNone(points)
+        with self.assertRaisesRegex(ValueError, "no column `seed`"):
+            mark_batch({"problem": ["impact/two-carts"], "answers": ["{}"]})
+        with self.assertRaisesRegex(momentous.Error, "decimal mark"):
+            mark_batch(table, decimal="dot")
+        self.assertEqual(mark_batch({name: [] for name in table}).num_rows, 0)
+
+    def test_a_bank_goes_along_as_bytes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            home = pathlib.Path(folder) / "problem_bank"
+            (home / "own").mkdir(parents=True)
+            text = "id: own/push\ntitle: Push\nlevel: intro\nscene:\n  axes: { x: right }\n  bodies: { A: { name: crate A, mass: m_A } }\n"
+            text += "  stages: [{ push: { bodies: A, force: F, for: dt } }]\ngiven:\n  m_A: 2 kg\n  F: 3 N\n  dt: 4 s\n  v_A1: 0 m/s\n"
+            text += "text: A force {{ F }} acts on crate A ({{ m_A }}) for {{ dt }}, from rest {{ v_A1 | motion }}.\nask: [{ find: v_A2, unit: m/s }]\n"
+            (home / "own" / "push.yaml").write_text(text)
+            (home / "course.yaml").write_text("symbols: { kinetic_energy: K }\n")
+            bank = packed(home)
+            there = momentous.Bank(home)
+            expected = there["own/push"].variant(1).mark({"v_A2": "6 m/s"}).record()
+        rows = {"problem": ["own/push"], "seed": [1], "answers": [{"v_A2": "6 m/s"}]}
+        marked = [mark_batch(rows, bank=own) for own in (bank, bank)]
+        self.assertEqual([json.loads(own["report"][0].as_py()) for own in marked], [expected] * 2)
+        self.assertIn("there is no problem", mark_batch(rows)["fault"][0].as_py())
