@@ -78,7 +78,7 @@ impl Problem {
         form: Option<&str>,
         number: fn(&SheetSeed, &problem::Problem) -> Result<u64, String>,
     ) -> PyResult<Variant> {
-        let drawn = py.detach(|| self.draw(&seed, form, number));
+        let drawn = py.detach(move || self.draw(&seed, form, number));
         drawn.map(Variant).map_err(|message| error::of_message(py, &message))
     }
 

@@ -30,9 +30,9 @@ pub(super) fn mark_rows(
     secret: Option<PyBackedBytes>,
 ) -> PyResult<Vec<(Option<Marks>, Option<String>)>> {
     let decimal = decimal_mark(decimal).map_err(|message| error::of_message(py, &message))?;
-    Ok(py.detach(|| {
+    Ok(py.detach(move || {
         let problems = problems(&rows, bank, secret.as_deref());
-        let marks = rows.into_par_iter().map(|row| match mark_row(&row, &problems, decimal) {
+        let marks = rows.par_iter().map(|row| match mark_row(row, &problems, decimal) {
             Ok(marks) => (Some(marks), None),
             Err(reason) => (None, Some(reason)),
         });
