@@ -10,11 +10,11 @@ use momentous::fault::Source;
 use momentous::grade::Verdict;
 use momentous::problem::{Problem, compile, load};
 
-/// The seeds of each form; the last is for other programs only, which are tried by hand.
+/// The seed of each form, and more of them for other programs, which are tried by hand.
 const SEEDS: [u64; 3] = [1, 8, 9];
 
 fn seeds() -> &'static [u64] {
-    if std::env::var_os("EXPORT_CASES").is_some() { &SEEDS } else { &SEEDS[..2] }
+    if std::env::var_os("EXPORT_CASES").is_some() { &SEEDS } else { &SEEDS[..1] }
 }
 
 /// Every form of the bank: its problem, and its place among the forms of that.
