@@ -61,8 +61,8 @@ class Batches(unittest.TestCase):
             (good, None),
             (("impact/two-cart", 7, None, "{}"), "did you mean `impact/two-carts`?"),
             (("../secret.yaml", 7, None, "{}"), "there is no problem"),
-            (("impact/two-carts", -7, None, "{}"), "-7"),
-            (("impact/two-carts", None, None, "{}"), "None"),
+            (("impact/two-carts", -7, None, "{}"), "a seed is a whole number"),
+            (("impact/two-carts", None, None, "{}"), "a seed is a whole number"),
             (("impact/two-carts", 7, "backward", "{}"), "backward"),
             (("impact/two-carts", 7, None, '{"v_C": "1"}'), "`v_C` is not a part"),
             (("impact/two-carts", 7, None, "1 m/s"), "no object of JSON"),
@@ -87,15 +87,18 @@ class Batches(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             home = pathlib.Path(folder) / "problem_bank"
             (home / "own").mkdir(parents=True)
-            text = "id: own/push\ntitle: Push\nlevel: intro\nscene:\n  axes: { x: right }\n  bodies: { A: { name: crate A, mass: m_A } }\n"
-            text += "  stages: [{ push: { bodies: A, force: F, for: dt } }]\ngiven:\n  m_A: 2 kg\n  F: 3 N\n  dt: 4 s\n  v_A1: 0 m/s\n"
-            text += "text: A force {{ F }} acts on crate A ({{ m_A }}) for {{ dt }}, from rest {{ v_A1 | motion }}.\nask: [{ find: v_A2, unit: m/s }]\n"
+            text = "id: own/push\ntitle: Push\nlevel: intro\nscene:\n  axes: { x: to the right }\n"
+            text += "  bodies: { A: { name: trolley A }, B: { name: trolley B } }\n"
+            text += "  stages: [{ impact: { between: [A, B], restitution: 0 } }]\n"
+            text += "given: { m_A: 4 kg, m_B: 2 kg, v_A1: 3 m/s, v_B1: 0 m/s }\n"
+            text += "text: Trolley A ({{ m_A }}) moves {{ v_A1 | motion }}; trolley B ({{ m_B }}) {{ v_B1 | motion }}. They couple.\n"
+            text += "ask: [{ find: v_A2, unit: m/s }]\n"
             (home / "own" / "push.yaml").write_text(text)
             (home / "course.yaml").write_text("symbols: { kinetic_energy: K }\n")
             bank = packed(home)
             there = momentous.Bank(home)
-            expected = there["own/push"].variant(1).mark({"v_A2": "6 m/s"}).record()
-        rows = {"problem": ["own/push"], "seed": [1], "answers": [{"v_A2": "6 m/s"}]}
+            expected = there["own/push"].variant(1).mark({"v_A2": "2 m/s"}).record()
+        rows = {"problem": ["own/push"], "seed": [1], "answers": [{"v_A2": "2 m/s"}]}
         marked = [mark_batch(rows, bank=own) for own in (bank, bank)]
         self.assertEqual([json.loads(own["report"][0].as_py()) for own in marked], [expected] * 2)
         self.assertIn("there is no problem", mark_batch(rows)["fault"][0].as_py())

@@ -15,9 +15,11 @@
 
 from __future__ import annotations
 
+import atexit
 import hashlib
 import io
 import json
+import shutil
 import tempfile
 import zipfile
 from pathlib import Path
@@ -36,7 +38,7 @@ _Row = Tuple[str, Union[int, str], Optional[str], List[Tuple[str, str]], int, bo
 _Marked = Tuple[Optional[Tuple[float, int, str]], Optional[str]]
 
 #: The folders of banks that came as bytes, by their digest. Each goes with the process.
-_unpacked: Dict[str, Tuple[Any, Bank]] = {}
+_unpacked: Dict[str, Bank] = {}
 
 
 def packed(folder: Union[str, Path]) -> bytes:
@@ -152,10 +154,11 @@ def _bank(bank: Optional[Union[Bank, bytes]]) -> Bank:
         return bank
     digest = hashlib.sha256(bank).hexdigest()
     if digest not in _unpacked:
-        folder = tempfile.TemporaryDirectory(prefix="momentous-")
+        folder = tempfile.mkdtemp(prefix="momentous-")
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
         # The settings of a course are looked for up to a folder of this name.
-        home = Path(folder.name) / "problem_bank"
+        home = Path(folder) / "problem_bank"
         with zipfile.ZipFile(io.BytesIO(bank)) as archive:
             archive.extractall(home)
-        _unpacked[digest] = (folder, Bank(home))
-    return _unpacked[digest][1]
+        _unpacked[digest] = Bank(home)
+    return _unpacked[digest]
