@@ -26,7 +26,7 @@ def marked(batches):
 
 def workers() -> list[int]:
     """The processes of the workers of this run."""
-    listed = subprocess.run(["pgrep", "-f", f"CoarseGrainedExecutorBackend.*{MARK}"], capture_output=True, text=True)
+    listed = subprocess.run(["pgrep", "-f", f"{MARK}.*CoarseGrainedExecutorBackend"], capture_output=True, text=True)
     return [int(line) for line in listed.stdout.split()]
 
 
