@@ -20,7 +20,7 @@ use super::pictures::Scope;
 use super::reach::last_instant;
 use super::terms::display::Display;
 use super::terms::display::Shown;
-use super::terms::ledger::Item;
+use super::terms::entry::Item;
 use super::terms::printed;
 
 /// The answers to a part as they are printed, with their unit: one, or every root.

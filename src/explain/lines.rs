@@ -191,14 +191,22 @@ impl List<'_> {
             _ => None,
         };
         let from = own.chain(ends.into_iter().flatten()).collect();
-        let integral = line.integral.as_ref().map(|integral| {
+        let integral = line.integral().map(|integral| {
             let [integrand, low, high] =
                 [&integral.integrand, &integral.low, &integral.high].map(|term| self.text(term));
             format!("integral({integrand}, {}, {low}, {high})", self.text(&integral.variable.into()))
         });
         let law = self.instance(line).map(|instance| instance.law.id);
         let (factor, not_zero) = (factor.map(|factor| self.text(factor)), self.texts(&not_zero));
-        let place = self.push(&line.left, Some(&line.right), operation, from);
+        // The line says what is printed.
+        let [left, right] = match &line.shown {
+            Some(momentous_model::Shown::Balance(sides)) => sides.clone(),
+            Some(momentous_model::Shown::Areas(areas)) => [line.left.clone(), Expr::sum(areas.iter().cloned())],
+            Some(momentous_model::Shown::Integral { .. } | momentous_model::Shown::Series(_)) | None => {
+                [line.left.clone(), line.right.clone()]
+            }
+        };
+        let place = self.push(&left, Some(&right), operation, from);
         if let Origin::Law(equation) = line.origin {
             self.laws.insert(equation, place);
         }
@@ -233,7 +241,7 @@ impl List<'_> {
             let operation = if unknown == *magnitude { Operation::Magnitude } else { Operation::Angle };
             return (operation, Some(formula), Vec::new());
         }
-        if sources.iter().any(|line| line.integral.is_some()) {
+        if sources.iter().any(|line| line.integral().is_some()) {
             return (Operation::Integrate, Some(formula), Vec::new());
         }
         let not_zero = divisors::of_solution(&sources, unknown, &formula);

@@ -191,6 +191,11 @@ impl Body {
         canvas.fixed_label(centre, &self.name, role);
     }
 
+    /// Keeps the line through the centre free on that side.
+    pub(super) fn occupy(&mut self, outward: Point) {
+        self.taken.push(outward);
+    }
+
     /// Where the next arrow along `arrow` goes, beside those that lie there already.
     pub(super) fn attach(&mut self, arrow: Point, attach: Attach) -> (Point, Point) {
         let unit = arrow * (1.0 / arrow.length().max(1e-9));

@@ -35,9 +35,10 @@ pub use mass_centre::{MassCentre, PlacedParticle, Travel};
 pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
 pub use place::{Overlap, overlaps};
 pub use situation::{
-    Across, AngleMark, Bowl, Carried, CarriedBy, CarriedEnd, Central, CentralPath, Conical, Contact, Depth, Face, Fall,
-    Grains, Ground, Height, Launch, Layout, Line, LineSpring, Moment, Moving, MovingBody, Partner, Pulley, PulleySide,
-    Ramp, Resisted, Rest, Ride, Situation, Space, Strung, Swing, SwingBy, SwingEnd, Target, Tie, Vane, Wall,
+    Across, AngleMark, Bowl, Carried, CarriedBy, CarriedEnd, Central, CentralPath, Conical, Contact, Depth, Exhaust,
+    Face, Fall, Grains, Ground, Height, Launch, Layout, Line, LineSpring, Moment, Moving, MovingBody, Partner, Pulley,
+    PulleySide, Ramp, Resisted, Rest, Ride, Situation, Space, Strung, Swing, SwingBy, SwingEnd, Target, Tie, Vane,
+    Wall,
 };
 pub use svg::{style_sheet, svg, svg_file, svg_paper, svg_unstyled};
 pub use ticks::Ticks;

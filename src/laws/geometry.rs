@@ -64,7 +64,7 @@ pub const DIRECTION: Law = Law {
 /// A direction counted from another axis, or the other way round.
 pub const COUNTED: Law = Law {
     id: "counted-direction",
-    name: "the way in which the angle is measured",
+    name: "the conversion of an angle",
     statement: "An angle measured from another axis is smaller by the angle of that axis; measured clockwise it has the opposite sign.",
     signs: "Angles are measured counter-clockwise unless stated otherwise.",
     when: "Always.",

@@ -20,7 +20,7 @@ pub const PLACE: Law = Law {
 /// The velocity at an instant.
 pub const VELOCITY: Law = Law {
     id: "velocity-as-told",
-    name: "the velocity as a function",
+    name: "substitution into the function",
     statement: "The velocity at an instant is the value of the given function there; if the position is given, the velocity is its rate of change.",
     signs: "Positive along the axis.",
     when: "The problem gives the velocity or the position as a function.",

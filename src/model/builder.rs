@@ -261,34 +261,6 @@ impl<'s> Builder<'s> {
         self.system.equations.push(equation);
     }
 
-    /// One use of a law whose right side is the value of an integral.
-    pub(super) fn integral(
-        &mut self,
-        law: &'static Law,
-        stage: usize,
-        because: impl Into<Because>,
-        sides: Sides,
-        integral: Integral,
-    ) {
-        let equation = self.stated(LAW_COST, law, Some(stage), because, sides, Some(integral));
-        self.system.equations.push(equation);
-    }
-
-    /// The same, where the laws of these tags name what stands in the value for the ends of the range.
-    pub(super) fn integral_between(
-        &mut self,
-        law: &'static Law,
-        (stage, ends): (usize, &[usize]),
-        because: impl Into<Because>,
-        sides: Sides,
-        integral: Integral,
-    ) {
-        self.integral(law, stage, because, sides, integral);
-        if let Some(own) = self.instances.last_mut() {
-            own.ends = ends.to_vec();
-        }
-    }
-
     /// One use of a law as an equation that is not yet part of the system.
     pub(super) fn stated(
         &mut self,
@@ -311,7 +283,7 @@ impl<'s> Builder<'s> {
         because: impl Into<Because>,
         integral: Option<Integral>,
     ) -> usize {
-        self.instances.push(Instance { law, because: because.into(), stage, integral, ends: Vec::new() });
+        self.instances.push(Instance { law, because: because.into(), stage, integral, shown: None, ends: Vec::new() });
         self.instances.len() - 1
     }
 

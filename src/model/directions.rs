@@ -9,6 +9,7 @@ use momentous_quantity::Dimension;
 use momentous_scene::Axis;
 use momentous_scene::Term;
 
+use super::Because;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
@@ -228,14 +229,14 @@ impl Builder<'_> {
         if !self.defined.insert(key) {
             return;
         }
-        let because = "the axes n and t point along and across the line of impact";
+        let because = || Because::Definition;
         let [cos, sin] = frame.normal.cosine_and_sine();
         let [along, across] = geometry::turned([&cos, &sin], &x, &y);
-        self.law(&geometry::ROTATION, Some(stage), because, (n.clone(), along));
-        self.law(&geometry::ROTATION, Some(stage), because, (t.clone(), across));
+        self.law(&geometry::ROTATION, Some(stage), because(), (n.clone(), along));
+        self.law(&geometry::ROTATION, Some(stage), because(), (t.clone(), across));
         let back = geometry::turned_back([&cos, &sin], n, t);
         for (old, new) in [x, y].into_iter().zip(back) {
-            self.law(&geometry::ROTATION, Some(stage), because, (old, new));
+            self.law(&geometry::ROTATION, Some(stage), because(), (old, new));
         }
     }
 

@@ -18,6 +18,8 @@ pub struct Instance {
     pub stage: Option<usize>,
     /// The integral that the equation's right side is the value of, where the law defines one.
     pub integral: Option<Integral>,
+    /// What its equation follows from, to be shown with it.
+    pub shown: Option<Shown>,
     /// The uses of laws, as positions in [`Model::instances`](super::Model::instances), that name what stands in the value of the integral
     /// for the ends of the range.
     pub ends: Vec<usize>,
@@ -66,6 +68,35 @@ impl fmt::Display for Because {
             Self::Conclusion(fact, follows) => write!(f, "{fact}, so {follows}"),
         }
     }
+}
+
+/// The step from which the equation of a law follows.
+#[derive(Clone, Debug)]
+pub enum Shown {
+    /// Something equals an integral.
+    Integral {
+        /// What equals it.
+        of: Expr,
+        /// The integral.
+        integral: Integral,
+    },
+    /// The right side is the sum of a series.
+    Series(Series),
+    /// The right side is the area of these shapes together.
+    Areas(Vec<Expr>),
+    /// A balance, from which the left side follows.
+    Balance([Expr; 2]),
+}
+
+/// A factor times a sum whose terms go on in the same way.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// What all terms have in common.
+    pub factor: Expr,
+    /// The first terms.
+    pub terms: Vec<Expr>,
+    /// The last term; none where they go on for ever.
+    pub last: Option<Expr>,
 }
 
 /// A definite integral, to be shown before its value.

@@ -184,8 +184,8 @@ fn every_stage_has_its_diagram() {
         };
         let drawings = drawings_of_solution(worked);
         let titled = |start: &str| drawings.iter().filter(|drawing| drawing.title.starts_with(start)).count();
-        // What work or the balance of forces solves has its forces.
-        let balanced = titled("Impulse-momentum") + titled("Free-body diagram");
+        // What work or the balance of forces solves has its forces, and what the energy of a spring solves the velocities beside it.
+        let balanced = titled("Impulse-momentum") + titled("Free-body diagram") + titled("Velocities of");
         assert!(balanced >= stages.iter().filter(momentum).count(), "{at}");
         let on_circle = |title: &str| title.ends_with("on the cord") || title.ends_with("on the circular track");
         let swings = drawings.iter().filter(|drawing| on_circle(&drawing.title)).count();

@@ -22,7 +22,7 @@ use super::super::Block;
 use super::super::Inline;
 use super::super::terms::display::Display;
 use super::super::terms::display::has_pieces;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::ledger::Ledger;
 use super::super::terms::term::Measured;
 use super::super::terms::term::Term;

@@ -16,7 +16,7 @@ use momentous_solve::Statement;
 
 use super::super::Block;
 use super::super::terms::display::Display;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::ledger::Ledger;
 use super::super::terms::term::Term;
 

@@ -18,7 +18,7 @@ use momentous_scene::Stage;
 use super::super::Block;
 use super::super::Inline;
 use super::super::terms::display::Display;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::ledger::Ledger;
 use super::super::terms::printed;
 use super::super::wording::join;

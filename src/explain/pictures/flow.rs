@@ -51,11 +51,13 @@ pub(super) fn arriving(
         (Some(leaving), _) => (label(), times(quantities.direction(leaving)?, speed)),
         (None, Some(term)) => {
             let e = quantities.term(term)?;
-            let size = quantities.evaluate(&e)? * speed;
-            (product([factor(&e, quantities.symbolic(&e)), label()]), times(along, -size))
+            match quantities.evaluate(&e)? {
+                0.0 => at_rest(),
+                share => (product([factor(&e, quantities.symbolic(&e)), label()]), times(along, -share * speed)),
+            }
         }
         // It stays, or it spreads evenly to all sides.
-        (None, None) => (Math::subscripted("v", "after"), [0.0, 0.0]),
+        (None, None) => at_rest(),
     };
     let flow = Flow {
         what: &stage.by,
@@ -129,6 +131,11 @@ impl Flow<'_> {
         };
         MomentumDiagram { wording, bodies: vec![row], axes: compass.marks() }.drawing()
     }
+}
+
+/// What has no velocity along the line any more.
+fn at_rest() -> (Math, [f64; 2]) {
+    (Math::subscripted("v", "after"), [0.0, 0.0])
 }
 
 fn delta(letter: &str) -> Math {

@@ -183,6 +183,8 @@ fn without_momentum(
         sheet::fall::drawing(quantities, compass, index, fall).into_iter().collect()
     } else if let Stage::Motion(motion) = stage {
         curve::velocity(quantities, index, motion).into_iter().collect()
+    } else if let Stage::Spring(spring) = stage {
+        sheet::line::on_spring(quantities, compass, index, spring).into_iter().collect()
     } else {
         let forces = free_body::of_stage(quantities, compass, index, stage)?;
         let graph = graph::force_plot(quantities, index);

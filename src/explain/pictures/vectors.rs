@@ -104,6 +104,9 @@ impl Quantities<'_> {
 
     /// How that impulse is written.
     pub(super) fn impulse_name(&self, impulse: &Impulse) -> Math {
+        if impulse.called == "weight" {
+            return self.impulse_of_weight(&impulse.on, impulse.stage).label;
+        }
         let letter = if impulse.by == Agent::Guide { "R" } else { "J" };
         let of = self.of_string(impulse).unwrap_or_else(|| impulse.on.clone());
         self.worked.problem.notation().math(&format!("{letter}_{of}"))

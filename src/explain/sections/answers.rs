@@ -24,7 +24,7 @@ use super::super::Block;
 use super::super::Detail;
 use super::super::Inline;
 use super::super::terms::display::Display;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::printed;
 use super::super::wording::capitalised;
 use super::interval;

@@ -122,13 +122,8 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
         let met = format!("{} where it meets {}.", stream.by, scene.called(&stream.body));
         return vec![Block::text(&capitalised(&met))];
     }
-    // What comes apart belongs to the system as its parts.
-    let whole = |body: &String| !scene.division_of(body).is_empty();
-    let names: Vec<String> =
-        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
-    let together = if names.len() > 1 { " together" } else { "" };
-    let who = capitalised(&format!("{}{together}", list(&names)));
     let last = last_instant(worked);
+    let who = capitalised(&list(&taking_part(worked, last)));
     let [start, end] = [1, last].map(|instant| worked.problem.model().when(scene, instant));
     let when = if scene.stages.is_empty() {
         "at one instant".to_owned()
@@ -169,6 +164,21 @@ fn begins(scene: &Scene, timeline: &Timeline, index: usize) -> usize {
     let since = moving.into_iter().map(|body| timeline.naming_instant(body, index + 1)).max();
     let is_beside = |since: &usize| *since > 1 && scene.stages[since - 1..index].iter().all(Stage::takes_time);
     since.filter(is_beside).unwrap_or(index + 1)
+}
+
+/// The bodies but those to which something happens only after the stages that are looked at, as they are called; what comes apart, or
+/// comes together, as its parts.
+fn taking_part(worked: Worked<'_>, last: usize) -> Vec<String> {
+    let scene = &worked.problem.loaded().draft.scene;
+    let on = |looked_at: bool| -> BTreeSet<&str> {
+        let all = worked.problem.model().impulses.iter();
+        let impulses = all.filter(|impulse| (impulse.stage + 1 < last.max(2)) == looked_at);
+        impulses.flat_map(|impulse| scene.members(&impulse.on)).collect()
+    };
+    let [now, later] = [true, false].map(on);
+    let only_later = |body: &str| later.contains(body) && !now.contains(body);
+    let undivided = scene.bodies.iter().filter(|(own, _)| scene.division_of(own).is_empty());
+    undivided.filter(|(own, _)| !only_later(own)).map(|(_, body)| body.name.clone()).collect()
 }
 
 /// The steps of the answer plan.

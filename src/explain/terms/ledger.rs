@@ -7,11 +7,10 @@
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_quantity::first_place;
-use momentous_quantity::round_to_figures;
-use momentous_quantity::unit_of_place;
 
-/// The fewest figures of a value in a solution.
-pub(super) const FEWEST: usize = 4;
+use super::entry::Entry;
+use super::entry::Item;
+use super::entry::LAST;
 
 /// The most figures that a value in a solution gets.
 const MOST: usize = 8;
@@ -24,27 +23,6 @@ const SLACK: f64 = 1e-7;
 
 /// A share of half a unit: what moves a result by less is not why its line does not come out.
 const LITTLE: f64 = 0.1;
-
-/// A number in a solution.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Item {
-    /// A quantity.
-    Quantity(Symbol),
-    /// The coefficient of that place in the quadratic equation of an unknown.
-    Coefficient(Symbol, usize),
-    /// The other root of that equation.
-    OtherRoot(Symbol),
-    /// Both sides of a balance, by its place among those that are checked.
-    Balance(usize),
-    /// A side of a condition, by its place among those that are checked.
-    Side(usize, usize),
-    /// An answer, in the unit of the question.
-    Answer(Symbol),
-    /// A side of the condition by which a number is counted, with that number tried.
-    Trial(Symbol, i64, usize),
-    /// An answer in the extreme case of that place.
-    Extreme(Symbol, usize),
-}
 
 /// How many figures the numbers of a solution have.
 #[derive(Clone, Debug, Default)]
@@ -60,60 +38,6 @@ impl Figures {
     /// The figures of a number; none where no line asks for more than the usual ones.
     pub(crate) fn of(&self, item: Item) -> Option<usize> {
         self.numbers.iter().find(|(own, _)| *own == item).map(|(_, figures)| *figures)
-    }
-}
-
-/// A number: its value and its size as it is printed, in SI units.
-struct Entry {
-    item: Item,
-    value: f64,
-    /// The size of the unit in which it is printed.
-    unit: f64,
-    figures: usize,
-    /// The most figures that it may get; as many as it has where it is printed exactly.
-    most: usize,
-    printed: f64,
-    half: f64,
-}
-
-impl Entry {
-    /// A number that is printed exactly as it is, to within that half a unit of its last place.
-    fn exact(item: Item, value: f64, unit: f64, half: f64) -> Self {
-        Self { item, value, unit, figures: 0, most: 0, printed: value, half }
-    }
-
-    fn rounded(item: Item, value: f64, unit: f64, figures: usize, most: usize) -> Self {
-        if value == 0.0 {
-            return Self::exact(item, value, unit, 0.5 * unit);
-        }
-        let mut entry = Self { item, value, unit, figures, most, printed: value, half: 0.0 };
-        entry.round();
-        entry
-    }
-
-    fn round(&mut self) {
-        let shown = self.value / self.unit;
-        let place = unit_of_place((first_place(shown) + 1 - i32::try_from(self.figures).unwrap_or(0)).abs());
-        let fine = first_place(shown) + 1 < i32::try_from(self.figures).unwrap_or(0);
-        let places = if fine { shown * place } else { shown / place };
-        // Close to half-way only the exact digits tell which way to round.
-        let near_tie = ((places - places.floor()) - 0.5).abs() < 1e-6;
-        let rounded = match round_to_figures(shown, self.figures).filter(|_| near_tie) {
-            Some(decimal) => decimal.to_f64(),
-            None if fine => places.round() / place,
-            None => places.round() * place,
-        };
-        self.printed = rounded * self.unit;
-        self.half = 0.5 * self.unit * if fine { 1.0 / place } else { place };
-    }
-
-    fn raise(&mut self) -> bool {
-        let can = self.figures < self.most;
-        if can {
-            self.figures += 1;
-            self.round();
-        }
-        can
     }
 }
 
@@ -221,8 +145,27 @@ impl Ledger {
         }
     }
 
+    /// What nothing is computed from but an answer gets the figures of answers, where those of what it is computed from give no more.
+    fn lower_last_results(&mut self) {
+        for place in 0..self.lines.len() {
+            let line = &self.lines[place];
+            let is_last = matches!(line.rule, Rule::Term(_) | Rule::Root { .. })
+                && self.lines.iter().all(|other| {
+                    !other.operands.contains(&line.result)
+                        || matches!(other.rule, Rule::Same)
+                            && matches!(self.entries[other.result].item, Item::Answer(_))
+                            && self.entries[other.result].figures <= LAST
+                });
+            if is_last && !line.holds(&self.entries, &self.places) {
+                let result = line.result;
+                self.entries[result].lower();
+            }
+        }
+    }
+
     /// Gives every number as many figures as the lines need.
     pub(crate) fn settle(mut self) -> Figures {
+        self.lower_last_results();
         let mut stubborn = Vec::new();
         let mut changed = true;
         while changed {
@@ -325,6 +268,7 @@ impl Line {
 
 #[cfg(test)]
 mod tests {
+    use super::super::entry::FEWEST;
     use super::*;
     use momentous_expr::SymbolEntry;
     use momentous_expr::SymbolTable;

@@ -2,6 +2,7 @@
 
 pub(super) mod algebra;
 pub(super) mod display;
+pub(super) mod entry;
 pub(super) mod ledger;
 pub(super) mod letters;
 pub(super) mod manner;

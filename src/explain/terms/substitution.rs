@@ -34,7 +34,10 @@ impl Display<'_> {
 
     /// A term without what is zero and has a unit.
     pub(crate) fn without_zeros(self, term: &Expr) -> Expr {
-        term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero))
+        let rest = term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero));
+        // What then stands above and below a fraction cancels.
+        let simple = rest.simplify();
+        if simple.symbols().len() < rest.symbols().len() { simple } else { rest }
     }
 
     /// The same, but for what is not known yet.

@@ -17,7 +17,11 @@ use super::derivation::Derivation;
 /// To how many figures the unknown is tried.
 const TRIED: i32 = 3;
 
-/// What is said where no formula gives an unknown: two trials between which the sides of its equation change places, if they do.
+/// To how many figures the difference of the sides of its equation is told, in per cent.
+const SHARE: usize = 2;
+
+/// What is said where no formula gives an unknown: two trials between which the sides of its equation change places, if they do, and
+/// by how much they differ there.
 pub(super) fn found(display: Display<'_>, derivation: &Derivation, unknown: Symbol) -> Block {
     let opening = [
         Inline::Text("No formula gives ".into()),
@@ -30,31 +34,36 @@ pub(super) fn found(display: Display<'_>, derivation: &Derivation, unknown: Symb
 
 fn trials(display: Display<'_>, derivation: &Derivation, unknown: Symbol) -> Option<Vec<Inline>> {
     let line = derivation.sources_of(unknown).into_iter().next()?;
-    let difference = line.left.clone() - line.right.clone();
     let measured = &display.manner(unknown).measured;
     let value = display.worked.variant.value(unknown)?.value / display.size(measured);
     let place = first_place(value) + 1 - TRIED;
     let step = unit_of_place(place);
     let tried = [(value / step).floor() * step, (value / step).ceil() * step];
-    let differences = tried.map(|value| {
+    let sides = tried.map(|value| {
         let at = |symbol: Symbol| {
             if symbol == unknown { value * display.size(measured) } else { display.value_of(&Expr::from(symbol)) }
         };
-        difference.evaluate(&at)
+        [&line.left, &line.right].map(|side| side.evaluate(&at))
     });
-    let [first, last] = match differences {
-        [low, high] if low < 0.0 && high > 0.0 => ["less", "greater"],
-        [low, high] if low > 0.0 && high < 0.0 => ["greater", "less"],
-        _ => return None,
-    };
+    if !sides.iter().map(|[left, right]| left - right).product::<f64>().is_sign_negative() {
+        return None;
+    }
     let figures = usize::try_from(TRIED).ok()?;
     let [low, high] = tried.map(|value| measured.put(number_math(printed(value, figures))));
+    let [at_low, at_high] = sides.map(exceeds);
     let of = line.number.map_or_else(String::new, |number| format!(" of ({number})"));
     Some(vec![
         Inline::Text(" With ".into()),
         Inline::Math(Math::relation(display.name(unknown), Operator::Equals, low)),
-        Inline::Text(format!(" the left side{of} is {first} than the right one, with ")),
+        Inline::Text(format!(" the left side{of} is {at_low} than the right one, with ")),
         Inline::Math(high),
-        Inline::Text(format!(" {last}: the root lies between.")),
+        Inline::Text(format!(" {at_high}: the root lies between.")),
     ])
+}
+
+/// `0.91 % greater`.
+fn exceeds([left, right]: [f64; 2]) -> String {
+    let share = 100.0 * (left - right) / right.abs().max(left.abs());
+    let share = printed(share.abs(), SHARE);
+    format!("{share} % {}", if left > right { "greater" } else { "less" })
 }

@@ -10,7 +10,7 @@ use momentous_solve::Relation;
 use super::super::Block;
 use super::super::Inline;
 use super::super::terms::display::Display;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::ledger::Ledger;
 
 /// The number, and what the condition says of it and of the one before; nothing for a value that is not counted.

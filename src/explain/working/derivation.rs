@@ -9,6 +9,7 @@ use momentous_expr::Operator;
 use momentous_expr::Symbol;
 use momentous_model::Instance;
 use momentous_model::Integral;
+use momentous_model::Shown;
 use momentous_solve::Closed;
 use momentous_solve::Move;
 use momentous_solve::Root;
@@ -29,8 +30,18 @@ pub(crate) struct Line {
     pub relation: Operator,
     pub right: Expr,
     pub origin: Origin,
-    /// The integral that its right side is the value of, where it is shown.
-    pub integral: Option<Integral>,
+    /// The step from which it follows, where that is shown with it.
+    pub shown: Option<Shown>,
+}
+
+impl Line {
+    /// The integral that its right side is the value of, where that is shown.
+    pub(crate) fn integral(&self) -> Option<&Integral> {
+        match &self.shown {
+            Some(Shown::Integral { of, integral }) if *of == self.left => Some(integral),
+            _ => None,
+        }
+    }
 }
 
 /// The equations of earlier steps by their places in the system, with the numbers of their lines.
@@ -108,19 +119,18 @@ impl Derivation {
             derivation.latest.insert(*equation, place);
             let gives = is_alone && step.unknowns.iter().any(|unknown| left == Expr::from(*unknown));
             let instance = instances.get(stated.tag);
-            let shown =
-                instance.and_then(|instance| shown_integral(system, instance, &stated.statement, &right, before));
-            let (integral, ends) = shown.unzip();
-            let worked_out =
-                ends.filter(|ends| !gives || !ends.is_empty()).map(|ends| (ends, [left.clone(), right.clone()]));
-            derivation.lines.push(Line {
-                number: None,
-                left,
-                relation,
-                right,
-                origin: Origin::Law(*equation),
-                integral,
+            let step_before = instance.and_then(|instance| {
+                shown_step(instance, &stated.statement, &right, gives)
+                    .or_else(|| shown_integral(system, instance, &stated.statement, [&left, &right], before))
             });
+            let (shown, ends) = step_before.unzip();
+            let is_integral = |shown: &Shown| matches!(shown, Shown::Integral { of, .. } if *of == left);
+            let says_it_all = gives && shown.as_ref().is_some_and(is_integral);
+            let worked_out = ends
+                .flatten()
+                .filter(|ends| !says_it_all || !ends.is_empty())
+                .map(|ends| (ends, [left.clone(), right.clone()]));
+            derivation.lines.push(Line { number: None, left, relation, right, origin: Origin::Law(*equation), shown });
             if let Some((ends, [left, right])) = worked_out {
                 let [left, right] = [left, right].map(|side| decided(system, &side));
                 derivation.replace(*equation, &left, &right, Origin::Integrate { of: place, ends });
@@ -176,7 +186,7 @@ impl Derivation {
     /// Writes a line of algebra.
     fn push(&mut self, left: &Expr, right: &Expr, origin: Origin) -> usize {
         let [left, right] = [left, right].map(positive_first);
-        self.lines.push(Line { number: None, left, relation: Operator::Equals, right, origin, integral: None });
+        self.lines.push(Line { number: None, left, relation: Operator::Equals, right, origin, shown: None });
         self.lines.len() - 1
     }
 
@@ -291,9 +301,9 @@ fn shown_integral(
     system: &System,
     instance: &Instance,
     statement: &Statement,
-    value: &Expr,
+    [left, value]: [&Expr; 2],
     before: &Stated,
-) -> Option<(Integral, Stated)> {
+) -> Option<(Shown, Option<Stated>)> {
     let mut integral = instance.integral.clone()?;
     // The sides may have changed their signs.
     if matches!(statement, Statement::Equal { right, .. } if right != value) {
@@ -302,7 +312,25 @@ fn shown_integral(
     let place =
         |tag: &usize| before.iter().find(|(place, _)| system.equations.get(**place).is_some_and(|own| own.tag == *tag));
     let ends = instance.ends.iter().map(|tag| place(tag).map(|(place, number)| (*place, *number)));
-    Some((integral, ends.collect::<Option<Stated>>()?))
+    Some((Shown::Integral { of: left.clone(), integral }, Some(ends.collect::<Option<Stated>>()?)))
+}
+
+/// The step that a law shows of itself, and that an integral in it is then worked out.
+fn shown_step(
+    instance: &Instance,
+    statement: &Statement,
+    value: &Expr,
+    gives: bool,
+) -> Option<(Shown, Option<Stated>)> {
+    let shown = instance.shown.clone()?;
+    // The sides may have changed their signs.
+    let is_turned = matches!(statement, Statement::Equal { right, .. } if right != value);
+    match shown {
+        Shown::Integral { .. } => Some((shown, Some(Stated::new()))),
+        // Where more is to be found than its left side, the equation itself is what is put elsewhere.
+        Shown::Balance(_) => gives.then_some((shown, None)),
+        Shown::Series(_) | Shown::Areas(_) => (!is_turned).then_some((shown, None)),
+    }
 }
 
 /// A term in which each quantity given piece by piece, between bounds whose values are known beforehand, is replaced by the piece

@@ -3,6 +3,7 @@
 use momentous_expr::Expr;
 use momentous_expr::Operator;
 use momentous_expr::Symbol;
+use momentous_model::Shown;
 use momentous_solve::Move;
 use momentous_solve::Step;
 
@@ -35,8 +36,16 @@ pub(crate) fn as_on_paper(
         };
     }
     let ([law], Formula::Fixed(Some(formula))) = (&script.derivation.lines[..], formula) else { return None };
+    if let Some(Shown::Areas(areas)) = &law.shown
+        && law.left == Expr::from(unknown)
+    {
+        return Some(display.term(Expr::sum(areas.iter().cloned())));
+    }
     let sides = [&law.left, &law.right];
-    if law.integral.is_some() || law.relation != Operator::Equals || only_evaluates(step, sides) {
+    if matches!(law.shown, Some(Shown::Integral { .. }))
+        || law.relation != Operator::Equals
+        || only_evaluates(step, sides)
+    {
         return None;
     }
     let value = display.value_of(&unknown.into());

@@ -16,7 +16,7 @@ use super::super::terms::algebra::positive_first;
 use super::super::terms::display::Display;
 use super::super::terms::display::number_math;
 use super::super::terms::display::printed;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::ledger::Ledger;
 use super::super::terms::term::Measured;
 use super::super::wording::join;

@@ -5,12 +5,15 @@ use std::sync::Arc;
 
 use momentous_expr::Expr;
 use momentous_expr::Math;
+use momentous_expr::Operator;
 use momentous_expr::Symbol;
 use momentous_laws::geometry;
 use momentous_laws::kinematics;
 use momentous_model::Because;
 use momentous_model::Instance;
 use momentous_model::Integral;
+use momentous_model::Series;
+use momentous_model::Shown;
 use momentous_problem::Part;
 use momentous_problem::PartKind;
 use momentous_solve::Closed;
@@ -128,7 +131,7 @@ impl Writer<'_> {
         for line in &derivation.lines {
             match line.origin {
                 Origin::Law(equation) => opening.extend(self.law(equation, line, closes)),
-                _ => opening.extend(written(sentence::blocks(self.display, &derivation, line))),
+                _ => opening.extend(written(sentence::blocks(self.display, &derivation, line, &Expr::clone))),
             }
         }
         for (place, step_move) in step.moves.iter().enumerate() {
@@ -190,15 +193,13 @@ impl Writer<'_> {
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
         let reason = Block::text(&reason(instance, &stated.statement));
-        if line.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
+        if line.shown.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
             return vec![Opening::Law { reason, equation: None }];
         }
-        let right = line.integral.as_ref().map(|own| integral(self.display, own));
-        let right = right.unwrap_or_else(|| self.display.symbolic(&line.right));
-        let lines = vec![Math::relation(self.display.symbolic(&line.left), line.relation, right)];
+        let lines = vec![stated_with(self.display, line, &Expr::clone)];
         let equation = Some(Block::Equation { lines, number: line.number });
         let mut opening = vec![Opening::Law { reason, equation }];
-        if let (Statement::Equal { left, right }, None) = (&stated.statement, &line.integral) {
+        if let (Statement::Equal { left, right }, None) = (&stated.statement, &line.shown) {
             let sides = [left, right].map(Clone::clone);
             opening.extend(sides.iter().any(has_pieces).then_some(Opening::Piece(sides)));
         }
@@ -206,9 +207,37 @@ impl Writer<'_> {
     }
 }
 
+/// An equation in symbols, with the step that it follows from where that is shown; each term is simplified first.
+pub(super) fn stated_with(display: Display<'_>, line: &Line, simplified: &dyn Fn(&Expr) -> Expr) -> Math {
+    let symbolic = |term: &Expr| display.symbolic(&simplified(term));
+    let [left, right] = [&line.left, &line.right].map(symbolic);
+    match &line.shown {
+        None => Math::relation(left, line.relation, right),
+        Some(Shown::Integral { of, integral: own }) => {
+            Math::relation(symbolic(of), line.relation, integral(display, own, simplified))
+        }
+        Some(Shown::Series(own)) => Math::chain([left, series(own, &symbolic), right], Operator::Equals),
+        Some(Shown::Areas(areas)) => {
+            Math::relation(left, Operator::Equals, Math::chain(areas.iter().map(symbolic), Operator::Plus))
+        }
+        Some(Shown::Balance(sides)) => {
+            let [before, after] = sides.each_ref().map(symbolic);
+            Math::relation(before, Operator::Equals, after)
+        }
+    }
+}
+
+/// `factor (e + e^2 + ...)`.
+fn series(own: &Series, symbolic: &dyn Fn(&Expr) -> Math) -> Math {
+    let dots = Math::Text("...".to_owned());
+    let terms = own.terms.iter().map(symbolic).chain([dots]).chain(own.last.as_ref().map(symbolic));
+    let sum = Math::Bracketed(Arc::new(Math::chain(terms, Operator::Plus)));
+    Math::Row(vec![symbolic(&own.factor), Math::Operator(Operator::Juxtapose), sum])
+}
+
 /// An integral in symbols.
-pub(super) fn integral(display: Display<'_>, integral: &Integral) -> Math {
-    let symbolic = |term: &Expr| Arc::new(display.symbolic(term));
+fn integral(display: Display<'_>, integral: &Integral, simplified: &dyn Fn(&Expr) -> Expr) -> Math {
+    let symbolic = |term: &Expr| Arc::new(display.symbolic(&simplified(term)));
     let integrand = symbolic(&integral.integrand);
     let integrand = match &integral.integrand {
         Expr::Sum(_) => Arc::new(Math::Squared(integrand)),

@@ -17,10 +17,16 @@ use super::derivation::Origin;
 use super::divisors;
 
 /// The sentence that leads to a line, and the line. Of a law its own reason is said.
-pub(super) fn blocks(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Block> {
+pub(super) fn blocks(
+    display: Display<'_>,
+    derivation: &Derivation,
+    line: &Line,
+    simplified: &dyn Fn(&Expr) -> Expr,
+) -> Vec<Block> {
     let mut words = words(display, derivation, line);
     words.push(Inline::Text(":".into()));
-    let equation = Math::relation(display.symbolic(&line.left), line.relation, display.symbolic(&line.right));
+    let [left, right] = [&line.left, &line.right].map(|side| display.symbolic(&simplified(side)));
+    let equation = Math::relation(left, line.relation, right);
     vec![Block::Paragraph(words), Block::Equation { lines: vec![equation], number: line.number }]
 }
 

@@ -150,17 +150,18 @@ impl<'a> ShortSteps<'a> {
     /// A law with its reason, in symbols and, where several are solved together, with numbers; an integral worked out.
     fn line(&mut self, step: &Step, script: &Script, line: &Line, is_together: bool) -> Vec<Block> {
         let display = self.display;
-        let Origin::Law(place) = line.origin else { return sentence::blocks(display, &script.derivation, line) };
+        let without_zeros = |side: &Expr| display.without_known_zeros(side, &step.unknowns);
+        let Origin::Law(place) = line.origin else {
+            return sentence::blocks(display, &script.derivation, line, &without_zeros);
+        };
         let Some((equation, instance)) = self.law(place) else { return Vec::new() };
         let reason = script::reason(instance, &equation.statement);
         let mut blocks: Vec<Block> = self.because(&reason, instance.law.name).into_iter().collect();
-        if line.integral.is_none() && only_evaluates(step, [&line.left, &line.right]) {
+        if line.shown.is_none() && only_evaluates(step, [&line.left, &line.right]) {
             return blocks;
         }
-        let sides = [&line.left, &line.right].map(|side| display.without_known_zeros(side, &step.unknowns));
-        let [left, right] = sides.each_ref().map(|side| display.symbolic(side));
-        let right = line.integral.as_ref().map_or(right, |integral| script::integral(display, integral));
-        let symbols = Math::relation(left, line.relation, right);
+        let sides = [&line.left, &line.right].map(without_zeros);
+        let symbols = script::stated_with(display, line, &without_zeros);
         match is_together.then(|| self.with_numbers(step, line.relation, &sides)).flatten() {
             Some(numbers) => {
                 blocks.push(Block::Equation { lines: vec![symbols], number: None });
@@ -168,7 +169,7 @@ impl<'a> ShortSteps<'a> {
             }
             None => blocks.push(Block::Equation { lines: vec![symbols], number: line.number }),
         }
-        if let (Statement::Equal { left, right }, None) = (&equation.statement, &line.integral) {
+        if let (Statement::Equal { left, right }, None) = (&equation.statement, &line.shown) {
             let sides = [left, right].map(Clone::clone);
             blocks.extend(sides.iter().any(has_pieces).then(|| self.in_symbols.piece(&sides)).into_iter().flatten());
         }
@@ -279,7 +280,7 @@ impl<'a> ShortSteps<'a> {
         if formula.is_none() {
             blocks.push(bracket::found(self.display, &script.derivation, unknown));
         }
-        let is_law = |line: &Line| matches!(line.origin, Origin::Law(_)) && line.integral.is_none();
+        let is_law = |line: &Line| matches!(line.origin, Origin::Law(_)) && line.shown.is_none();
         let lines = script.derivation.lines.iter();
         let states_law = lines.filter(|line| is_law(line)).any(|line| only_evaluates(step, [&line.left, &line.right]));
         blocks.push(self.value(unknown, formula, states_law));

@@ -20,7 +20,7 @@ use super::super::terms::algebra;
 use super::super::terms::display::Display;
 use super::super::terms::display::number_math;
 use super::super::terms::display::printed;
-use super::super::terms::ledger::Item;
+use super::super::terms::entry::Item;
 use super::super::terms::printed;
 use super::super::terms::term::Term;
 use super::super::wording::join;

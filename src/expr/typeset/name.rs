@@ -60,6 +60,8 @@ pub fn name_math(name: &str) -> Math {
             return Math::Row(vec![Math::Operator(operator), base_math(axis)]);
         }
     }
+    // The variable of an integral: `v_` is written as v.
+    let name = name.strip_suffix('_').unwrap_or(name);
     // Several of them in one solution are told apart by their stages.
     for base in ["dt", "w"] {
         if let Some((of, stage)) = name.strip_suffix(']').and_then(|rest| rest.split_once('['))

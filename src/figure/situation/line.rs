@@ -30,6 +30,9 @@ const CEILING_HALF: f64 = 26.0;
 const GRAINS: f64 = 30.0;
 const ROWS: u32 = 4;
 const COLUMNS: [f64; 3] = [-5.0, 0.0, 5.0];
+/// Throat and mouth of a nozzle: how far from the body, and half its width there; and how far its jet is drawn.
+const NOZZLE: [Point; 2] = [Point { x: 0.0, y: 2.5 }, Point { x: 7.0, y: 5.5 }];
+const JET: f64 = 36.0;
 
 /// Bodies along a line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,6 +55,17 @@ pub struct Line {
     pub wall: bool,
     /// Mass that falls onto a body, or out of it.
     pub grains: Option<Grains>,
+    /// The jet that drives the first body.
+    pub exhaust: Option<Exhaust>,
+}
+
+/// What a body throws out through a nozzle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exhaust {
+    /// Whether it leaves along the line rather than against it.
+    pub ahead: bool,
+    /// What is written at it.
+    pub label: Option<Math>,
 }
 
 /// Mass that falls onto a body from above, or out of it.
@@ -130,6 +144,9 @@ impl Line {
         }
         self.draw_cords(canvas, &placed, &frame);
         self.draw_grains(canvas, &placed, &frame);
+        if let (Some(exhaust), Some((_, first))) = (&self.exhaust, placed.first_mut()) {
+            exhaust.draw(canvas, first, &frame);
+        }
         // Angles look out for bodies, so all bodies come before the first vector.
         for (number, mut outline) in placed {
             for moving in self.bodies.get(number).map_or(&[][..], |body| &body.vectors) {
@@ -252,6 +269,11 @@ impl Line {
         let along = frame.along;
         let mut trial = outline.clone();
         let (mut low, mut high) = (-outline.support(along), outline.support(along));
+        match self.exhaust.as_ref().filter(|_| number == 0).map(|exhaust| exhaust.ahead) {
+            Some(true) => high += JET,
+            Some(false) => low -= JET,
+            None => {}
+        }
         for moving in &body.vectors {
             if let Some(arrow) = scales.arrow(moving) {
                 let (from, to) = trial.attach(arrow, self.attach(number, scales, moving, frame));
@@ -266,6 +288,30 @@ impl Line {
             (low, high) = (low - lack, high + lack);
         }
         (low, high)
+    }
+}
+
+impl Exhaust {
+    /// A nozzle at the face of the body, and strokes of gas that spread behind it; arrows on that side get a lane beside.
+    fn draw(&self, canvas: &mut Canvas, body: &mut Body, frame: &Frame) {
+        let out = if self.ahead { frame.along } else { -frame.along };
+        let face = body.centre() + out * body.support(out);
+        let at = |far: f64, aside: f64| face + out * far + frame.up * aside;
+        let [throat, mouth] = NOZZLE;
+        let rim = [at(0.0, throat.y), at(mouth.x, mouth.y), at(mouth.x, -mouth.y), at(0.0, -throat.y)];
+        canvas.line(rim, Role::Body, false);
+        for (number, aside) in [-1.0, 0.0, 1.0].into_iter().enumerate() {
+            for row in 0..ROWS {
+                let near = mouth.x + 3.0 + 6.0 * (f64::from(row) + if number == 1 { 0.5 } else { 0.0 });
+                let spread = |far: f64| aside * (mouth.y - 2.0) * (1.0 + far / JET);
+                canvas.line([at(near, spread(near)), at(near + 3.0, spread(near + 3.0))], Role::Path, false);
+            }
+        }
+        if let Some(label) = &self.label {
+            let below = -2.0 * mouth.y;
+            canvas.label(label, Role::Path, Anchor::Along { from: at(mouth.x, below), to: at(JET, below) });
+        }
+        body.occupy(out);
     }
 }
 

@@ -28,7 +28,7 @@ pub use conical::{Across, Conical};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
 pub use launch::{Depth, Launch, Resisted, Target};
-pub use line::{Grains, Line, LineSpring, Tie};
+pub use line::{Exhaust, Grains, Line, LineSpring, Tie};
 pub use moving::{Moving, MovingBody};
 pub(super) use moving::{Scales, draw_vector};
 pub use pulley::{Pulley, PulleySide, Rest};

@@ -28,7 +28,7 @@ pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symb
     // Along the normal of a surface both are counted from it, whatever the axis.
     let together = if is_surface && builder.axes.len() == 1 { moves } else { common.into() };
     let slowed = mass * (start - together);
-    let because = "the impulse of deformation is the first body's change of momentum up to that instant";
+    let because = "the impulse of deformation changes the momentum of the one body until both move together";
     builder.law(&restitution::DEFORMATION, Some(stage), because, (symbol.into(), slowed));
     Some(symbol)
 }
@@ -43,7 +43,7 @@ pub(super) fn restoring(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol
         Some(term) => builder.restitution_coefficient(term, &path),
         None => impact.elastic.then(Expr::one)?,
     };
-    let because = "e is the ratio of the impulses of the two phases";
+    let because = "the coefficient of restitution is the ratio of the impulses of the two phases";
     builder.law(&restitution::PHASES, Some(stage), because, (symbol.into(), e * Expr::from(deformation)));
     Some(symbol)
 }

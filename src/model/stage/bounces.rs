@@ -6,6 +6,8 @@ use crate::Impulse;
 use crate::Influence;
 use crate::Name;
 use crate::QuantityKind;
+use crate::Series;
+use crate::Shown;
 use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -27,6 +29,24 @@ pub(super) const COUNTED: &str = "n";
 /// A quantity of the bounce that is counted.
 pub(super) fn at_bounce(kind: QuantityKind) -> Name {
     Name::of(kind, COUNTED)
+}
+
+/// `factor (1 + 2 e + 2 e^2 + ...)`: a fall, and the ways up and down after it, each e to that power times the one before; to the
+/// bounce that is counted, or for ever.
+fn there_and_back(factor: &Expr, (e, power): (&Expr, i64), count: Option<&Expr>) -> Shown {
+    let twice = |times: Expr| Expr::integer(2) * e.clone().power((Expr::integer(power) * times).simplify());
+    let mut terms = vec![Expr::one(), twice(Expr::one())];
+    terms.extend(count.is_none().then(|| twice(Expr::integer(2))));
+    let last = count.map(|count| twice(count.clone() - Expr::one()));
+    Shown::Series(Series { factor: factor.clone(), terms, last })
+}
+
+/// `factor (e + e^2 + ...)`: flights of which each takes e times as long as the one before.
+pub(super) fn one_after_another(factor: &Expr, e: &Expr, count: Option<&Expr>) -> Shown {
+    let mut terms = vec![e.clone(), e.clone().powi(2)];
+    terms.extend(count.is_none().then(|| e.clone().powi(3)));
+    let last = count.map(|count| e.clone().power(count.clone() - Expr::one()));
+    Shown::Series(Series { factor: factor.clone(), terms, last })
 }
 
 impl Builder<'_> {
@@ -116,6 +136,7 @@ impl Builder<'_> {
                 (at_bounce(QuantityKind::Time), "the time of the n-th bounce, measured from the release".into()),
                 time,
             );
+            self.shows(there_and_back(&first, (e, 1), Some(count)));
             let path_length = bouncing::path_to(e, count, &drop);
             law(
                 self,
@@ -126,6 +147,7 @@ impl Builder<'_> {
                 ),
                 path_length,
             );
+            self.shows(there_and_back(&drop, (e, 2), Some(count)));
         }
         // A ball that loses nothing does not stop.
         if e.is_one() {
@@ -141,6 +163,7 @@ impl Builder<'_> {
             ),
             total,
         );
+        self.shows(there_and_back(&first, (e, 1), None));
         let path_length = bouncing::total_path(e, &drop);
         law(
             self,
@@ -148,6 +171,7 @@ impl Builder<'_> {
             (Name::of(QuantityKind::PathLength, IN_ALL), format!("the total distance travelled by {name}")),
             path_length,
         );
+        self.shows(there_and_back(&drop, (e, 2), None));
     }
 
     /// The height of the fall just before, or `h_0`.

@@ -5,7 +5,7 @@ use crate::Name;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::incline::Fall;
-use crate::stage::bounces::{COUNTED, IN_ALL, at_bounce};
+use crate::stage::bounces::{COUNTED, IN_ALL, at_bounce, one_after_another};
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_fault::Path;
@@ -101,6 +101,10 @@ impl Builder<'_> {
         let time = self.positive(at_bounce(QuantityKind::Time), meaning);
         let value = start.clone() + bouncing::time_to(e, own.count, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
+        let from_the_first = start.is_zero();
+        if from_the_first {
+            self.shows(one_after_another(&whole, e, Some(own.count)));
+        }
         // A ball that loses nothing does not stop.
         if e.is_one() {
             return;
@@ -109,6 +113,9 @@ impl Builder<'_> {
         let total = self.positive(Name::of(QuantityKind::Time, IN_ALL), meaning);
         let value = start + bouncing::time_of_all(e, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (total, value));
+        if from_the_first {
+            self.shows(one_after_another(&whole, e, None));
+        }
     }
 
     /// Where the n-th bounce is along the floor, how far it is to the next, and where all are over.
@@ -128,6 +135,7 @@ impl Builder<'_> {
             let lasts = self.positive(Name::of(QuantityKind::Duration, IN_ALL), meaning);
             let each = format!("each flight of {} takes e times as long as the one before", own.name);
             own.law(self, &bouncing::BOUNCE_TIME, &each, (lasts, bouncing::time_of_all(own.e, &own.whole())));
+            self.shows(one_after_another(&own.whole(), own.e, None));
             times.push((IN_ALL, "where its bouncing ends", lasts.into()));
         }
         for (which, when, time) in times {

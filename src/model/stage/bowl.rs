@@ -110,9 +110,14 @@ impl Builder<'_> {
         } else if let Some(term) = &stage.sphere {
             let radius = self.read_positive(term, Dimension::LENGTH, "the radius of the bowl", &path.key("sphere"));
             let [first, second] = [0, 1].map(|side| self.depth(index, side, stage, &radius, &ends[side].0));
-            let (because, sides) = match stage.way {
-                UpOrDown::Up => ("the depths differ by the height", (height, first.clone() - second.clone())),
-                UpOrDown::Down => ("the depths differ by the height", (height, second.clone() - first.clone())),
+            let (upper, lower) = match stage.way {
+                UpOrDown::Up => (&second, &first),
+                UpOrDown::Down => (&first, &second),
+            };
+            let (because, sides) = if upper.is_zero() {
+                ("the upper level is that of the centre of the sphere", (lower.clone(), height))
+            } else {
+                ("the depths below the centre differ by the height", (height, lower.clone() - upper.clone()))
             };
             self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
             if level {
@@ -128,16 +133,14 @@ impl Builder<'_> {
         let since = self.timeline.naming_instant(body, instant);
         let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
         let depth = Expr::from(self.symbol(Name::of(QuantityKind::Depth, body).at(since), meaning));
-        let (because, sides) = if distance == radius {
-            (
-                "as far from the axis as the radius of the sphere, the position is level with its centre",
-                (depth.clone(), Expr::zero()),
-            )
-        } else {
-            let squares = distance.clone().powi(2) + depth.clone().powi(2);
-            ("the position is on the sphere, below its centre", (squares, radius.clone().powi(2)))
-        };
-        self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
+        if distance == radius {
+            let because = "at that distance from the axis the wall is level with the centre of the sphere";
+            self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, (depth, Expr::zero()));
+            return Expr::zero();
+        }
+        let squares = distance.clone().powi(2) + depth.clone().powi(2);
+        let because = "the position is on the sphere, below its centre";
+        self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, (squares, radius.clone().powi(2)));
         let reason = Reason::AboveCentre;
         self.require(depth.clone(), Relation::AtLeast, Expr::zero(), reason);
         depth

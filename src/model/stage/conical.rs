@@ -104,7 +104,8 @@ impl Builder<'_> {
         // With the speed put in as well: H^2 = m^2 g L^3 sin^3 tan.
         let tangent = Expr::apply(Function::Tan, angle.clone());
         let squares = [mass.powi(2), self.gravity(), length.powi(3), angle.sin().powi(3), tangent];
-        let because = "the speed of the steady circle is substituted into the square of the angular momentum";
+        let because =
+            "the motion is again a steady circle, and its speed is put into the square of the angular momentum";
         let sides = (momentum.clone().powi(2), Expr::product(squares));
         self.law_at(SECOND_COST, &force::CONICAL, Some(index), because, sides);
         momentum

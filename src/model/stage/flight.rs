@@ -1,5 +1,6 @@
 //! Free flight: velocities and places at the end from those at the start.
 
+use crate::Because;
 use crate::Builder;
 use crate::Effect;
 use crate::Influence;
@@ -160,9 +161,7 @@ impl Builder<'_> {
             let axis = upright.and_then(|position| Some(self.axes.get(position)?.0));
             for (body, axis) in bodies.iter().zip(axis) {
                 let velocity = self.velocity(body, index + 2, axis);
-                let because =
-                    format!("at the top of the path, {} neither up nor down", self.does(body, ["moves", "move"]));
-                self.law(&kinematics::TOP, Some(index), because, (velocity, Expr::zero()));
+                self.law(&kinematics::TOP, Some(index), Because::Definition, (velocity, Expr::zero()));
             }
             return;
         }
@@ -178,11 +177,11 @@ impl Builder<'_> {
         });
         let mut sides = (self.read_any(&end.0, path), self.read_any(&end.1, path));
         sides = (sides.0.substitute(moved), sides.1.substitute(moved));
-        let mut because = format!("{} ends where this holds", self.stage_phrase(index));
+        let mut because = format!("the problem says where {} ends", self.stage_phrase(index));
         if self.began_there(index, bodies, until) {
             // The way from the line back to it, so that the root at which it has not left yet drops out exactly.
             sides = (sides.0 - self.read_any(&start.0, path), sides.1 - self.read_any(&start.1, path));
-            because = format!("{because}, as at the start");
+            because = format!("{because}, and it began there");
         }
         if let Some(time) = self.lasting.get(index).cloned().flatten() {
             let phrase = self.stage_phrase(index);

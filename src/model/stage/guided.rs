@@ -65,7 +65,7 @@ impl Builder<'_> {
             self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
         }
         if let Some(e) = self.coefficient(contact) {
-            let because = "restitution acts along the line of impact only, whatever guides the bodies";
+            let because = "restitution acts along the line of impact only";
             let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);
             self.law(&restitution::RESTITUTION, Some(index), because, sides);
         }

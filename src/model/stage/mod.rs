@@ -38,6 +38,7 @@ mod resisted;
 mod rotate;
 mod rub;
 mod separate;
+mod shapes;
 mod slide;
 mod slide_off;
 mod spring;

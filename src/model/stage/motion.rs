@@ -132,12 +132,12 @@ impl Builder<'_> {
             let when = self.when(instant);
             if let Some(place) = &course.place {
                 let own = self.place(body, instant, course.axis);
-                let because = format!("the position of {name} is given as a function of time");
+                let because = format!("the problem gives the position of {name} as a function of time");
                 self.law(&motion::PLACE, Some(index), because, (own, at(place, end)));
             }
             let because = match &course.place {
                 Some(_) => format!("the velocity of {name} is the rate of change of the position"),
-                None => format!("the velocity of {name} is given as a function of {variable}"),
+                None => format!("the problem gives the velocity of {name} as a function of {variable}"),
             };
             let velocity = self.velocity(body, instant, course.axis);
             self.law(&motion::VELOCITY, Some(index), because, (velocity, at(&course.velocity, end)));

@@ -52,7 +52,7 @@ impl Builder<'_> {
             return Some(gravity);
         }
         let energies = [0, 1].map(|side: usize| orbit::energy(&gravity, &states[side][0], &speeds[side]));
-        let because = format!("the gravity of {centre} is the only force on {name}; the mass cancels");
+        let because = format!("gravity is the only force on {name}; the mass cancels");
         let [before, after] = energies.clone();
         self.law(&orbit::ORBIT_ENERGY, Some(index), because, (before, after));
         let round = Round { index, body, name, centre, gravity, states };

@@ -8,6 +8,7 @@ use crate::Name;
 use crate::Opposing;
 use crate::QuantityKind;
 use crate::Reason;
+use crate::Shown;
 use crate::forces::Acts;
 use crate::frame::Direction;
 use crate::incline::Incline;
@@ -32,6 +33,8 @@ use momentous_scene::stage::Push;
 use momentous_scene::stage::ToldBy;
 use momentous_scene::stage::Until;
 use momentous_solve::Relation;
+
+use super::shapes;
 
 /// A force of a push, read.
 pub(crate) struct Acting {
@@ -371,8 +374,19 @@ impl Builder<'_> {
         };
         let integral =
             Integral { integrand: force.strength.clone(), variable: clock, low: start.clone(), high: end.clone() };
-        let because = format!("{} changes with time", wording::force_of(&force.name));
+        let areas = shapes::under(&force.strength, clock, [start, end]);
+        let because = match &areas {
+            Some(shapes) => format!(
+                "the impulse is the area under the graph of {}, {}",
+                wording::force_of(&force.name),
+                shapes::in_words(shapes)
+            ),
+            None => format!("{} changes with time", wording::force_of(&force.name)),
+        };
         self.integral(&force::IMPULSE, index, because, (symbol.into(), value.simplify()), integral);
+        if let Some(shapes) = areas {
+            self.shows(Shown::Areas(shapes.into_iter().map(|(_, area)| area).collect()));
+        }
         symbol.into()
     }
 }

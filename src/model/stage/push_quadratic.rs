@@ -87,6 +87,10 @@ impl Builder<'_> {
         let because = format!("the resistance grows with the square of the speed of {name}");
         let sides = resistance::quadratic_way(&others, [&mass, resists, &way], [&before, &after]);
         self.law(&resistance::QUADRATIC_WAY, Some(index), because, sides);
+        let drag = |speed: &Expr| resists.clone() * speed.clone().powi(2);
+        self.shows_separated(way, [&before, &after], &|speed| {
+            mass.clone() * speed.clone() / (others.clone() - drag(speed))
+        });
         let counted = Counted { index, name, mass, resists, lasts, others, speeds: [before, after] };
         self.quadratic_times(&counted);
     }
@@ -97,7 +101,8 @@ impl Builder<'_> {
         if own.others.is_zero() {
             let [before, after] = &own.speeds;
             let sides = resistance::quadratic_alone([&own.mass, own.resists, own.lasts], [before, after]);
-            return self.law(&resistance::QUADRATIC_TIME, Some(own.index), because, sides);
+            self.law(&resistance::QUADRATIC_TIME, Some(own.index), because, sides);
+            return self.shows_time(own);
         }
         let (driven, held) = (self.driven(own), self.held_back(own));
         match self.sign_of(&own.others) {
@@ -108,6 +113,13 @@ impl Builder<'_> {
             }
             None => self.choices.push(vec![driven, held]),
         }
+    }
+
+    /// Shows the time as the integral of m dv/(F - k v^2).
+    fn shows_time(&mut self, own: &Counted<'_>) {
+        let [before, after] = &own.speeds;
+        let net = |speed: &Expr| own.others.clone() - own.resists.clone() * speed.clone().powi(2);
+        self.shows_separated(own.lasts.clone(), [before, after], &|speed| own.mass.clone() / net(speed));
     }
 
     /// The other forces drive the body on.
@@ -121,6 +133,7 @@ impl Builder<'_> {
         let because = format!("the other forces drive {} on", own.name);
         let index = Some(own.index);
         let shrunk = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, index, because, shrunk, None);
+        self.shows_time(own);
         let gives = self.stated(LAW_COST, &resistance::SPEED_RATIO, index, Because::Definition, gives, None);
         let reason = Reason::HeldBack(own.name.clone());
         Alternative {
@@ -140,6 +153,7 @@ impl Builder<'_> {
         let because = format!("the other forces hold {} back", own.name);
         let sides = (angle(after), angle(before) - turned.clone());
         let slows = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, Some(own.index), because, sides, None);
+        self.shows_time(own);
         let reason = Reason::DrivenOn(own.name.clone());
         let held = self.condition(own.others.clone(), Relation::Less, Expr::zero(), reason);
         // Past rest the tangent would begin anew.

@@ -2,7 +2,9 @@
 
 use crate::Builder;
 use crate::Integral;
+use crate::Name;
 use crate::QuantityKind;
+use crate::Shown;
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_fault::Path;
@@ -34,6 +36,15 @@ pub(super) struct Resisted<'a> {
 }
 
 impl Builder<'_> {
+    /// Shows what the law that was stated last follows from: a time or a way as an integral over the speed, between these speeds.
+    pub(super) fn shows_separated(&mut self, of: Expr, [low, high]: [&Expr; 2], integrand: &dyn Fn(&Expr) -> Expr) {
+        let name = Name::of(QuantityKind::Own("v_".to_owned()), "");
+        let variable = self.symbol_of(name, Dimension::VELOCITY, "the velocity on the way");
+        let integrand = integrand(&variable.into()).simplify();
+        let integral = Integral { integrand, variable, low: low.clone(), high: high.clone() };
+        self.shows(Shown::Integral { of, integral });
+    }
+
     /// Reads a resistance divided by the speed.
     pub(super) fn linear_resistance(&mut self, term: &Term, path: &Path) -> Expr {
         self.read_positive(term, LINEAR, "the resistance divided by the speed", &path.key("linear"))
@@ -71,6 +82,8 @@ impl Builder<'_> {
         let because = format!("the resistance grows in proportion to the speed of {name}");
         let velocity = |time: &Expr| resistance::velocity(&before, &terminal, &resistance::left(resists, &mass, time));
         self.law(&resistance::LINEAR, index, because.clone(), (after.clone(), velocity(&lasts)));
+        let net = |speed: &Expr| steady.clone() - (*resists).clone() * speed.clone();
+        self.shows_separated(lasts.clone(), [&before, after], &|speed| mass.clone() / net(speed));
         let integrand = velocity(&(Expr::from(own.clock) - start.clone()));
         let value = resistance::way(&before, &terminal, [&mass, resists, &lasts]);
         let integral = Integral { integrand, variable: own.clock, low: start.clone(), high: end.clone() };

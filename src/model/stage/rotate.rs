@@ -62,10 +62,13 @@ impl Builder<'_> {
         let lone = held.first().filter(|_| !stage.is_arm());
         let because = match (&gained, lone) {
             (Some(_), _) => {
-                let [where_it_acts, it] = if lone.is_some() { ["towards", "that point"] } else { ["at", "it"] };
+                let [where_it_acts, there] = match lone {
+                    Some(_) => ["towards".to_owned(), format!("about {centre}")],
+                    None => ["at".to_owned(), "there".to_owned()],
+                };
                 let changing = Self::changing(moment.is_some(), &forces, &centre);
                 format!(
-                    "the force {where_it_acts} {centre} has no moment about {it}, and only {changing} the angular momentum"
+                    "the force {where_it_acts} {centre} has no moment {there}, and only {changing} the angular momentum"
                 )
             }
             (None, Some((body, _))) => {
@@ -73,10 +76,10 @@ impl Builder<'_> {
                 format!("the only force on {name} in the plane passes through {centre} and has no moment about it")
             }
             (None, None) if stage.rotor.is_some() => {
-                format!("the force at {centre} has no moment about it, and the other forces act within the system")
+                format!("the force at {centre} has no moment there, and the other forces act within the system")
             }
             (None, None) => {
-                format!("the force at {centre} has no moment about it, and the forces along the arm have none")
+                format!("the force at {centre} has no moment there, and the forces along the arm have none")
             }
         };
         let [before, after] = momenta;

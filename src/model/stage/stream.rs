@@ -6,6 +6,7 @@ use crate::Flowing;
 use crate::Influence;
 use crate::QuantityKind;
 use crate::Reason;
+use crate::Shown;
 use crate::VectorKind;
 use crate::builder::SECOND_COST;
 use crate::frame::Direction;
@@ -52,15 +53,17 @@ impl Builder<'_> {
             self.require(arriving.clone(), Relation::Greater, Expr::zero(), reason);
         }
         let (leaving, back) = self.stream_leaves(stage, &direction, path);
-        let (cause, parts) = (why(stage, &name), self.changes(&direction, leaving.as_ref(), &back));
+        let (cause, parts) = (why(stage, &name), self.parts(&direction, leaving.as_ref(), &back));
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let mut forces = Vec::new();
-        for (axis, part) in axes.iter().zip(parts) {
+        for (axis, [before, after, change]) in axes.iter().zip(parts) {
             let meaning = Meaning { noun: "the force", of: format!("of {by} on {name}") };
             let force = self.in_stage(QuantityKind::Force, body, index).along(self.letter(*axis));
             let force = Expr::from(self.component(force, meaning));
-            let sides = (force.clone(), Expr::product([flow.clone(), relative.clone(), part]));
+            let carries = |part: Expr| Expr::product([flow.clone(), relative.clone(), part]);
+            let sides = (force.clone(), carries(change));
             self.law(&variable_mass::STREAM, Some(index), cause.clone(), sides);
+            self.shows(Shown::Balance([carries(before) - force.clone(), carries(after)]));
             forces.push(force);
         }
         self.stream_follows(index, stage, &forces, moves.as_ref(), &direction);
@@ -143,7 +146,7 @@ impl Builder<'_> {
         let because = match (&stage.moves, stage.series) {
             (Some(_), true) => format!("none of {by} passes between them, since they follow each other closely"),
             (Some(_), false) => {
-                format!("the velocity of {by} as seen from {name} is the difference of their velocities")
+                format!("{by} comes to {name} with the difference of their velocities")
             }
             (None, _) => format!("all of {by} reaches {name}"),
         };
@@ -173,14 +176,19 @@ impl Builder<'_> {
         }
     }
 
-    /// The change of the stream's direction along every axis: before less after, as parts of the relative speed.
-    fn changes(&self, direction: &Direction, leaving: Option<&Direction>, back: &Expr) -> Vec<Expr> {
-        let before = self.components(direction);
+    /// The velocities of the stream before and after along every axis, and before less after, as parts of the relative speed.
+    fn parts(&self, direction: &Direction, leaving: Option<&Direction>, back: &Expr) -> Vec<[Expr; 3]> {
+        let before = self.components(direction).into_iter();
         match leaving {
             Some(leaving) => {
-                before.into_iter().zip(self.components(leaving)).map(|(before, after)| before - after).collect()
+                let both = before.zip(self.components(leaving));
+                both.map(|(before, after)| [before.clone(), after.clone(), before - after]).collect()
             }
-            None => before.into_iter().map(|part| part * (Expr::one() + back.clone())).collect(),
+            None => {
+                let rebounds =
+                    |part: Expr| [part.clone(), -(part.clone() * back.clone()), part * (Expr::one() + back.clone())];
+                before.map(rebounds).collect()
+            }
         }
     }
 
@@ -296,13 +304,19 @@ impl Builder<'_> {
 /// Why the force is what it is.
 fn why(stage: &Stream, name: &str) -> String {
     let by = &stage.by;
+    format!("{}; the force on {by} is opposite to that on {name}", meets(stage, name))
+}
+
+/// What the body does with the stream.
+fn meets(stage: &Stream, name: &str) -> String {
+    let by = &stage.by;
     let seen = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
         (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without a change of speed"),
         (_, Some(_), _) => {
             format!("{name} throws {by} back{seen} with the speed of arrival times the coefficient of restitution")
         }
-        (_, _, true) => format!("nothing of {by} leaves {name} again, and both have one velocity afterwards"),
+        (_, _, true) => format!("{by} comes to rest relative to {name}"),
         _ => format!("{name} lets {by} spread over it and leave{seen} at right angles to the original direction"),
     }
 }

@@ -56,7 +56,7 @@ impl Builder<'_> {
         }
         let arm = self.struck(stage);
         let because = format!(
-            "the impulse at {centre} has no moment about that point, and that between {name} and {arm} acts within the system"
+            "the impulse at {centre} has no moment there, and that between {name} and {arm} acts within the system"
         );
         if let [before, after] = &momenta[..] {
             self.law(&angular::CONSERVATION, Some(index), because, (before.clone(), after.clone()));
@@ -67,9 +67,7 @@ impl Builder<'_> {
                 of: format!("of {name} on {arm} about {centre}"),
                 letter: None,
                 law: &angular::ANGULAR_IMPULSE,
-                because: format!(
-                    "the impulse at {centre} has no moment about that point, and only that of {name} turns {arm}"
-                ),
+                because: format!("the impulse at {centre} has no moment there, and only that of {name} turns {arm}"),
                 ends,
             });
         }
@@ -87,7 +85,7 @@ impl Builder<'_> {
         if stage.rotor.is_none() {
             self.neglect("the mass of the arm", "it is light");
         }
-        self.not_needed(format!("the impulse at {centre}"), "it has no moment about that point");
+        self.not_needed(format!("the impulse at {centre}"), "it has no moment there");
     }
 
     /// What is struck, as it is called.

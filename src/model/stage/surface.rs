@@ -39,9 +39,10 @@ impl Builder<'_> {
         let end = self.split(body, index + 2, index, &frame);
         let mass = self.mass(body);
         if let Some(e) = self.coefficient(contact) {
+            let stays = if moves.is_zero() { "stays at rest" } else { "keeps its velocity" };
             let because = match start.across {
-                Some(_) => format!("{wall} does not give way, and restitution acts along its normal only"),
-                None => format!("{wall} does not give way"),
+                Some(_) => format!("{wall} {stays}, and restitution acts along its normal only"),
+                None => format!("{wall} {stays}"),
             };
             let sides = restitution::at_surface(&e, &moves, &start.along, &end.along);
             self.law(&restitution::RESTITUTION_SURFACE, Some(index), because, sides);

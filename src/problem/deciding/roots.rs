@@ -89,9 +89,22 @@ impl Worked<'_> {
                     |instance| format!("it does not satisfy {}", instance.law.name),
                 )
             }
-            Cause::NotPositive => "it must be positive".to_owned(),
+            Cause::NotPositive => self.not_positive(dead),
             Cause::NotReal => "it is not a real number".to_owned(),
         }
+    }
+
+    /// Which quantity would not be positive, as it is called.
+    fn not_positive(&self, dead: &Dead) -> String {
+        let step = dead.step.and_then(|place| self.leaf().answer_steps().get(place));
+        let mut found = step.into_iter().flat_map(|step| step.unknowns.iter().zip(&dead.values));
+        let is_it = |(unknown, value): &(&Symbol, &Bounded)| {
+            self.leaf().system.positive.contains(unknown) && value.value <= 0.0
+        };
+        let meaning =
+            found.find(is_it).map(|(unknown, _)| self.problem.model().symbols.entry(*unknown).meaning.as_str());
+        let meaning = meaning.filter(|meaning| !meaning.is_empty()).unwrap_or("it");
+        format!("{meaning} must be positive")
     }
 
     /// Which of the roots for a quantity is possible, and why.

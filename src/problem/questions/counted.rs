@@ -67,7 +67,7 @@ pub(crate) fn counted(
             let next = |side: &Expr| {
                 exponents_simplified(&side.substitute(&|own| (own == symbol).then(|| Expr::from(symbol) + Expr::one())))
             };
-            let over = "the condition holds up to the last number and fails for the next";
+            let over = "the number sought is the last for which the condition holds, so that it fails for the next";
             let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
             let (left, right) = (next(&left), next(&right));
             counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));

@@ -5,12 +5,13 @@ use super::term::Term;
 /// What stands for quantities: their LaTeX, and their typed names.
 pub type Names = Vec<(String, String)>;
 
-/// The two sides of a displayed equation.
+/// The two sides of a displayed equation: of one with a series, what the series adds up to.
 pub fn equation(latex: &str, names: &Names) -> Result<[Term; 2], String> {
     let plain = [r"\begin{aligned}", r"\end{aligned}", "\\text{\u{2003}}{}", r"\\", "&"];
     let text = plain.iter().fold(latex.to_owned(), |text, mark| text.replace(mark, " "));
     let text = text.split(r"\tag").next().unwrap_or_default();
     let (left, right) = text.split_once('=').ok_or("no equation")?;
+    let right = right.rsplit('=').next().filter(|_| right.contains(r"\text{...}")).unwrap_or(right);
     Ok([read(left, names)?, read(right, names)?])
 }
 

@@ -118,6 +118,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             },
             wall: dice.chance(20),
             grains: None,
+            exhaust: None,
         }),
         1 => {
             let second = match dice.below(6) {

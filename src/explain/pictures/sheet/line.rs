@@ -17,7 +17,9 @@ use momentous_scene::Stage;
 use momentous_scene::Term;
 use momentous_scene::stage::Ends;
 use momentous_scene::stage::Partners;
+use momentous_scene::stage::Spring;
 
+use super::super::super::wording::list;
 use super::super::compass::Compass;
 use super::super::labels::body_math;
 use super::super::quantities::Quantities;
@@ -70,7 +72,41 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         tied: tied(quantities, &names, stage),
         wall: has_wall(quantities, stage),
         grains: grains.map(|(grains, _)| grains),
+        exhaust: None,
         bodies: if shows_before { until_they_part(quantities, stage, bodies) } else { alone(bodies) },
+    };
+    Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
+}
+
+/// The bodies on a spring with their velocities at the start of the motion.
+pub(in super::super) fn on_spring(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    stage: usize,
+    spring: &Spring,
+) -> Option<Drawing> {
+    let names = match spring.ends()? {
+        Ends::Free(first, second) => vec![first, second],
+        Ends::Fixed(body) => vec![body],
+    };
+    let slope = quantities.slope(stage);
+    let compass = &match &slope {
+        Some((rise, _)) => compass.tilted(*rise),
+        None => compass.clone(),
+    };
+    let moving = |name: &&str| ((*name).to_owned(), quantities.body(name, quantities.motion(compass, name, stage + 1)));
+    let bodies: Vec<(String, MovingBody)> = names.iter().map(moving).collect();
+    let mut wording = situation_wording(quantities, &bodies, &quantities.when(stage + 1));
+    let called: Vec<String> = names.iter().map(|name| quantities.called(name)).collect();
+    wording.title = format!("Velocities of {} on the spring", list(&called));
+    let upright = libm::cos(compass.axis_angle(0)).abs() < 1e-9;
+    let line = Line {
+        angle: compass.axis_angle(0),
+        floor: !upright,
+        slope: slope.and_then(|(_, label)| label),
+        spring: self::spring(quantities, &names, stage),
+        bodies: alone(bodies),
+        ..Line::default()
     };
     Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
 }

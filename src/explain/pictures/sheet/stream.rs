@@ -1,9 +1,12 @@
 //! A body that a stream meets, and a body that throws mass away.
 
 use momentous_expr::Expr;
+use momentous_expr::Math;
+use momentous_expr::Operator;
 use momentous_expr::name_math;
 use momentous_figure::Attach;
 use momentous_figure::Drawing;
+use momentous_figure::Exhaust;
 use momentous_figure::Form;
 use momentous_figure::Grains;
 use momentous_figure::LabelledVector;
@@ -15,6 +18,7 @@ use momentous_figure::Situation;
 use momentous_figure::Vane;
 use momentous_figure::Wording;
 use momentous_model::Direction;
+use momentous_scene::stage;
 use momentous_scene::stage::Stream;
 use momentous_scene::stage::Thrust;
 
@@ -122,18 +126,57 @@ pub(in super::super) fn rocket(
     quantities: &Quantities<'_>,
     compass: &Compass,
     index: usize,
-    stage: &Thrust,
+    thrust: &Thrust,
 ) -> Option<Drawing> {
-    let mut vectors: Vec<Moving> = quantities.motion(compass, &stage.body, index + 1);
-    // What stands on the ground is held by more than is drawn.
-    if !stage.on_ground {
-        vectors.extend(quantities.forces_on(compass, &stage.body, index));
-    }
+    let balance = if thrust.on_ground { at_lift_off(quantities, compass, thrust) } else { None };
+    let lifts_off = balance.is_some();
+    let vectors = balance.unwrap_or_else(|| {
+        let mut vectors = quantities.motion(compass, &thrust.body, index + 1);
+        // What stands on the ground is held by more than is drawn.
+        if !thrust.on_ground {
+            vectors.extend(quantities.forces_on(compass, &thrust.body, index));
+        }
+        vectors
+    });
     if vectors.is_empty() {
         return None;
     }
-    let body = MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(Form::Block) };
-    Some(lone(compass, body_wording(quantities, index, &stage.body, &body), body, None))
+    let body = MovingBody { vectors, ..MovingBody::new(body_math(&thrust.body)).shaped(Form::Block) };
+    let mut wording = body_wording(quantities, index, &thrust.body, &body);
+    let name = quantities.called(&thrust.body);
+    if lifts_off {
+        wording.caption = sentences([format!("{name} as it lifts off: the thrust is as large as the weight")]);
+    }
+    let label = match &thrust.exhaust {
+        stage::Exhaust::Speed(term) => quantities.label_of(term),
+        stage::Exhaust::Jets(_) => None,
+    };
+    tell(&mut wording.description, format!("{name} throws its exhaust out through a nozzle"));
+    let exhaust = Exhaust { ahead: quantities.is_backwards(thrust.direction.as_ref()), label };
+    let line = Line { angle: compass.axis_angle(0), bodies: vec![body], exhaust: Some(exhaust), ..Line::default() };
+    Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
+}
+
+/// The forces on what stands on the ground as it lifts off, in a solution.
+fn at_lift_off(quantities: &Quantities<'_>, compass: &Compass, stage: &Thrust) -> Option<Vec<Moving>> {
+    if quantities.scope() == Scope::Given {
+        return None;
+    }
+    let name = format!("F_{}", stage.body);
+    let thrust = match &stage.force {
+        Some(term) => quantities.evaluate(&quantities.term(term)?)?,
+        None => quantities.named(&name)?,
+    };
+    let label = match &stage.force {
+        Some(term) => quantities.label_of(term)?,
+        None => name_math(&name),
+    };
+    let along = |label: Math, size: f64| {
+        let vector = Labelled { label, value: Some(quantities.along_axes(&[size])?) };
+        Some(Moving::force(vector.placed(compass)))
+    };
+    let weight = Math::Row(vec![name_math("m"), Math::Operator(Operator::Juxtapose), name_math("g")]);
+    [along(label, thrust), along(weight, -thrust)].into_iter().collect()
 }
 
 fn body_wording(quantities: &Quantities<'_>, index: usize, name: &str, body: &MovingBody) -> Wording {
