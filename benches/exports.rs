@@ -39,7 +39,7 @@ fn exports(criterion: &mut Criterion) {
         group.bench_function(target.name, |bencher| {
             bencher.iter(|| {
                 let Ok(mut drawer) = Drawer::new(&problem, 0) else { return };
-                let Ok(mut file) = target.begin(Box::new(io::sink()), target.markup[0]) else { return };
+                let Ok(mut file) = target.begin(Box::new(io::sink()), target.markup[0], "") else { return };
                 for seed in 0..VARIANTS {
                     let Ok(exercise) = drawer.draw(seed) else { return };
                     let item = exercise.item();

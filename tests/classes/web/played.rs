@@ -46,7 +46,7 @@ fn nearly_every_form_of_the_bank_is_played_and_the_rest_says_why() {
                 refused.push(format!("{} {}: {reason}", problem.id(), name.unwrap_or_default()));
                 continue;
             }
-            assert!(page.contains("class=\"scene\""), "{}", problem.id());
+            assert!(page.contains("class=\"film\""), "{}", problem.id());
             let record = answer.json(200);
             for film in record["stages"].as_array().unwrap() {
                 let moments = film["moments"].as_array().unwrap();
