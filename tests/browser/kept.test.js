@@ -122,8 +122,7 @@ test("full marks after a correction reach the student, with the corrected soluti
   assert.ok(fields_of(await page.content()).length > 0);
   await made.server.set("2026-10-16T18:00:00+02:00");
   await page.goto(`${made.server.url}${made.items[0]}/solution`);
-  assert.match(plain(await page.content()), /common|together|same velocity/);
-  assert.equal(/v_B2 − v_A2 =/.test(plain(await page.content())), false);
+  assert.match(plain(await page.content()), /Trolley A and trolley B do not separate again/);
   await close();
   await teacher.close();
 });

@@ -137,6 +137,9 @@ impl Builder<'_> {
         if let Some(e) = self.coefficient(contact) {
             let because = match a1.across {
                 Some(_) => "restitution acts along the line of impact only".to_owned(),
+                None if e.is_zero() => {
+                    format!("{name_a} and {name_b} do not separate again, since the coefficient of restitution is zero")
+                }
                 None => format!("{name_a} and {name_b} collide and separate again"),
             };
             let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);

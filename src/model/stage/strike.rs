@@ -106,7 +106,12 @@ impl Builder<'_> {
             (Some(term), false) => {
                 let e = self.restitution_coefficient(term, &path.key("restitution"));
                 let sides = restitution::restitution(&e, [v1, w1], [v2, w2]);
-                let because = format!("{name} and the point that it strikes separate again");
+                let parted = if e.is_zero() {
+                    "do not separate again, since the coefficient of restitution is zero"
+                } else {
+                    "separate again"
+                };
+                let because = format!("{name} and the point that it strikes {parted}");
                 self.law(&restitution::RESTITUTION, Some(index), because, sides);
             }
             (None, true) => {
