@@ -52,7 +52,7 @@ class Marks(unittest.TestCase):
         self.assertGreater(len({part["verdict"] for own in ours for part in own["parts"]}), 4)
 
     def test_a_comma_is_read_where_it_is_said(self):
-        answers = {"v_A2": "-0,4 m/s", "v_B2": "3,1 m/s"}
+        answers = {"v_A2": "-0,400 m/s", "v_B2": "3,10 m/s"}
         report = momentous.mark("impact/two-carts", 7, answers, decimal="comma")
         command = ["momentous", "grade", "--problem", "impact/two-carts", "--seed", "7", "--decimal", "comma"]
         command += [f"--answer={name}={text}" for name, text in answers.items()] + ["--format", "json"]
