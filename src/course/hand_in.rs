@@ -82,7 +82,7 @@ pub struct Accepted {
 }
 
 /// Why nothing was taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Refusal {
     /// The assignment has not opened.
     #[error("the assignment is not open yet")]
@@ -99,6 +99,9 @@ pub enum Refusal {
     /// There are as many attempts as are ever kept.
     #[error("there are too many attempts at this sheet")]
     TooMany,
+    /// New answers have fewer figures than the sheet asks for: which, and how many it asks for.
+    #[error("{0}")]
+    TooFewFigures(String),
 }
 
 impl HandIn<'_> {
@@ -107,6 +110,23 @@ impl HandIn<'_> {
     /// # Errors
     /// A [`Refusal`]. Where verdicts are not shown, it does not depend on what is right.
     pub fn take(&self) -> Result<Accepted, Refusal> {
+        self.admitted().map(|late| self.accepted(late))
+    }
+
+    /// The same for somebody who can be asked: nothing is marked where a new answer has fewer figures than the sheet asks for.
+    ///
+    /// # Errors
+    /// As for [`HandIn::take`]; [`Refusal::TooFewFigures`] says which answers are to have more.
+    pub fn take_or_ask(&self) -> Result<Accepted, Refusal> {
+        let late = self.admitted()?;
+        match self.asked_back() {
+            Some(question) => Err(Refusal::TooFewFigures(question)),
+            None => Ok(self.accepted(late)),
+        }
+    }
+
+    /// Whether anything is taken now, and how late it is.
+    fn admitted(&self) -> Result<Option<Late>, Refusal> {
         let late = match self.window.phase(self.at) {
             Phase::NotOpen => return Err(Refusal::NotOpen),
             Phase::Over | Phase::Closed => return Err(Refusal::Over),
@@ -117,14 +137,17 @@ impl HandIn<'_> {
             return Err(Refusal::TooMany);
         }
         self.is_new()?;
+        Ok(late)
+    }
+
+    fn accepted(&self, late: Option<Late>) -> Accepted {
         let stored = self.marked(late);
-        Ok(Accepted { shown: stored.shown(self.window, self.at), stored })
+        Accepted { shown: stored.shown(self.window, self.at), stored }
     }
 
     /// What is asked back before anything is marked: a new answer has fewer figures than the sheet asks for. It does not depend on
-    /// what is right, and where nobody can be asked, as at a draft that is taken when the time is over, the answer is marked.
-    #[must_use]
-    pub fn asked_back(&self) -> Option<String> {
+    /// what is right.
+    fn asked_back(&self) -> Option<String> {
         let history = self.last.map(|last| last.history.parts()).unwrap_or_default();
         let parts = self.exercise.worked().form.parts.iter().enumerate();
         let asked = |(place, part): (usize, &Part)| {

@@ -14,8 +14,9 @@ use super::state::Courses;
 /// The name by which the first operator signs in.
 const FIRST: &str = "operator";
 
-/// Serves as [`momentous_web::serve`] does, with the courses whose data are at an address. `post` sends letters, where there is one; `clock` says what is in time; `ready` hears
-/// the address of the pages, and the path of a link for the first operator where nobody can sign in yet.
+/// Serves as [`momentous_web::serve`] does, with the courses whose data are at an address. `post` sends letters, where there is one;
+/// `clock` says what is in time; `ready` hears the address of the pages, and the path of a link for the first operator where nobody can
+/// sign in yet.
 ///
 /// # Errors
 /// Those of [`momentous_web::serve`]; [`NotServed::Data`] with a [`StoreFault`] where the data cannot be used.

@@ -43,14 +43,12 @@ pub(crate) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
             .work(move |_| {
                 let (answers, hints, last) = (&typed, hints.as_slice(), last.as_ref());
                 let (policy, window, exercise) = (&policy, &window, exercise.as_ref());
-                let hand_in = course::HandIn { exercise, decimal, last, answers, hints, policy, window, at };
-                Ok((hand_in.take(), hand_in.asked_back()))
+                Ok(course::HandIn { exercise, decimal, last, answers, hints, policy, window, at }.take_or_ask())
             })
             .await?;
         let accepted = match taken {
-            (Ok(accepted), None) => accepted,
-            (Ok(_), Some(question)) => return not_taken(visit, &own, question).await,
-            (Err(refusal), _) => return refused(visit, &own, refusal).await,
+            Ok(accepted) => accepted,
+            Err(refusal) => return refused(visit, &own, refusal).await,
         };
         let number = own.attempts.last().map_or(0, |last| last.number) + 1;
         let report =
@@ -107,13 +105,9 @@ fn answers(visit: &Visit) -> Result<BTreeMap<String, String>, Refused> {
     Ok(answers)
 }
 
-async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
-    not_taken(visit, own, refusal.to_string()).await
-}
-
 /// The page with what was typed, and why it was not taken.
-async fn not_taken(visit: &Visit, own: &OwnSheet, reason: String) -> Result<Reply, NotShown> {
-    let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(reason) };
+async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
+    let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(refusal.to_string()) };
     Ok(page(visit, own, after).await?.wrong())
 }
 

@@ -256,9 +256,14 @@ impl Builder<'_> {
             let sides = (direction.into(), y.clone().atan2(x.clone()));
             self.law_at(tangent, &geometry::DIRECTION, Some(stage), "the components give the direction", sides);
         }
+        self.magnitude_of_impulse(stage, magnitude.into(), components);
+    }
+
+    /// The magnitude of an impulse follows from its components.
+    pub(super) fn magnitude_of_impulse(&mut self, stage: usize, magnitude: Expr, components: &[Expr]) {
         let because = "the components of the impulse are perpendicular";
         let squares = Expr::sum(components.iter().map(|component| component.clone().powi(2)));
-        self.law(&geometry::MAGNITUDE, Some(stage), because, (Expr::from(magnitude), squares.sqrt()));
+        self.law(&geometry::MAGNITUDE, Some(stage), because, (magnitude, squares.sqrt()));
     }
 }
 

@@ -8,7 +8,6 @@ use crate::QuantityKind;
 use crate::weight_in_contact::Lasting;
 use momentous_expr::Expr;
 use momentous_fault::Path;
-use momentous_laws::geometry;
 use momentous_laws::momentum;
 use momentous_scene::stage::Blow;
 
@@ -23,12 +22,12 @@ impl Builder<'_> {
             &Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path },
             body,
         );
-        let mut squares = Vec::new();
+        let mut components = Vec::new();
         for (letter, along) in COMPONENTS {
             let impulse = Name::of(QuantityKind::Impulse, body).along(letter).during(self.stage_label(index));
             let meaning = format!("the impulse on {name} from {} {along}", stage.by);
             let impulse = Expr::from(self.symbol(impulse, meaning));
-            squares.push(impulse.clone().powi(2));
+            components.push(impulse.clone());
             let velocity = |instant| Name::of(QuantityKind::Velocity, body).at(instant).along(letter);
             let ends = [index + 1, index + 2].map(|instant| self.quantity(velocity(instant)));
             let [Some(before), Some(after)] = ends else { return };
@@ -38,8 +37,7 @@ impl Builder<'_> {
         }
         let meaning = format!("the magnitude of the impulse on {name} from {}", stage.by);
         let magnitude = Expr::from(self.positive(self.in_stage(QuantityKind::Impulse, body, index), meaning));
-        let because = "the components of the impulse are perpendicular";
-        self.law(&geometry::MAGNITUDE, Some(index), because, (magnitude.clone(), Expr::sum(squares).sqrt()));
+        self.magnitude_of_impulse(index, magnitude.clone(), &components);
         if stage.duration.is_some() {
             self.mean_force(index, body, &magnitude, stage.duration.as_ref(), path);
         }

@@ -15,15 +15,21 @@ fn set(university: &University, login: &str, address: &str) {
     assert_eq!(olga.post("/people/mail", &[("whose", login), ("address", address)]).to(), "/people");
 }
 
+/// A server that sends letters, on which Ada has an address.
+fn with_address_of_ada() -> (LetterBox, University) {
+    let letters = LetterBox::new();
+    let university = University::with_post(letters.post());
+    set(&university, "ada", "ada@example.edu");
+    (letters, university)
+}
+
 fn ask(browser: &mut Browser<'_>, address: &str) {
     assert_eq!(browser.post("/mail", &[("address", address)]).to(), "/mail");
 }
 
 #[test]
 fn a_mailed_link_signs_in_once_in_the_browser_that_asked() {
-    let letters = LetterBox::new();
-    let university = University::with_post(letters.post());
-    set(&university, "ada", "ada@example.edu");
+    let (letters, university) = with_address_of_ada();
     let mut ada = university.browser();
     assert!(ada.get("/sign-in?to=/courses?x=1").text(200).contains("Or by e-mail"));
     let asked = ada.post("/mail", &[("address", " Ada@Example.EDU"), ("to", "/courses?x=1")]);
@@ -53,9 +59,7 @@ fn a_mailed_link_signs_in_once_in_the_browser_that_asked() {
 
 #[test]
 fn a_mailed_link_ends() {
-    let letters = LetterBox::new();
-    let university = University::with_post(letters.post());
-    set(&university, "ada", "ada@example.edu");
+    let (letters, university) = with_address_of_ada();
     let mut ada = university.browser();
     ask(&mut ada, "ada@example.edu");
     let first = letters.link();
@@ -70,9 +74,7 @@ fn a_mailed_link_ends() {
 
 #[test]
 fn nobody_learns_which_addresses_there_are() {
-    let letters = LetterBox::new();
-    let university = University::with_post(letters.post());
-    set(&university, "ada", "ada@example.edu");
+    let (letters, university) = with_address_of_ada();
     let mut replies = ["ada@example.edu", "zoe@example.edu"].map(|address| {
         let mut browser = university.browser();
         let asked = browser.post("/mail", &[("address", address)]);
@@ -121,10 +123,7 @@ fn an_address_is_saved_once_its_letter_was_read() {
 
 #[test]
 fn no_course_sets_or_sees_an_address() {
-    let letters = LetterBox::new();
-    let university = University::with_post(letters.post());
-    set(&university, "ada", "ada@example.edu");
-    // Cleo is in another course, too: the link of the first opens that course, and gives her no address.
+    let (_letters, university) = with_address_of_ada();
     let mut ida = university.browser_of("ida");
     let pages = ["/roster".to_owned(), format!("/members/{}", University::member("ada")), "/trail".to_owned()];
     for page in pages {

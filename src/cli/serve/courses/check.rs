@@ -5,7 +5,6 @@ use std::net::TcpListener;
 use std::time::SystemTime;
 
 use clap::Args;
-use tokio::runtime::{Builder, Runtime};
 
 use crate::bank::{Bank, load_in_course};
 use crate::course::Moment;
@@ -18,6 +17,7 @@ use super::super::super::failure::Failure;
 use super::super::super::output::Output;
 use super::super::super::style::Style;
 use super::super::setup::Setup;
+use super::data::runtime;
 use super::finding::Finding;
 use super::folder;
 use super::health;
@@ -225,11 +225,6 @@ fn unsafe_setting(address: &Address, name: &str) -> Finding {
         format!("{address}: `{name}` is off, so that a loss of power can take away what students were told is kept"),
         format!("`ALTER SYSTEM SET {name} = on`, then `SELECT pg_reload_conf()`"),
     )
-}
-
-fn runtime() -> Result<Runtime, Failure> {
-    let runtime = Builder::new_current_thread().enable_all().build();
-    runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))
 }
 
 fn now() -> Moment {

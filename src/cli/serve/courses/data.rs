@@ -1,6 +1,7 @@
 //! Where the data of courses are.
 
 use clap::Args;
+use tokio::runtime::{Builder, Runtime};
 
 use crate::store::Address;
 use crate::store::Store;
@@ -20,9 +21,7 @@ pub(super) struct Data {
 impl Data {
     /// Does something with the data, beside the server that may work on them.
     pub(super) fn beside<T>(&self, work: impl AsyncFnOnce(Store) -> Result<T, StoreFault>) -> Result<T, Failure> {
-        let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();
-        let runtime = runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))?;
-        let done = runtime.block_on(async { work(Store::beside(&self.address).await?).await });
+        let done = runtime()?.block_on(async { work(Store::beside(&self.address).await?).await });
         done.map_err(|fault| self.failure(&fault))
     }
 
@@ -39,6 +38,12 @@ impl Data {
         };
         Failure::unusable(format!("{}: {fault}\nhelp: {help}", self.address))
     }
+}
+
+/// What waits for a database, or for a server of mail.
+pub(super) fn runtime() -> Result<Runtime, Failure> {
+    let runtime = Builder::new_multi_thread().enable_all().build();
+    runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))
 }
 
 fn address(text: &str) -> Result<Address, String> {

@@ -18,13 +18,6 @@ class Bank:
     def __contains__(self, id: str) -> bool: ...
     def __len__(self) -> int: ...
 
-def mark_rows(
-    rows: List[Tuple[str, Union[int, str], Optional[str], List[Tuple[str, str]], int, bool]],
-    bank: Bank,
-    *,
-    decimal: str = "point",
-    secret: Optional[bytes] = None,
-) -> List[Tuple[Optional[Tuple[float, int, str]], Optional[str]]]: ...
 @final
 class Problem:
     """What is in the scene, and what is asked: numbers for it come from a seed."""
@@ -116,3 +109,11 @@ def mark(
     closed: bool = False,
     secret: Optional[bytes] = None,
 ) -> Report: ...
+
+def mark_rows(
+    rows: List[Tuple[str, Union[int, str], Optional[str], List[Tuple[str, str]], int, bool]],
+    bank: Bank,
+    *,
+    decimal: str = "point",
+    secret: Optional[bytes] = None,
+) -> List[Tuple[Optional[Tuple[float, int, str]], Optional[str]]]: ...
