@@ -41,7 +41,7 @@ impl Model {
         for row in ALTERED {
             let is_zero = |symbol: &Symbol| system.values.get(symbol).is_some_and(Expr::is_zero);
             let groups = self.givens(row.givens, system, told).into_iter();
-            let groups = groups.map(|group| group.into_iter().filter(|own| !is_zero(own)).collect::<Vec<_>>());
+            let groups = groups.map(|group| group.into_iter().filter(|symbol| !is_zero(symbol)).collect::<Vec<_>>());
             let unit = one(row.givens, units);
             for in_place in groups.flat_map(|group| self.alterations(&group, row.how, &unit, told)) {
                 for changed in self.places(row.givens, system, used, &in_place) {
@@ -69,8 +69,8 @@ impl Model {
         }
         let is_touched = |place: &&usize| {
             let equation = system.equations.get(**place);
-            let law = equation.and_then(|own| self.instances.get(own.tag)).map(|own| own.law);
-            equation.is_some_and(|own| own.symbols().iter().any(|symbol| in_place.contains_key(symbol)))
+            let law = equation.and_then(|equation| self.instances.get(equation.tag)).map(|instance| instance.law);
+            equation.is_some_and(|equation| equation.symbols().iter().any(|symbol| in_place.contains_key(symbol)))
                 && law != Some(&WEIGHT)
         };
         used.iter().filter(is_touched).map(|place| BTreeSet::from([*place])).collect()
@@ -78,21 +78,23 @@ impl Model {
 
     /// The givens of a kind, those together that can be compared with each other.
     fn givens(&self, givens: Givens, system: &System, told: &BTreeSet<Symbol>) -> Vec<Vec<Symbol>> {
-        let of = |is: &dyn Fn(Symbol) -> bool| told.iter().copied().filter(|own| is(*own)).collect::<Vec<_>>();
-        let measured = |dimension: Dimension| of(&|own| self.symbols.entry(own).dimension == dimension);
-        let weights = || of(&|own| self.name(own).kind == QuantityKind::Weight);
+        let of = |is: &dyn Fn(Symbol) -> bool| told.iter().copied().filter(|symbol| is(*symbol)).collect::<Vec<_>>();
+        let measured = |dimension: Dimension| of(&|symbol| self.symbols.entry(symbol).dimension == dimension);
+        let weights = || of(&|symbol| self.name(symbol).kind == QuantityKind::Weight);
         match givens {
             Givens::Masses => vec![measured(Dimension::MASS), weights()],
             Givens::MassesOfOneEquation => vec![self.unknown_too(system, Dimension::MASS)],
             Givens::VelocitiesOfOneEquation => vec![self.unknown_too(system, Dimension::VELOCITY)],
             Givens::Velocities => vec![measured(Dimension::VELOCITY), measured(Dimension::new(0, 0, -1))],
-            Givens::Gravity if weights().is_empty() => vec![of(&|own| self.name(own).kind == QuantityKind::Gravity)],
+            Givens::Gravity if weights().is_empty() => {
+                vec![of(&|symbol| self.name(symbol).kind == QuantityKind::Gravity)]
+            }
             Givens::Gravity => Vec::new(),
-            Givens::Angles => vec![of(&|own| self.is_direction(own))],
+            Givens::Angles => vec![of(&|symbol| self.is_direction(symbol))],
             Givens::Durations => vec![measured(Dimension::TIME)],
             Givens::Restitutions => vec![self.restitutions(system, told)],
             Givens::RestitutionOfHeights => {
-                let is_counted = |own: &&Equation| matches!(own.statement, Statement::FirstInteger { .. });
+                let is_counted = |equation: &&Equation| matches!(equation.statement, Statement::FirstInteger { .. });
                 vec![self.pure_numbers(system, told, &is_counted)]
             }
         }
@@ -101,24 +103,24 @@ impl Model {
     /// Every quantity of a dimension in the equations, given or not.
     fn unknown_too(&self, system: &System, dimension: Dimension) -> Vec<Symbol> {
         let all = system.equations.iter().flat_map(Equation::symbols).collect::<BTreeSet<_>>();
-        all.into_iter().filter(|own| self.symbols.entry(*own).dimension == dimension).collect()
+        all.into_iter().filter(|symbol| self.symbols.entry(*symbol).dimension == dimension).collect()
     }
 
     /// The same quantity of a group at other instants, or of other bodies at the same instant, for each of them.
     fn elsewhere(&self, group: &[Symbol], is_elsewhere: &dyn Fn(&Name, &Name) -> bool) -> Vec<InPlace> {
-        let is_taken = |own: Symbol, other: Symbol| {
-            let (name, taken) = (self.name(own), self.name(other));
+        let is_taken = |symbol: Symbol, other: Symbol| {
+            let (name, taken) = (self.name(symbol), self.name(other));
             name.kind == taken.kind && name.component == taken.component && is_elsewhere(name, taken)
         };
-        let pairs = group.iter().flat_map(|own| group.iter().map(move |other| (*own, *other)));
-        let taken = pairs.filter(|(own, other)| is_taken(*own, *other));
-        taken.map(|(own, other)| InPlace::from([(own, Expr::from(other))])).collect()
+        let pairs = group.iter().flat_map(|symbol| group.iter().map(move |other| (*symbol, *other)));
+        let taken = pairs.filter(|(symbol, other)| is_taken(*symbol, *other));
+        taken.map(|(symbol, other)| InPlace::from([(symbol, Expr::from(other))])).collect()
     }
 
     /// The coefficients of restitution: the pure numbers in the law of restitution.
     fn restitutions(&self, system: &System, told: &BTreeSet<Symbol>) -> Vec<Symbol> {
         let is_restitution = |equation: &&Equation| {
-            let law = self.instances.get(equation.tag).map(|own| own.law);
+            let law = self.instances.get(equation.tag).map(|instance| instance.law);
             law.is_some_and(|law| [&RESTITUTION, &RESTITUTION_SURFACE].contains(&law))
         };
         self.pure_numbers(system, told, &is_restitution)
@@ -132,8 +134,9 @@ impl Model {
         is_sought: &dyn Fn(&&Equation) -> bool,
     ) -> Vec<Symbol> {
         let symbols = system.equations.iter().filter(is_sought).flat_map(Equation::symbols);
-        let numbers = symbols.filter(|own| told.contains(own) && self.symbols.entry(*own).dimension == Dimension::NONE);
-        numbers.filter(|own| !self.is_direction(*own)).collect::<BTreeSet<_>>().into_iter().collect()
+        let numbers =
+            symbols.filter(|symbol| told.contains(symbol) && self.symbols.entry(*symbol).dimension == Dimension::NONE);
+        numbers.filter(|symbol| !self.is_direction(*symbol)).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
     /// Whether a quantity is an angle that turns an arrow.
@@ -150,7 +153,7 @@ impl Model {
     /// The ways of altering some givens.
     fn alterations(&self, group: &[Symbol], how: Alteration, one: &Expr, told: &BTreeSet<Symbol>) -> Vec<InPlace> {
         let each = |change: &dyn Fn(Symbol) -> Expr| {
-            group.iter().map(|own| InPlace::from([(*own, change(*own))])).collect::<Vec<_>>()
+            group.iter().map(|symbol| InPlace::from([(*symbol, change(*symbol))])).collect::<Vec<_>>()
         };
         match how {
             Alteration::Exchanged => {
@@ -162,53 +165,57 @@ impl Model {
             }
             Alteration::Equal => match group {
                 [first, others @ ..] if !others.is_empty() => {
-                    vec![others.iter().map(|own| (*own, Expr::from(*first))).collect()]
+                    vec![others.iter().map(|symbol| (*symbol, Expr::from(*first))).collect()]
                 }
                 _ => Vec::new(),
             },
             Alteration::Missing if group.len() > 1 => each(&|_| Expr::zero()),
-            Alteration::Together if group.len() > 1 => each(&|_| Expr::sum(group.iter().map(|own| Expr::from(*own)))),
+            Alteration::Together if group.len() > 1 => {
+                each(&|_| Expr::sum(group.iter().map(|symbol| Expr::from(*symbol))))
+            }
             Alteration::Missing | Alteration::Together => Vec::new(),
             Alteration::Copied => {
-                let pairs = group.iter().flat_map(|own| group.iter().map(move |other| (*own, *other)));
-                let unlike = pairs.filter(|(own, other)| own != other);
-                unlike.map(|(own, other)| InPlace::from([(own, Expr::from(other))])).collect()
+                let pairs = group.iter().flat_map(|symbol| group.iter().map(move |other| (*symbol, *other)));
+                let unlike = pairs.filter(|(symbol, other)| symbol != other);
+                unlike.map(|(symbol, other)| InPlace::from([(symbol, Expr::from(other))])).collect()
             }
             Alteration::AtAnotherInstant => {
-                self.elsewhere(group, &|own, other| own.subject == other.subject && own.instant != other.instant)
+                self.elsewhere(group, &|one, other| one.subject == other.subject && one.instant != other.instant)
             }
             Alteration::OfAnotherBody => {
-                self.elsewhere(group, &|own, other| own.subject != other.subject && own.instant == other.instant)
+                self.elsewhere(group, &|one, other| one.subject != other.subject && one.instant == other.instant)
             }
             Alteration::Zero => {
                 let mut ways = each(&|_| Expr::zero());
                 if group.len() > 1 {
-                    let zero = |own: &Symbol| (*own, Expr::zero());
+                    let zero = |symbol: &Symbol| (*symbol, Expr::zero());
                     ways.push(group.iter().map(zero).collect());
                     // All but one: with two, that is each of them alone.
                     let kept = group.iter().filter(|_| group.len() > 2);
-                    ways.extend(kept.map(|kept| group.iter().filter(|own| *own != kept).map(zero).collect()));
+                    ways.extend(kept.map(|kept| group.iter().filter(|symbol| *symbol != kept).map(zero).collect()));
                 }
                 ways
             }
-            Alteration::OnlyChange => group.iter().map(|own| self.only_change(*own, told)).collect(),
+            Alteration::OnlyChange => group.iter().map(|symbol| self.only_change(*symbol, told)).collect(),
             Alteration::Weighed => {
-                let weighed = |own: &Symbol| (*own, Expr::ratio(981, 100) * Expr::from(*own));
+                let weighed = |symbol: &Symbol| (*symbol, Expr::ratio(981, 100) * Expr::from(*symbol));
                 vec![group.iter().map(weighed).collect()]
             }
-            Alteration::Reversed => each(&|own| -Expr::from(own)),
+            Alteration::Reversed => each(&|symbol| -Expr::from(symbol)),
             Alteration::One => each(&|_| one.clone()),
-            Alteration::Squared => each(&|own| Expr::from(own).powi(2)),
-            Alteration::Rooted => each(&|own| Expr::from(own).sqrt()),
+            Alteration::Squared => each(&|symbol| Expr::from(symbol).powi(2)),
+            Alteration::Rooted => each(&|symbol| Expr::from(symbol).sqrt()),
         }
     }
 
     /// A given that is zero, and the same quantity at other instants with the opposite sign.
     fn only_change(&self, given: Symbol, told: &BTreeSet<Symbol>) -> InPlace {
-        let own = self.name(given);
+        let given_name = self.name(given);
         let is_later = |symbol: &Symbol| {
             let name = self.name(*symbol);
-            let alike = name.kind == own.kind && name.subject == own.subject && name.component == own.component;
+            let alike = name.kind == given_name.kind
+                && name.subject == given_name.subject
+                && name.component == given_name.component;
             alike && !told.contains(symbol)
         };
         let later = self.symbols.iter().map(|(symbol, _)| symbol).filter(is_later);
@@ -259,7 +266,11 @@ fn altered(
             Statement::Equal { .. } | Statement::FirstInteger { .. } => equations.push(equation.clone()),
         }
     }
-    let judged = |own: &Condition| Condition { left: change(&own.left), right: change(&own.right), ..own.clone() };
+    let judged = |condition: &Condition| Condition {
+        left: change(&condition.left),
+        right: change(&condition.right),
+        ..condition.clone()
+    };
     let conditions = system.conditions.iter().map(judged).collect();
     (System { conditions, ..system.with(equations) }, wrong)
 }

@@ -56,7 +56,7 @@ impl Model {
 
 fn add_angles(term: &Expr, found: &mut BTreeSet<Symbol>) {
     if let Some(angle) = argument(term) {
-        let is_added = |own: &Symbol| angle.differentiate(*own).as_number().is_some();
+        let is_added = |symbol: &Symbol| angle.differentiate(*symbol).as_number().is_some();
         found.extend(angle.symbols().into_iter().filter(is_added));
     }
     for part in term.children() {

@@ -109,7 +109,7 @@ pub(super) fn acting_on_others<'a>(scene: &'a Scene, index: usize, named: &[&str
 }
 
 fn called_surface(scene: &Scene, surface: &str) -> String {
-    let name = scene.surfaces.get(surface).and_then(|own| own.name.clone());
+    let name = scene.surfaces.get(surface).and_then(|surface| surface.name.clone());
     name.unwrap_or_else(|| format!("the {surface}"))
 }
 
@@ -134,54 +134,56 @@ fn left(stage: &Stage) -> Option<Bond<'_>> {
             Partners::Surface(body, surface) => Bond { kind: Kind::OnSurface(surface), bodies: vec![body] },
         });
     }
-    if let Stage::Strike(own) = stage
-        && own.plastic
+    if let Stage::Strike(strike) = stage
+        && strike.plastic
     {
-        let on_arm = own.carries.keys().chain(&own.rotor).chain([&own.body]);
+        let on_arm = strike.carries.keys().chain(&strike.rotor).chain([&strike.body]);
         return Some(Bond { kind: Kind::OnArm, bodies: on_arm.map(String::as_str).collect() });
     }
-    if let Stage::Rotate(own) = stage
-        && own.turning().len() > 1
+    if let Stage::Rotate(rotate) = stage
+        && rotate.turning().len() > 1
     {
-        return Some(Bond { kind: Kind::OnArm, bodies: own.turning() });
+        return Some(Bond { kind: Kind::OnArm, bodies: rotate.turning() });
     }
-    if let Stage::Tow(own) = stage {
-        return Some(Bond { kind: Kind::Coupled, bodies: own.both().map(|towed| towed.body.as_str()).into() });
+    if let Stage::Tow(tow) = stage {
+        return Some(Bond { kind: Kind::Coupled, bodies: tow.both().map(|towed| towed.body.as_str()).into() });
     }
-    if let Stage::Connected(own) = stage {
-        return Some(Bond { kind: Kind::OnString, bodies: vec![&own.trailing.body, &own.leading.body] });
+    if let Stage::Connected(connected) = stage {
+        return Some(Bond { kind: Kind::OnString, bodies: vec![&connected.trailing.body, &connected.leading.body] });
     }
-    if let Stage::Spring(own) = stage
-        && !own.releases()
+    if let Stage::Spring(spring) = stage
+        && !spring.releases()
     {
-        let bodies = match own.ends()? {
+        let bodies = match spring.ends()? {
             Ends::Fixed(body) => vec![body],
             Ends::Free(first, second) => vec![first, second],
         };
         return Some(Bond { kind: Kind::Sprung, bodies });
     }
-    if let Stage::Swing(own) = stage
-        && matches!(own.places(), [_, Place::Angle(_)])
+    if let Stage::Swing(swing) = stage
+        && matches!(swing.places(), [_, Place::Angle(_)])
     {
-        return Some(match &own.on {
-            Some(on) => Bond { kind: Kind::Raised, bodies: vec![&own.body, on] },
-            None => Bond { kind: Kind::AtAnAngle, bodies: vec![&own.body] },
+        return Some(match &swing.on {
+            Some(on) => Bond { kind: Kind::Raised, bodies: vec![&swing.body, on] },
+            None => Bond { kind: Kind::AtAnAngle, bodies: vec![&swing.body] },
         });
     }
     if let Stage::Slide(Slide { body, on: Some(on), until: Some(_), .. }) = stage {
         return Some(Bond { kind: Kind::Raised, bodies: vec![body, on] });
     }
-    if let Stage::Walk(own) = stage {
-        return Some(Bond { kind: Kind::LiesOn { slides: false }, bodies: vec![&own.body, &own.on] });
+    if let Stage::Walk(walk) = stage {
+        return Some(Bond { kind: Kind::LiesOn { slides: false }, bodies: vec![&walk.body, &walk.on] });
     }
-    if let Stage::Interact(own) = stage
-        && own.friction.is_some()
+    if let Stage::Interact(interact) = stage
+        && interact.friction.is_some()
     {
         // One that slides a distance may have reached the end of the other.
-        let slides = own.until.is_none();
-        let stays = !slides || own.distance.is_none();
-        return stays
-            .then(|| Bond { kind: Kind::LiesOn { slides }, bodies: own.between.iter().map(String::as_str).collect() });
+        let slides = interact.until.is_none();
+        let stays = !slides || interact.distance.is_none();
+        return stays.then(|| Bond {
+            kind: Kind::LiesOn { slides },
+            bodies: interact.between.iter().map(String::as_str).collect(),
+        });
     }
     None
 }
@@ -189,8 +191,8 @@ fn left(stage: &Stage) -> Option<Bond<'_>> {
 impl<'a> Bond<'a> {
     /// Whether a stage makes the bond anew, or undoes it.
     fn is_released_by(&self, scene: &Scene, stage: &Stage) -> bool {
-        if let Stage::Separate(own) = stage {
-            return self.bodies.iter().all(|body| own.into.iter().any(|part| part == body));
+        if let Stage::Separate(separate) = stage {
+            return self.bodies.iter().all(|body| separate.into.iter().any(|part| part == body));
         }
         let named: Vec<&str> = Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect();
         if !self.bodies.iter().any(|body| named.contains(body)) {

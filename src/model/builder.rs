@@ -178,12 +178,12 @@ impl<'s> Builder<'s> {
     }
 
     /// The same, where the kind of quantity does not say its dimension.
-    pub(super) fn symbol_of(&mut self, own: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
-        let (name, meaning) = (own.to_string(), meaning.into());
+    pub(super) fn symbol_of(&mut self, quantity: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
+        let (name, meaning) = (quantity.to_string(), meaning.into());
         let symbol = self.symbols.intern(SymbolEntry { name: name.clone(), dimension, meaning: String::new() });
         match self.names.get_mut(symbol.index()) {
-            None => self.names.push(own),
-            Some(known) if matches!(known.kind, QuantityKind::Own(_)) => *known = own,
+            None => self.names.push(quantity),
+            Some(known) if matches!(known.kind, QuantityKind::Own(_)) => *known = quantity,
             Some(_) => {}
         }
         let given = self.symbols.entry(symbol).dimension;
@@ -224,7 +224,7 @@ impl<'s> Builder<'s> {
     /// The way in which a body stands still all through a stage: its choice, counted from 0, and what happens there.
     #[must_use]
     pub fn stands_still(&self, body: &str, stage: usize) -> Option<(usize, &str)> {
-        let is_meant = |way: &&Alternative| way.still.as_ref().is_some_and(|own| own.0 == stage && own.1 == body);
+        let is_meant = |way: &&Alternative| way.still.as_ref().is_some_and(|still| still.0 == stage && still.1 == body);
         self.choices
             .iter()
             .enumerate()

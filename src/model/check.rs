@@ -83,7 +83,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
 /// Whether a name is that of the angular impulse of a stage; a moment of inertia that has this name differs in dimension.
 pub(super) fn is_angular_impulse(scene: &Scene, name: &str, dimension: Dimension) -> bool {
     let turns = |stage: &Stage| {
-        matches!(stage, Stage::Strike(_) | Stage::Moment(_)) || matches!(stage, Stage::Rotate(own) if own.is_driven())
+        matches!(stage, Stage::Strike(_) | Stage::Moment(_))
+            || matches!(stage, Stage::Rotate(rotate) if rotate.is_driven())
     };
     let is_own = |name: Name| name.kind == QuantityKind::AngularImpulse && name.subject.is_empty();
     dimension == Dimension::ANGULAR_MOMENTUM && Name::parse(name).is_some_and(is_own) && scene.stages.iter().any(turns)
@@ -185,17 +186,17 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
 /// The angular velocity of what turns as a whole has one name: a scene has one arm, or one body with a moment of inertia.
 fn two_angular_velocities(scene: &Scene) -> Option<Fault> {
     let turning = scene.stages.iter().enumerate().filter_map(|(index, stage)| {
-        if let Stage::Rotate(own) = stage {
-            return own.is_arm().then_some((index, stage.key(), own.about.as_str(), own.rotor.as_deref()));
+        if let Stage::Rotate(rotate) = stage {
+            return rotate.is_arm().then_some((index, stage.key(), rotate.about.as_str(), rotate.rotor.as_deref()));
         }
-        let Stage::Strike(own) = stage else { return None };
-        Some((index, stage.key(), own.about.as_str(), own.rotor.as_deref()))
+        let Stage::Strike(strike) = stage else { return None };
+        Some((index, stage.key(), strike.about.as_str(), strike.rotor.as_deref()))
     });
     let all: Vec<_> = turning.collect();
     let (_, _, first, _) = *all.first()?;
     let rotor = all.iter().find_map(|(_, _, _, rotor)| *rotor);
-    let differs = |(_, _, about, own): &&(usize, &str, &str, Option<&str>)| {
-        *about != first || own.is_some_and(|own| Some(own) != rotor)
+    let differs = |(_, _, about, other_rotor): &&(usize, &str, &str, Option<&str>)| {
+        *about != first || other_rotor.is_some_and(|other_rotor| Some(other_rotor) != rotor)
     };
     let (index, key, ..) = *all.iter().find(differs)?;
     let message = "two things turn in this scene, and `omega` can name the angular velocity of one only";
@@ -334,7 +335,8 @@ fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate
     }
     let later = |name: &String| {
         let rest = scene.stages.iter().skip(index + 1);
-        rest.into_iter().any(|own| matches!(own, Stage::Separate(Separate { from: Some(whole), .. }) if whole == name))
+        rest.into_iter()
+            .any(|stage| matches!(stage, Stage::Separate(Separate { from: Some(whole), .. }) if whole == name))
     };
     for (position, part) in stage.into.iter().enumerate() {
         let at = at.key("into").index(position);

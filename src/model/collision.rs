@@ -40,12 +40,12 @@ impl Builder<'_> {
         }
     }
 
-    fn collision(&mut self, symbol: Symbol, own: &str, other: &str) {
+    fn collision(&mut self, symbol: Symbol, meaning: &str, other: &str) {
         let name = self.symbols.entry(symbol).name.clone();
         let given = || Path::root().key("given").name(name.as_str());
         let path =
             if self.given.contains(&name) { given() } else { self.named.get(&symbol).cloned().unwrap_or_default() };
-        let message = format!("`{name}` stands for {own}; it cannot stand for {other} as well");
+        let message = format!("`{name}` stands for {meaning}; it cannot stand for {other} as well");
         let fault = Fault::new(Code::Duplicate, message).help("choose another name").at_path(path);
         if !self.faults.contains(&fault) {
             self.faults.push(fault);
@@ -76,9 +76,9 @@ impl Builder<'_> {
                 self.clock(instant);
                 continue;
             }
-            let own = format!("the time {}, measured from the start", self.when(instant));
+            let time = format!("the time {}, measured from the start", self.when(instant));
             let known = self.symbols.entry(symbol).meaning.clone();
-            self.collision(symbol, &own, if known.is_empty() { "another time" } else { &known });
+            self.collision(symbol, &time, if known.is_empty() { "another time" } else { &known });
         }
     }
 

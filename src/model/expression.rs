@@ -28,7 +28,7 @@ impl Builder<'_> {
             return None;
         }
         let existing = self.resolve(id);
-        if let Some(symbol) = existing.filter(|own| self.expressions.get(own) == Some(&term)) {
+        if let Some(symbol) = existing.filter(|symbol| self.expressions.get(symbol) == Some(&term)) {
             return Some(symbol);
         }
         let dimension = if !is_bare_name(id) {
@@ -37,7 +37,7 @@ impl Builder<'_> {
         } else if existing.is_some() || check::is_structural(self.scene, id) {
             let fault = Fault::new(Code::Duplicate, format!("`{id}` stands for something else in this problem"));
             Err(fault.help("choose another name").at_path(path.key("id")))
-        } else if term.symbols().iter().all(|own| self.is_literal(*own)) {
+        } else if term.symbols().iter().all(|symbol| self.is_literal(*symbol)) {
             let fault = Fault::new(Code::Value, format!("`{text}` contains no quantity"));
             Err(fault.help("write an expression of quantities: `v_B2 - v_A2`").at_path(path.key("find")))
         } else {
@@ -49,10 +49,10 @@ impl Builder<'_> {
         };
         match dimension {
             Ok(dimension) => {
-                let own = Name::of(QuantityKind::Own(id.to_owned()), "");
+                let name = Name::of(QuantityKind::Own(id.to_owned()), "");
                 let meaning = meaning.map(str::to_owned).or_else(|| self.spoken(&term));
                 let meaning = meaning.unwrap_or_else(|| format!("the value of {text}"));
-                let symbol = self.symbol_of(own, dimension, &meaning);
+                let symbol = self.symbol_of(name, dimension, &meaning);
                 self.named_at(symbol, &path.key("id"));
                 self.law(&geometry::ASKED, None, Because::Definition, (symbol.into(), term.clone()));
                 self.expressions.insert(symbol, term);

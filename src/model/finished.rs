@@ -102,8 +102,9 @@ impl Model {
     #[must_use]
     pub fn stated(&self, symbol: Symbol) -> Option<&Expr> {
         self.system.equations.iter().find_map(|equation| match &equation.statement {
-            Statement::Equal { left: Expr::Symbol(own), right } if *own == symbol => {
-                let is_stated = self.instances.get(equation.tag).is_some_and(|own| own.law.id == geometry::RELATION.id);
+            Statement::Equal { left: Expr::Symbol(defined), right } if *defined == symbol => {
+                let is_stated =
+                    self.instances.get(equation.tag).is_some_and(|instance| instance.law.id == geometry::RELATION.id);
                 is_stated.then_some(right)
             }
             _ => None,
@@ -113,13 +114,13 @@ impl Model {
     /// The stream of a stage.
     #[must_use]
     pub fn flowing_in(&self, stage: usize) -> Option<&Flowing> {
-        self.flowing.iter().find(|own| own.stage == stage)
+        self.flowing.iter().find(|flowing| flowing.stage == stage)
     }
 
     /// The stage to which the condition with that tag belongs; none where it belongs to the problem as a whole.
     #[must_use]
     pub fn stage_of_condition(&self, tag: usize) -> Option<usize> {
-        self.reasons_of_stages.iter().position(|own| own.contains(&tag))
+        self.reasons_of_stages.iter().position(|range| range.contains(&tag))
     }
 
     /// When an instant of the scene is, as an adverbial phrase: `just after the impact`.

@@ -102,9 +102,9 @@ impl Builder<'_> {
                 _ => self.components(&force.direction),
             };
             let part = |part: Expr| if part.is_zero() { part } else { (force.strength.clone() * part).simplify() };
-            let own = Influence::outside(stage, &force.on, force.called.as_str());
-            let own = own.force(parts.into_iter().map(part).collect());
-            if force.kind == ForceKind::Normal { own.workless() } else { own }
+            let influence = Influence::outside(stage, &force.on, force.called.as_str());
+            let influence = influence.force(parts.into_iter().map(part).collect());
+            if force.kind == ForceKind::Normal { influence.workless() } else { influence }
         };
         let influences: Vec<Influence> = here().map(noted).collect();
         self.influences.extend(influences);

@@ -62,7 +62,7 @@ impl Builder<'_> {
         // Where static friction may hold the body first, its impulse is that of each way for itself.
         let impulse =
             friction.at_rest.is_none().then(|| contact.net().definite(pushed.clock, &pushed.start, &pushed.end));
-        let impulse = impulse.flatten().map(|own| (Expr::integer(pushed.sign) * own).simplify());
+        let impulse = impulse.flatten().map(|impulse| (Expr::integer(pushed.sign) * impulse).simplify());
         let called = pushed.acting.first().map_or("friction", |force| &force.name);
         self.note_impulse(index, body, called, impulse.into_iter().collect());
         self.neglect("air resistance", "the problem gives none");

@@ -47,7 +47,7 @@ impl Builder<'_> {
     fn goes_on_after(&self, points: &[[Expr; 2]], end: &Expr) -> bool {
         let Some([last, _]) = points.last() else { return false };
         let written = |symbol: Symbol| {
-            let (_, value) = self.literals.iter().find(|(own, _)| *own == symbol)?;
+            let (_, value) = self.literals.iter().find(|(literal, _)| *literal == symbol)?;
             Some(Expr::measured(&value.value, &value.unit))
         };
         let rest = (last.clone() - end.clone()).substitute(&written).simplify();

@@ -52,7 +52,8 @@ impl Builder<'_> {
         }
         let scene = self.scene;
         let members: Vec<String> = scene.members(body).into_iter().map(str::to_owned).collect();
-        let (member, guide) = members.iter().find_map(|own| Some((own, scene.bodies.get(own)?.guide.as_ref()?)))?;
+        let (member, guide) =
+            members.iter().find_map(|member| Some((member, scene.bodies.get(member)?.guide.as_ref()?)))?;
         let path = Path::root().key("scene").key("bodies").key(member.as_str()).key("guide").key("along");
         let along = self.direction(&guide.along, &path);
         let by = guide.by.clone().unwrap_or_else(|| "the ground".into());
@@ -112,7 +113,7 @@ impl Builder<'_> {
 
     /// Two guides that cross take up momentum along every line.
     fn guides_cross(&mut self, stage: usize, guides: [&Guided; 2]) {
-        let [one, other] = guides.map(|own| self.called(&own.body));
+        let [one, other] = guides.map(|guided| self.called(&guided.body));
         let message =
             format!("the guides of {one} and {other} cross, so that their momentum is conserved along no line");
         let help = "give an impact its `line_of_impact` and `restitution`, along which each body is looked at alone";
@@ -150,16 +151,18 @@ impl Builder<'_> {
     /// The force of a guide makes up for what the others, where all of them are known, would give its body across its line.
     pub(super) fn guides_balance(&mut self, stage: usize) {
         for place in 0..self.influences.len() {
-            let own = self.influences[place].clone();
-            let Some(guide) = Some(&own.on).filter(|_| own.stage == stage).and_then(|body| self.guided(body)) else {
+            let influence = self.influences[place].clone();
+            let Some(guide) =
+                Some(&influence.on).filter(|_| influence.stage == stage).and_then(|body| self.guided(body))
+            else {
                 continue;
             };
-            if own.called != guide.by || !matches!(own.work, Work::Nothing) {
+            if influence.called != guide.by || !matches!(influence.work, Work::Nothing) {
                 continue;
             }
             let across = self.components(&guide.across());
             let others = self.influences.iter().enumerate();
-            let others = others.filter(|(at, other)| *at != place && other.stage == stage && other.on == own.on);
+            let others = others.filter(|(at, other)| *at != place && other.stage == stage && other.on == influence.on);
             let known = |other: &Influence| -> Option<Vec<Expr>> {
                 let term = |effect: &Effect| if let Effect::Of(term) = effect { Some(term.clone()) } else { None };
                 (0..across.len()).map(|position| term(other.along(position))).collect()
@@ -167,7 +170,7 @@ impl Builder<'_> {
             let Some(others) = others.map(|(_, other)| known(other)).collect::<Option<Vec<_>>>() else { continue };
             let pressed = Expr::sum(others.iter().map(|force| dot(force, &across)));
             let force = across.iter().map(|part| Effect::Of((-(pressed.clone() * part.clone())).simplify()));
-            self.influences[place] = Influence { force: force.collect(), work: Work::Balances, ..own };
+            self.influences[place] = Influence { force: force.collect(), work: Work::Balances, ..influence };
         }
     }
 
@@ -179,40 +182,41 @@ impl Builder<'_> {
     /// The momentum of the bodies of a stage before and after it: conserved along every axis; where one of them is guided,
     /// conserved along the guide, and changed across it by the impulse of the guide.
     pub(super) fn momentum_of_all(&mut self, stage: usize, because: &str, [before, after]: [&[&str]; 2]) {
-        let [start, end] = [(before, stage + 1), (after, stage + 2)].map(|(own, instant)| self.carrying(own, instant));
+        let [start, end] =
+            [(before, stage + 1), (after, stage + 2)].map(|(bodies, instant)| self.carrying(bodies, instant));
         let guided: Vec<Guided> = after.iter().filter_map(|body| self.guided(body)).collect();
         let Some(guide) = guided.first().cloned() else {
             let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
             for (position, axis) in axes.iter().enumerate() {
                 let along = self.along(*axis);
                 let because = format!("{because}, and no other impulse acts{along}");
-                let [from, to] = [&start, &end].map(|own| component(own, position));
+                let [from, to] = [&start, &end].map(|carriers| component(carriers, position));
                 self.law(&momentum::CONSERVATION, Some(stage), because, momentum::conservation(&from, &to));
             }
             return;
         };
-        if let Some(crossing) = guided.iter().find(|own| !own.is_parallel_to(&guide)) {
+        if let Some(crossing) = guided.iter().find(|other| !other.is_parallel_to(&guide)) {
             return self.guides_cross(stage, [&guide, crossing]);
         }
-        for own in &guided {
-            self.hold(own, stage + 2, Some(stage));
+        for held in &guided {
+            self.hold(held, stage + 2, Some(stage));
         }
         for body in before {
-            if let Some(own) = self.guided(body) {
-                self.hold(&own, stage + 1, None);
+            if let Some(held) = self.guided(body) {
+                self.hold(&held, stage + 1, None);
             }
         }
         let [along, across] = [guide.along.clone(), guide.across()].map(|direction| self.components(&direction));
         let name = self.called(&guide.body);
         let line = format!("{because}, and no impulse of {} acts along the line on which {name} can move", guide.by);
-        let [from, to] = [&start, &end].map(|own| projected(own, &along));
+        let [from, to] = [&start, &end].map(|carriers| projected(carriers, &along));
         self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
-        let reactions: Vec<Expr> = guided.iter().map(|own| self.guide_impulse(own, stage, &across)).collect();
+        let reactions: Vec<Expr> = guided.iter().map(|guided| self.guide_impulse(guided, stage, &across)).collect();
         let line = match &guided[..] {
             [_] => format!("at right angles to that line, {name} receives an external impulse from {}", guide.by),
             _ => "at right angles to that line, the guides exert external impulses".to_owned(),
         };
-        let [from, to] = [&start, &end].map(|own| projected(own, &across));
+        let [from, to] = [&start, &end].map(|carriers| projected(carriers, &across));
         self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &Expr::sum(reactions), &to));
     }
 }
@@ -220,7 +224,7 @@ impl Builder<'_> {
 /// The part of a vector along a direction.
 pub(super) fn dot(vector: &[Expr], direction: &[Expr]) -> Expr {
     let parts = vector.iter().zip(direction).filter(|(_, part)| !part.is_zero());
-    Expr::sum(parts.map(|(own, part)| if part.is_one() { own.clone() } else { own.clone() * part.clone() }))
+    Expr::sum(parts.map(|(share, part)| if part.is_one() { share.clone() } else { share.clone() * part.clone() }))
 }
 
 fn component(carriers: &Carriers, position: usize) -> Vec<(Expr, Expr)> {

@@ -17,7 +17,10 @@ impl Builder<'_> {
 
     fn omit(&mut self, kind: Omitted, what: String, why: String) {
         let stage = self.begins.saturating_sub(1);
-        let known = self.omissions.iter_mut().find(|own| (own.kind, &own.what, &own.why) == (kind, &what, &why));
+        let known = self
+            .omissions
+            .iter_mut()
+            .find(|omission| (omission.kind, &omission.what, &omission.why) == (kind, &what, &why));
         match known {
             Some(omission) => {
                 omission.stages.insert(stage);

@@ -148,10 +148,10 @@ impl<'s> Builder<'s> {
             return;
         };
         let sides = (self.read_any(left, path), self.read_any(right, path));
-        if let Expr::Symbol(own) = sides.0
-            && !self.unmeasured.contains(&self.symbols.entry(own).name)
+        if let Expr::Symbol(symbol) = sides.0
+            && !self.unmeasured.contains(&self.symbols.entry(symbol).name)
         {
-            self.measure(&sides.1, self.symbols.entry(own).dimension);
+            self.measure(&sides.1, self.symbols.entry(symbol).dimension);
         }
         self.law(&geometry::RELATION, None, Because::written(because), sides);
     }
@@ -192,9 +192,9 @@ impl<'s> Builder<'s> {
     /// A term with every quantity that a law writes in terms of `symbol` replaced by what the law says.
     #[must_use]
     pub fn written_out(&self, term: &Expr, symbol: Symbol) -> Expr {
-        term.substitute(&|own| {
+        term.substitute(&|part| {
             self.system.equations.iter().find_map(|equation| match &equation.statement {
-                Statement::Equal { left, right } if *left == Expr::from(own) && right.contains(symbol) => {
+                Statement::Equal { left, right } if *left == Expr::from(part) && right.contains(symbol) => {
                     Some(right.clone())
                 }
                 _ => None,
@@ -206,7 +206,7 @@ impl<'s> Builder<'s> {
     #[must_use]
     pub fn reason_of(&self, term: &Expr, symbol: Symbol) -> Option<&Because> {
         let defines = |left: &Expr, right: &Expr| {
-            matches!(left, Expr::Symbol(own) if term.contains(*own)) && right.contains(symbol)
+            matches!(left, Expr::Symbol(symbol) if term.contains(*symbol)) && right.contains(symbol)
         };
         let equation =
             self.system.equations.iter().find(
@@ -255,7 +255,7 @@ impl<'s> Builder<'s> {
             QuantityKind::Direction(vector) => QuantityKind::CountedDirection(vector),
             other => QuantityKind::OwnAngle(format!("phi_{}", other.spelling())),
         };
-        let own = self.symbol(Name { kind, ..name }, meaning);
+        let symbol = self.symbol(Name { kind, ..name }, meaning);
         let (law, because, value) = match self.directions.get(&angle) {
             Some([x, y]) => {
                 let [along, across] = start.from_axis(x, y);
@@ -268,8 +268,8 @@ impl<'s> Builder<'s> {
             }
         };
         let because = format!("{because}, measured {sense} from {}", with_minus_signs(from));
-        self.law(law, None, because, (own.into(), value));
-        Some(own)
+        self.law(law, None, because, (symbol.into(), value));
+        Some(symbol)
     }
 
     /// Notes a fault found by the caller.

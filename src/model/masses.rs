@@ -56,7 +56,8 @@ impl Builder<'_> {
     pub(super) fn burning_mass(&mut self, stage: usize, body: &str, side: usize, term: &Term) -> Expr {
         let meaning = format!("the mass of {} {}", self.called(body), self.when(stage + 1 + side));
         let at = Path::root().key("scene").key("stages").index(stage).key("thrust").key("mass");
-        let both = matches!(self.scene.stages.get(stage), Some(Stage::Thrust(own)) if own.mass.at_end().is_some());
+        let both =
+            matches!(self.scene.stages.get(stage), Some(Stage::Thrust(thrust)) if thrust.mass.at_end().is_some());
         self.read_positive(term, Dimension::MASS, &meaning, &if both { at.index(side) } else { at })
     }
 

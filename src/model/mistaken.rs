@@ -70,11 +70,11 @@ impl Model {
             let most = alike.iter().map(|way| way.variant + 1).max().unwrap_or(0);
             for variant in (0..most).filter(|_| equations.len() > 1) {
                 // Whoever gets a law wrong in one place gets it wrong in the same way in others.
-                let own = |equation: &usize| {
-                    let mut own = alike.iter().filter(|way| way.equation == *equation && way.variant <= variant);
-                    own.next_back()
+                let mistake_in = |equation: &usize| {
+                    let mut ways = alike.iter().filter(|way| way.equation == *equation && way.variant <= variant);
+                    ways.next_back()
                 };
-                add(&equations.iter().filter_map(own).collect::<Vec<_>>());
+                add(&equations.iter().filter_map(mistake_in).collect::<Vec<_>>());
             }
         }
         mistaken
@@ -84,7 +84,7 @@ impl Model {
     fn ways(&self, system: &System, equation: usize, known: &BTreeSet<Symbol>, units: UnitSystem) -> Vec<WrongUse> {
         let Some((tag, instance, sides)) = self.sides(system, equation) else { return Vec::new() };
         let together = |other: &&Equation| {
-            self.instances.get(other.tag).is_some_and(|own| own.stage.is_none() || own.stage == instance.stage)
+            self.instances.get(other.tag).is_some_and(|other| other.stage.is_none() || other.stage == instance.stage)
         };
         let beside: Vec<(&'static str, Sides)> = system
             .equations
@@ -101,7 +101,8 @@ impl Model {
         let integral = instance.integral.as_ref();
         let law = Taught {
             sides: &sides,
-            integral: integral.map(|own| (&own.integrand, own.variable, [&own.low, &own.high])),
+            integral: integral
+                .map(|integral| (&integral.integrand, integral.variable, [&integral.low, &integral.high])),
             beside: &beside,
             symbols: &self.symbols,
             known,
@@ -131,7 +132,11 @@ impl Model {
     fn in_place(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&WrongUse]) -> (System, BTreeSet<usize>) {
         let stage_of = |equation: usize| Some(self.instances.get(system.equations.get(equation)?.tag)?.stage);
         let left_aside = |equation: usize| {
-            let law = system.equations.get(equation).and_then(|own| self.instances.get(own.tag)).map(|own| own.law.id);
+            let law = system
+                .equations
+                .get(equation)
+                .and_then(|equation| self.instances.get(equation.tag))
+                .map(|instance| instance.law.id);
             chosen.iter().any(|way| {
                 law.is_some_and(|law| way.wrong.without.contains(&law)) && stage_of(way.equation) == stage_of(equation)
             })

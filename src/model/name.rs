@@ -162,8 +162,8 @@ impl Name {
 
     /// What a name of the author's own stands for, as far as its letter says.
     pub(super) fn written(text: &str) -> Self {
-        let own = || Self::of(QuantityKind::Own(text.to_owned()), "");
-        Self::parse(text).filter(|name| name.to_string() == text).unwrap_or_else(own)
+        let name_by_author = || Self::of(QuantityKind::Own(text.to_owned()), "");
+        Self::parse(text).filter(|name| name.to_string() == text).unwrap_or_else(name_by_author)
     }
 }
 

@@ -30,7 +30,9 @@ impl<'s> Builder<'s> {
     /// Whether a term is written as zero, with a unit or without.
     #[must_use]
     pub fn is_nothing(&self, term: &Expr) -> bool {
-        let value = |symbol: &Symbol| self.literals.iter().find(|(own, _)| own == symbol).map(|(_, own)| &own.value);
+        let value = |symbol: &Symbol| {
+            self.literals.iter().find(|(literal, _)| literal == symbol).map(|(_, quantity)| &quantity.value)
+        };
         term.is_zero() || matches!(term, Expr::Symbol(symbol) if value(symbol).is_some_and(Decimal::is_zero))
     }
 
@@ -68,7 +70,7 @@ impl<'s> Builder<'s> {
     /// Whether a symbol stands for a number with a unit that the author wrote: `2 m/s`.
     #[must_use]
     pub fn is_literal(&self, symbol: Symbol) -> bool {
-        self.literals.iter().any(|(own, _)| *own == symbol)
+        self.literals.iter().any(|(literal, _)| *literal == symbol)
     }
 
     /// The letters of the scene's axes, in order.
@@ -103,8 +105,8 @@ impl<'s> Builder<'s> {
         let alive = self.timeline.alive(instant);
         let holds =
             |whole: &&&str| self.scene.members(whole).contains(&body) || self.scene.division_of(whole).contains(&body);
-        let itself = alive.iter().find(|own| **own == body);
-        itself.or_else(|| alive.iter().find(holds)).map(|own| (*own).to_owned())
+        let itself = alive.iter().find(|living| **living == body);
+        itself.or_else(|| alive.iter().find(holds)).map(|name| (*name).to_owned())
     }
 
     /// The impulses of all stages so far.

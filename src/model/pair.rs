@@ -39,7 +39,7 @@ impl Builder<'_> {
     ) -> [Expr; 2] {
         let masses = pair.bodies.map(|body| self.mass(body));
         let names = pair.bodies.map(|body| self.called(body));
-        let side = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));
+        let side = |values: &[Expr; 2]| [0, 1].map(|index| (masses[index].clone(), values[index].clone()));
         let sides = momentum::conservation(&side(&pair.before), &side(&pair.after));
         let [first, second] = &names;
         let (law, because) = match pair.pulley {
@@ -62,27 +62,27 @@ impl Builder<'_> {
             ),
         };
         self.law(law, Some(pair.index), because, sides);
-        let impulses = [0, 1].map(|own| {
-            let meaning = format!("the impulse on {} from {}", names[own], pair.link);
-            let name = Name::of(QuantityKind::Impulse, pair.bodies[own]).along(component);
+        let impulses = [0, 1].map(|side| {
+            let meaning = format!("the impulse on {} from {}", names[side], pair.link);
+            let name = Name::of(QuantityKind::Impulse, pair.bodies[side]).along(component);
             let name = name.during(self.stage_label(pair.index));
             Expr::from(self.symbol(name, meaning))
         });
-        for own in [0, 1] {
-            let impulse = &impulses[own];
-            let because = format!("the only impulse on {} alone is that of {}", names[own], pair.link);
-            let [before, after] = [&pair.before[own], &pair.after[own]];
-            let sides = momentum::impulse_momentum(&masses[own], before, std::slice::from_ref(impulse), after);
+        for side in [0, 1] {
+            let impulse = &impulses[side];
+            let because = format!("the only impulse on {} alone is that of {}", names[side], pair.link);
+            let [before, after] = [&pair.before[side], &pair.after[side]];
+            let sides = momentum::impulse_momentum(&masses[side], before, std::slice::from_ref(impulse), after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(pair.index), because, sides);
             // In a plane the average force is a magnitude: a string draws the second body back along its line.
-            let size = if component.is_some() && own == 1 { -impulse.clone() } else { impulse.clone() };
-            self.mean_force(pair.index, pair.bodies[own], &size, duration, path);
+            let size = if component.is_some() && side == 1 { -impulse.clone() } else { impulse.clone() };
+            self.mean_force(pair.index, pair.bodies[side], &size, duration, path);
             let components = resolve(self, impulse);
             self.impulses.push(Impulse {
                 stage: pair.index,
-                on: pair.bodies[own].to_owned(),
+                on: pair.bodies[side].to_owned(),
                 by: match pair.pulley {
-                    None => Agent::Body(pair.bodies[1 - own].to_owned()),
+                    None => Agent::Body(pair.bodies[1 - side].to_owned()),
                     Some(_) => Agent::Outside,
                 },
                 called: pair.link.to_owned(),

@@ -49,7 +49,7 @@ impl Builder<'_> {
     pub(super) fn distance_since(&self, body: &str, instant: usize) -> usize {
         let since = self.timeline.naming_instant(body, instant);
         let before = since.checked_sub(2).and_then(|index| self.scene.stages.get(index));
-        let struck = before.is_some_and(|stage| matches!(stage, Stage::Blow(own) if own.body == body));
+        let struck = before.is_some_and(|stage| matches!(stage, Stage::Blow(blow) if blow.body == body));
         if struck { self.distance_since(body, since - 1) } else { since }
     }
 }

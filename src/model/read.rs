@@ -64,7 +64,7 @@ impl Builder<'_> {
         if symbol.index() == self.names.len() {
             self.names.push(Name::of(QuantityKind::Value(text.to_owned()), ""));
         }
-        if !self.literals.iter().any(|(own, _)| *own == symbol) {
+        if !self.literals.iter().any(|(literal, _)| *literal == symbol) {
             if quantity.unit.dimension() == Dimension::NONE {
                 self.system.fixed.insert(symbol, Expr::measured(&quantity.value, &quantity.unit));
             }
@@ -129,7 +129,7 @@ impl Builder<'_> {
     /// What a text of the wrong dimension was taken for, where it may mean something else: a name of the scene, or `2m` for `2*m`.
     fn misread(&self, expr: &Expr, text: &str) -> Option<String> {
         let Expr::Symbol(symbol) = expr else { return None };
-        let Some((_, quantity)) = self.literals.iter().find(|(own, _)| own == symbol) else {
+        let Some((_, quantity)) = self.literals.iter().find(|(literal, _)| literal == symbol) else {
             let meaning = &self.symbols.entry(*symbol).meaning;
             let is_of_the_scene = !meaning.is_empty() && !self.free.contains(symbol);
             return is_of_the_scene.then(|| format!("`{text}` stands for {meaning}: choose another name"));
@@ -207,7 +207,7 @@ impl Builder<'_> {
             return fault;
         }
         let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
-        let is_stored = |own: &Name| own.kind == QuantityKind::PotentialEnergy && own.instant.is_some();
+        let is_stored = |name: &Name| name.kind == QuantityKind::PotentialEnergy && name.instant.is_some();
         if Name::parse(name).as_ref().is_some_and(is_stored) {
             return fault.help(POTENTIAL_ENERGIES);
         }
@@ -225,7 +225,7 @@ impl Builder<'_> {
                 let labels = stages.filter_map(|stage| self.stage_label(stage));
                 fault.help(of_several_stages(labels.map(|label| format!("{name}[{label}]"))))
             }
-            None if Name::parse(name).is_some_and(|own| self.is_said_by_a_key(&own)) => fault.help(
+            None if Name::parse(name).is_some_and(|name| self.is_said_by_a_key(&name)) => fault.help(
                 "the stage itself gives it a name, which stands without brackets: `distance: s`, and ask for `s`",
             ),
             None if is_bare_name(name) && !name.contains('_') => {
@@ -248,19 +248,23 @@ fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String 
 impl Builder<'_> {
     /// What a name lacks that several quantities here have in common: the stage, or the component.
     fn not_alone(&self, name: &str) -> Option<String> {
-        let own = Name::parse(name)?;
-        if own.instant.is_some() && own.stage.is_some() {
-            let bare = Name { stage: None, ..own };
+        let parsed = Name::parse(name)?;
+        if parsed.instant.is_some() && parsed.stage.is_some() {
+            let bare = Name { stage: None, ..parsed };
             let is_known = self.symbols.find(&self.canonical(&bare).to_string()).is_some();
             return is_known.then(|| format!("its instant says when it is so: write `{bare}`"));
         }
         let in_stages = self.symbols.iter().map(|(symbol, _)| self.name(symbol)).filter(|other| {
-            other.stage.is_some() && own.stage.is_none() && Name { stage: None, ..(*other).clone() } == own
+            other.stage.is_some() && parsed.stage.is_none() && Name { stage: None, ..(*other).clone() } == parsed
         });
         let mut in_stages: Vec<String> = in_stages.map(ToString::to_string).collect();
-        if own.kind == QuantityKind::Impulse && own.stage.is_none() {
-            let stages: BTreeSet<usize> =
-                self.impulses.iter().filter(|impulse| impulse.on == own.subject).map(|impulse| impulse.stage).collect();
+        if parsed.kind == QuantityKind::Impulse && parsed.stage.is_none() {
+            let stages: BTreeSet<usize> = self
+                .impulses
+                .iter()
+                .filter(|impulse| impulse.on == parsed.subject)
+                .map(|impulse| impulse.stage)
+                .collect();
             let labels = stages.into_iter().filter_map(|stage| self.stage_label(stage));
             in_stages = labels.map(|label| format!("{name}[{label}]")).collect();
         }
@@ -274,9 +278,9 @@ impl Builder<'_> {
 
     /// What the least or the greatest distance of a body lacks that moves under gravity on an orbit of no stated shape.
     fn extreme_distance(&self, name: &str) -> Option<&'static str> {
-        let own = Name::parse(name).filter(|own| own.kind == QuantityKind::Position && own.instant.is_none())?;
-        own.component.as_deref().filter(|which| ["min", "max"].contains(which))?;
-        let is_shapeless = |stage: &Stage| matches!(stage, Stage::Central(central) if central.body == own.subject && central.gravity.is_some() && central.orbit.is_none());
+        let name = Name::parse(name).filter(|name| name.kind == QuantityKind::Position && name.instant.is_none())?;
+        name.component.as_deref().filter(|which| ["min", "max"].contains(which))?;
+        let is_shapeless = |stage: &Stage| matches!(stage, Stage::Central(central) if central.body == name.subject && central.gravity.is_some() && central.orbit.is_none());
         let help = "write `orbit: ellipse` or `orbit: parabola` in the stage";
         self.scene.stages.iter().any(is_shapeless).then_some(help)
     }
@@ -292,9 +296,9 @@ impl Builder<'_> {
         let is_moment = |kind: &QuantityKind| {
             matches!(kind, QuantityKind::AngularMomentum | QuantityKind::Moment | QuantityKind::AngularMomentumRate)
         };
-        let own = Name::parse(name).filter(|own| is_moment(&own.kind))?;
-        let instant = own.instant.is_some() && self.timeline.bodies().any(|body| body == own.subject);
-        instant.then(|| moving_point(&self.called(&own.subject)))
+        let name = Name::parse(name).filter(|name| is_moment(&name.kind))?;
+        let instant = name.instant.is_some() && self.timeline.bodies().any(|body| body == name.subject);
+        instant.then(|| moving_point(&self.called(&name.subject)))
     }
 }
 
@@ -308,11 +312,11 @@ pub(super) fn moving_point(what: &str) -> Fault {
 
 /// The quantity of which a term is a positive multiple, so that both are positive: `m` of `3*m`.
 fn multiplied(term: &Expr) -> Option<Symbol> {
-    let is_number = |own: &&Expr| own.as_number().is_some_and(|number| *number > Rational::ZERO);
+    let is_number = |factor: &&Expr| factor.as_number().is_some_and(|number| *number > Rational::ZERO);
     match term {
         Expr::Symbol(symbol) => Some(*symbol),
         Expr::Product(factors) => {
-            let mut others = factors.iter().filter(|own| !is_number(own));
+            let mut others = factors.iter().filter(|factor| !is_number(factor));
             if let (Some(Expr::Symbol(symbol)), None) = (others.next(), others.next()) { Some(*symbol) } else { None }
         }
         _ => None,

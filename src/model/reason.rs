@@ -319,8 +319,8 @@ impl Reason {
     /// Whether it says in which stage it is so.
     #[must_use]
     pub fn names_its_stage(&self) -> bool {
-        if let Self::Against(own, _) = self {
-            return own.names_its_stage();
+        if let Self::Against(reason, _) = self {
+            return reason.names_its_stage();
         }
         matches!(
             self,
@@ -339,7 +339,7 @@ impl Reason {
     #[must_use]
     pub fn is_of_direction(&self) -> bool {
         match self {
-            Self::Against(own, _) => own.is_of_direction(),
+            Self::Against(reason, _) => reason.is_of_direction(),
             // One that turns back on its way has no one direction.
             Self::MovesBackAt(_, end, _) => end == "start",
             _ => matches!(

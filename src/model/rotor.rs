@@ -46,7 +46,9 @@ impl Builder<'_> {
     fn turn_of_rotor(&mut self, body: &str, instant: usize) -> Option<(String, Expr)> {
         let scene = self.scene;
         let turned = scene.stages.iter().map(|stage| Description::of(scene, stage));
-        let about = turned.filter(|own| own.bodies.contains(&(body, Some(ROTOR)))).find_map(|own| own.about)?;
+        let about = turned
+            .filter(|description| description.bodies.contains(&(body, Some(ROTOR))))
+            .find_map(|description| description.about)?;
         let centre = self.point(about);
         Some((about.to_owned(), self.turn_of_arm(&centre, instant)))
     }
@@ -77,8 +79,8 @@ impl Builder<'_> {
         let scene = self.scene;
         let turning: Vec<&str> = (scene.stages.iter())
             .map(|stage| Description::of(scene, stage))
-            .filter(|own| own.about == Some(name.subject.as_str()))
-            .flat_map(|own| own.bodies)
+            .filter(|description| description.about == Some(name.subject.as_str()))
+            .flat_map(|description| description.bodies)
             .map(|(body, _)| body)
             .collect();
         let alive = self.timeline.alive(*instant);

@@ -25,8 +25,8 @@ impl Builder<'_> {
 
     /// Shows what the equation of the law that was stated last follows from.
     pub(super) fn shows(&mut self, shown: Shown) {
-        if let Some(own) = self.instances.last_mut() {
-            own.shown = Some(shown);
+        if let Some(instance) = self.instances.last_mut() {
+            instance.shown = Some(shown);
         }
     }
 
@@ -40,8 +40,8 @@ impl Builder<'_> {
         integral: Integral,
     ) {
         self.integral(law, stage, because, sides, integral);
-        if let Some(own) = self.instances.last_mut() {
-            own.ends = ends.to_vec();
+        if let Some(instance) = self.instances.last_mut() {
+            instance.ends = ends.to_vec();
         }
     }
 }

@@ -61,17 +61,17 @@ pub(super) fn turning(scene: &Scene, timeline: &Timeline, stage: &Stage, at: Pat
         faults.extend(not_fixed(scene, timeline, stage, point).map(|fault| fault.at_path(at.key("about"))));
     }
     for (body, key) in &bodies {
-        let inertia = scene.bodies.get(*body).is_some_and(|own| own.inertia.is_some());
+        let inertia = scene.bodies.get(*body).is_some_and(|body| body.inertia.is_some());
         if *key == Some(ROTOR) && !inertia && scene.bodies.contains_key(*body) {
             let fault = Fault::new(Code::MissingKey, format!("{} has no moment of inertia", scene.called(body)));
             let help = format!("write `{body}: {{ name: ..., inertia: I }}` under `bodies`");
             faults.push(fault.help(help).at_path(at.key(ROTOR)));
         }
     }
-    if let Stage::Moment(own) = stage
+    if let Stage::Moment(moment) = stage
         && let Some(rotor) = scene.rotors().next()
     {
-        faults.extend(on_a_rotor(scene, own, rotor, axes).map(|fault| fault.at_path(at.clone())));
+        faults.extend(on_a_rotor(scene, moment, rotor, axes).map(|fault| fault.at_path(at.clone())));
     }
     if !wanted.contains(&axes) {
         faults.push(other_axes(stage, wanted).at_path(at.clone()));

@@ -98,11 +98,11 @@ fn weight(scene: &Scene, stage: &Stage) -> Account {
         Stage::Rotate(_) => Account::Missing(
             "the moment of weight changes as the arm turns, and no key says where it points: write `plane: horizontal`, or remove `plane`",
         ),
-        Stage::Moment(own) if own.about != MASS_CENTRE => {
+        Stage::Moment(moment) if moment.about != MASS_CENTRE => {
             Account::Missing("take the moment about the mass centre, `about: G`, or remove `plane`")
         }
         Stage::Central(_) => Account::Missing(LEVEL),
-        Stage::Spring(own) if upright && own.between.is_some() => {
+        Stage::Spring(spring) if upright && spring.between.is_some() => {
             Account::Missing("let the two bodies and their spring lie along a level axis")
         }
         Stage::Walk(_) if upright => Account::Missing("name a level axis only, such as `axes: { x: to the right }`"),
@@ -139,14 +139,14 @@ fn takes_part<'a>(scene: &'a Scene, timeline: &'a Timeline, index: usize, stage:
     if matches!(stage, Stage::Moment(_) | Stage::Drift(_)) {
         return timeline.alive(index + 1);
     }
-    if let Stage::Separate(own) = stage {
-        return own.into.iter().chain(&own.from).map(String::as_str).collect();
+    if let Stage::Separate(separate) = stage {
+        return separate.into.iter().chain(&separate.from).map(String::as_str).collect();
     }
     Description::of(scene, stage).bodies.into_iter().map(|(body, _)| body).collect()
 }
 
 fn is_guided(scene: &Scene, body: &str) -> bool {
-    scene.members(body).into_iter().any(|own| scene.bodies.get(own).is_some_and(|entry| entry.guide.is_some()))
+    scene.members(body).into_iter().any(|member| scene.bodies.get(member).is_some_and(|entry| entry.guide.is_some()))
 }
 
 /// On a line every body is held to it: a guide along another direction contradicts the axis.

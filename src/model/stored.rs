@@ -22,7 +22,7 @@ pub(super) struct Stored {
 /// Whether a name says the energy of a spring that the scene has.
 pub(super) fn is_spring(scene: &Scene, name: &Name) -> bool {
     let is_sprung = |stage: &Stage| {
-        matches!(stage, Stage::Spring(_)) || matches!(stage, Stage::Central(own) if own.spring.is_some())
+        matches!(stage, Stage::Spring(_)) || matches!(stage, Stage::Central(central) if central.spring.is_some())
     };
     name.subject == SPRING && !scene.bodies.contains_key(SPRING) && scene.stages.iter().any(is_sprung)
 }

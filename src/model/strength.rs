@@ -97,7 +97,7 @@ impl Builder<'_> {
         path: &Path,
     ) -> Vec<Expr> {
         self.running_time();
-        if let Some(stranger) = components.axes().find(|axis| self.axes.iter().all(|(own, _)| own != axis)) {
+        if let Some(stranger) = components.axes().find(|axis| self.axes.iter().all(|(listed, _)| listed != axis)) {
             let fault = Fault::new(Code::Value, format!("the scene has no axis {}", stranger.letter()));
             let help = format!("its axes are: {}", self.axis_letters().join(", "));
             self.faults.push(fault.help(help).at_path(path.key(stranger.letter())));

@@ -18,7 +18,7 @@ impl Builder<'_> {
         for string in self.taut_strings(index) {
             let ends: Option<Vec<String>> = string.ends.iter().map(|body| self.moves_with(body, index + 2)).collect();
             let Some([first, second]) =
-                ends.as_deref().filter(|ends| ends.iter().any(|own| self.is_changed_in(own, index)))
+                ends.as_deref().filter(|ends| ends.iter().any(|body| self.is_changed_in(body, index)))
             else {
                 continue;
             };
@@ -54,6 +54,6 @@ impl Builder<'_> {
             lasting(string.jerk).all(|at| string.ends.iter().all(|body| since_jerk(body, string.jerk, at)))
         };
         let earlier = self.strings.iter().filter(|string| string.jerk < index);
-        earlier.filter(stays_taut).filter(|own| !jerked_again(own)).cloned().collect()
+        earlier.filter(stays_taut).filter(|string| !jerked_again(string)).cloned().collect()
     }
 }

@@ -72,13 +72,13 @@ impl Timeline {
     /// The number of a named instant.
     #[must_use]
     pub fn instant(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|own| own == name).map(|index| index + 1)
+        self.names.iter().position(|known| known == name).map(|index| index + 1)
     }
 
     /// The position of the stage of that name, or of that key or noun where only one such stage could be meant, or of that number.
     #[must_use]
     pub fn stage(&self, scene: &Scene, name: &str) -> Option<usize> {
-        let named = self.stage_names.iter().position(|own| own.as_deref() == Some(name));
+        let named = self.stage_names.iter().position(|stage_name| stage_name.as_deref() == Some(name));
         let is_meant = |stage: &Stage| stage.key() == name || Description::of(scene, stage).noun == name;
         let of_kind: Vec<usize> =
             scene.stages.iter().enumerate().filter(|(_, stage)| is_meant(stage)).map(|(index, _)| index).collect();
@@ -107,15 +107,15 @@ fn lives(scene: &Scene) -> BTreeMap<String, Vec<(usize, usize)>> {
             lives.entry(whole.clone()).or_insert_with(|| vec![(1, last)]);
         }
         for body in ended {
-            if let Some(life) = lives.get_mut(body).and_then(|own| own.last_mut()) {
+            if let Some(life) = lives.get_mut(body).and_then(|lives| lives.last_mut()) {
                 life.1 = index + 1;
             }
         }
         for body in begun {
-            let own = lives.entry(body.to_owned()).or_default();
+            let lives = lives.entry(body.to_owned()).or_default();
             // A declared body that begins as a part was not there before, unless it ended before.
-            own.retain(|(_, to)| *to < last);
-            own.push((index + 2, last));
+            lives.retain(|(_, to)| *to < last);
+            lives.push((index + 2, last));
         }
     }
     lives

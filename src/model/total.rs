@@ -33,7 +33,7 @@ impl Builder<'_> {
     }
 
     fn kinetic_around(&mut self, body: &str, mover: &str, stage: usize, instant: usize) -> Expr {
-        let turns = self.scene.bodies.get(body).is_some_and(|own| own.inertia.is_some());
+        let turns = self.scene.bodies.get(body).is_some_and(|body| body.inertia.is_some());
         if self.axes.is_empty() || turns {
             return self.kinetic_term(body, instant);
         }
@@ -66,12 +66,12 @@ impl Builder<'_> {
                 let scene = self.scene;
                 let Some(Stage::Strike(strike)) = scene.stages.get(stage) else {
                     let alive = self.timeline.alive(instant);
-                    let all = alive.into_iter().all(|own| movers.iter().any(|(body, _)| body == own));
-                    let own: Symbol = self
+                    let all = alive.into_iter().all(|living| movers.iter().any(|(body, _)| body == living));
+                    let symbol: Symbol = self
                         .symbols
                         .find(&Name::of(QuantityKind::AngularMomentum, about).at(instant).to_string())
                         .filter(|_| all)?;
-                    return Some(vec![own.into()]);
+                    return Some(vec![symbol.into()]);
                 };
                 if strike.about != about {
                     return None;
@@ -158,7 +158,7 @@ impl Builder<'_> {
     /// Whether a body, alone or as a part of another, takes part in a stage.
     #[must_use]
     pub fn is_changed_in(&self, body: &str, stage: usize) -> bool {
-        let changed = |own: &str| self.timeline.since(own, stage + 2).is_none_or(|since| since == stage + 2);
+        let changed = |body: &str| self.timeline.since(body, stage + 2).is_none_or(|since| since == stage + 2);
         self.movers_of(&[body.to_owned()], stage + 2).iter().any(|(_, mover)| changed(mover))
     }
 
@@ -175,7 +175,7 @@ impl Builder<'_> {
         let mut all = Vec::new();
         for body in bodies {
             let members = self.scene.members(body);
-            let holds = |own: &&&str| members.iter().all(|member| self.scene.members(own).contains(member));
+            let holds = |whole: &&&str| members.iter().all(|member| self.scene.members(whole).contains(member));
             if alive.contains(&body.as_str()) {
                 all.push((body.clone(), body.clone()));
             } else if let Some(whole) = alive.iter().find(holds) {
@@ -189,7 +189,7 @@ impl Builder<'_> {
                 all.extend(self.movers_of(&parts, instant));
             } else {
                 // A part before its whole comes apart.
-                let whole = alive.iter().find(|own| self.scene.division_of(own).contains(&body.as_str()));
+                let whole = alive.iter().find(|living| self.scene.division_of(living).contains(&body.as_str()));
                 all.extend(whole.map(|whole| (body.clone(), (*whole).to_owned())));
             }
         }

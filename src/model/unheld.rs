@@ -40,12 +40,14 @@ impl Builder<'_> {
     /// What is used of a body at an instant has been so since its last stage only if nothing has acted on it meanwhile.
     pub(super) fn has_not_fallen(&mut self, body: &str, instant: usize) {
         let since = self.timeline.naming_instant(body, instant);
-        let between = |own: &mut LeftAlone| own.body == body && since <= own.stage + 1 && own.stage + 2 <= instant;
+        let between = |left_alone: &mut LeftAlone| {
+            left_alone.body == body && since <= left_alone.stage + 1 && left_alone.stage + 2 <= instant
+        };
         let unheld: Vec<LeftAlone> = self.unheld.extract_if(.., between).collect();
-        for own in unheld {
-            match own.by {
-                Acts::Weight => self.stands_still_under_weight(body, since, own.stage),
-                Acts::Bond(acts) => self.still_acts(body, acts, own.stage),
+        for left_alone in unheld {
+            match left_alone.by {
+                Acts::Weight => self.stands_still_under_weight(body, since, left_alone.stage),
+                Acts::Bond(acts) => self.still_acts(body, acts, left_alone.stage),
             }
         }
     }

@@ -60,7 +60,7 @@ impl Builder<'_> {
         let falls: Vec<(usize, i64)> = (0..self.axes.len()).filter_map(fall).collect();
         let gained = self.gravity() * time;
         let component = |position: usize| {
-            let down = falls.iter().find(|(own, _)| *own == position);
+            let down = falls.iter().find(|(axis, _)| *axis == position);
             down.map_or_else(Expr::zero, |(_, down)| Expr::integer(*down) * gained.clone())
         };
         Some((0..self.axes.len()).map(component).collect())
@@ -79,7 +79,7 @@ impl Builder<'_> {
     /// Notes the impulse that an included weight gives a body.
     pub(super) fn weight_acts(&mut self, index: usize, body: &str, gained: &[Expr]) {
         let mass = self.mass(body);
-        self.note_impulse(index, body, "weight", gained.iter().map(|own| own.clone() * mass.clone()).collect());
+        self.note_impulse(index, body, "weight", gained.iter().map(|gain| gain.clone() * mass.clone()).collect());
     }
 
     fn contact_time(&mut self, contact: &Lasting<'_>) -> Option<Expr> {
@@ -102,13 +102,14 @@ impl Builder<'_> {
                 .map(|(body, instant)| self.velocities(body, instant));
             let change = to.into_iter().zip(from).map(|(to, from)| to - from).collect();
             let fall = self.gravity() * time.clone();
-            let own = ContactWeight { stage: contact.index, on: (*before).to_owned(), included, fall, change };
+            let contact_weight =
+                ContactWeight { stage: contact.index, on: (*before).to_owned(), included, fall, change };
             if !included {
-                let [weight, change] = own.squares();
+                let [weight, change] = contact_weight.squares();
                 let reason = Reason::WeightNotNegligible(self.called(before), self.stage_phrase(contact.index));
                 self.require(weight, Relation::Less, change, reason);
             }
-            self.weights.push(own);
+            self.weights.push(contact_weight);
         }
     }
 }

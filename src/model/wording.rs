@@ -47,8 +47,8 @@ pub(super) fn counted(number: usize, noun: &str) -> String {
 
 /// A stage as a noun phrase: `the impact`; `the second impact` where there are several.
 pub(super) fn stage(scene: &Scene, index: usize) -> String {
-    let Some(own) = scene.stages.get(index) else { return "the stage".into() };
-    let noun = Description::of(scene, own).noun;
+    let Some(entry) = scene.stages.get(index) else { return "the stage".into() };
+    let noun = Description::of(scene, entry).noun;
     let alike = |stage: &&Stage| Description::of(scene, stage).noun == noun;
     let before = scene.stages.iter().take(index).filter(alike).count();
     if scene.stages.iter().filter(alike).count() < 2 {
@@ -61,13 +61,13 @@ pub(super) fn stage(scene: &Scene, index: usize) -> String {
 pub(super) fn when(scene: &Scene, instant: usize) -> String {
     let after = instant.checked_sub(2).and_then(|index| Some((index, scene.stages.get(index)?)));
     let before = instant.checked_sub(1).and_then(|index| Some((index, scene.stages.get(index)?)));
-    let (side, index, own) = match (after, before) {
-        (Some((index, own)), _) => (1, index, own),
-        (None, Some((index, own))) => (0, index, own),
+    let (side, index, entry) = match (after, before) {
+        (Some((index, entry)), _) => (1, index, entry),
+        (None, Some((index, entry))) => (0, index, entry),
         (None, None) => return "at the instant considered".into(),
     };
     let phrase = stage(scene, index);
-    match Description::of(scene, own).ends {
+    match Description::of(scene, entry).ends {
         Span::Sudden => format!("{} {phrase}", ["just before", "just after"][side]),
         // Where nothing else happens, it need not be said of what it is the end.
         Span::Lasting if scene.stages.len() == 1 => ["at the start", "at the end"][side].into(),

@@ -68,7 +68,7 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
 /// How long a revolution takes at the angular velocity of an instant.
 pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
-    let rotation = |stage: &Stage| if let Stage::Rotate(own) = stage { Some(own.about.clone()) } else { None };
+    let rotation = |stage: &Stage| if let Stage::Rotate(rotate) = stage { Some(rotate.about.clone()) } else { None };
     let centre = builder.point(&builder.scene.stages.iter().find_map(rotation)?);
     let turning = if name.subject.is_empty() {
         builder.turn_of_arm(&centre, instant)
@@ -167,7 +167,7 @@ impl Builder<'_> {
         let letters = self.axis_letters();
         let of_centre = |kind, letter: &str| Name::of(kind, MASS_CENTRE).at(instant).along(letter);
         let velocity = letters.iter().map(|letter| self.quantity(of_centre(QuantityKind::Velocity, letter)));
-        let velocity: Option<Vec<Expr>> = velocity.map(|own| own.map(Expr::from)).collect();
+        let velocity: Option<Vec<Expr>> = velocity.map(|component| component.map(Expr::from)).collect();
         for point in scene.points.keys() {
             let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
             let arm: Option<Vec<Expr>> = axes
@@ -207,11 +207,11 @@ impl Builder<'_> {
     /// The weights of the bodies, where nothing else acts on any of them.
     fn weights_in_flight(&mut self, stage: usize, instant: usize, at_end: bool) -> Option<Vec<(ActingForce, bool)>> {
         let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-        let own = self.scene.stages.get(stage)?;
-        if !matches!(own, Stage::Fall(_) | Stage::Flight(Flight { incline: None, resistance: None, .. })) {
+        let entry = self.scene.stages.get(stage)?;
+        if !matches!(entry, Stage::Fall(_) | Stage::Flight(Flight { incline: None, resistance: None, .. })) {
             return None;
         }
-        let flying = Description::of(self.scene, own).changed();
+        let flying = Description::of(self.scene, entry).changed();
         if !alive.iter().all(|body| flying.contains(&body.as_str())) {
             return None;
         }

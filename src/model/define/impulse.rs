@@ -24,12 +24,12 @@ use super::super::stage::total_impulse;
 impl Builder<'_> {
     /// The impulse of the weight of a body that no floor carries during a push, along the axis of that position.
     pub(crate) fn impulse_of_weight(&self, body: &str, stage: usize, position: usize) -> Option<Expr> {
-        let own =
+        let force =
             |kind| self.forces.iter().find(|force| force.stage == stage && force.on == body && force.kind == kind);
-        if own(ForceKind::Normal).is_some() {
+        if force(ForceKind::Normal).is_some() {
             return None;
         }
-        let weight = own(ForceKind::Weight)?;
+        let weight = force(ForceKind::Weight)?;
         let part = self.components(&weight.direction).into_iter().nth(position).filter(|part| !part.is_zero())?;
         let [start, end] = &weight.during;
         Some(part * weight.strength.clone() * (end.clone() - start.clone()))
@@ -77,13 +77,14 @@ pub(super) fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> 
     }
     // The impulse on a body during a push: the sum of those of its forces. That of a sudden stage leaves out the weight beside it.
     let axis = builder.axis_of(name)?;
-    let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
+    let position = builder.axes.iter().position(|(listed, _)| *listed == axis)?;
     let in_stage = |stage: usize| match &name.stage {
         Some(_) => builder.stage_label(stage) == name.stage,
         None => true,
     };
-    let is_sudden =
-        |stage: usize| builder.impulses.iter().any(|own| own.stage == stage && own.impulsive && own.by != Agent::Guide);
+    let is_sudden = |stage: usize| {
+        builder.impulses.iter().any(|impulse| impulse.stage == stage && impulse.impulsive && impulse.by != Agent::Guide)
+    };
     let acting: Vec<(usize, Expr)> = builder
         .impulses
         .iter()
@@ -93,8 +94,8 @@ pub(super) fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> 
         .filter(|impulse| impulse.by != Agent::Guide)
         .filter_map(|impulse| Some((impulse.stage, impulse.components.get(position)?.clone())))
         .collect();
-    let Some(stage) = acting.first().map(|own| own.0) else { return impulse_by_momentum(builder, name, axis) };
-    if acting.iter().any(|(own, _)| *own != stage) {
+    let Some(stage) = acting.first().map(|first| first.0) else { return impulse_by_momentum(builder, name, axis) };
+    if acting.iter().any(|(other, _)| *other != stage) {
         return None;
     }
     let symbol = builder.impulse_during(name, stage);
@@ -107,11 +108,12 @@ pub(super) fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> 
 /// The impulse of all forces of a push whose own impulses are not told for themselves, as where static friction may hold the body first.
 fn impulse_by_momentum(builder: &mut Builder<'_>, name: &Name, axis: Axis) -> Option<Symbol> {
     let in_stage = |stage: usize| name.stage.is_none() || builder.stage_label(stage) == name.stage;
-    let untold = |own: &&Impulse| own.on == name.subject && own.components.is_empty() && in_stage(own.stage);
-    let [stage] = builder.impulses.iter().filter(untold).map(|own| own.stage).collect::<Vec<_>>()[..] else {
+    let untold =
+        |impulse: &&Impulse| impulse.on == name.subject && impulse.components.is_empty() && in_stage(impulse.stage);
+    let [stage] = builder.impulses.iter().filter(untold).map(|impulse| impulse.stage).collect::<Vec<_>>()[..] else {
         return None;
     };
-    if !matches!(builder.scene.stages.get(stage)?, Stage::Push(own) if own.mass_change().is_none()) {
+    if !matches!(builder.scene.stages.get(stage)?, Stage::Push(push) if push.mass_change().is_none()) {
         return None;
     }
     let symbol = builder.impulse_during(name, stage);
@@ -129,7 +131,8 @@ pub(super) fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbo
         Some(_) => builder.stage_label(stage) == name.stage,
         None => true,
     };
-    let acts = |stage: &usize| builder.impulses.iter().any(|own| own.stage == *stage && own.on == name.subject);
+    let acts =
+        |stage: &usize| builder.impulses.iter().any(|impulse| impulse.stage == *stage && impulse.on == name.subject);
     let is_push = |stage: &usize| matches!(builder.scene.stages.get(*stage), Some(Stage::Push(_)));
     let stages = (0..builder.scene.stages.len()).filter(|stage| is_push(stage) && acts(stage) && in_stage(*stage));
     let [stage] = stages.collect::<Vec<_>>()[..] else { return None };

@@ -80,8 +80,8 @@ pub(super) fn energy_gained(builder: &mut Builder<'_>, name: &Name) -> Option<Sy
 pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
     let meaning = format!("the work done during {}", builder.stage_phrase(stage));
-    let own = builder.in_stage(QuantityKind::Work, "", stage);
-    let symbol = builder.symbol(own, meaning);
+    let name = builder.in_stage(QuantityKind::Work, "", stage);
+    let symbol = builder.symbol(name, meaning);
     builder.check_energy(stage, |_| true);
     let [before, after] = builder.kinetic_energies(stage);
     let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
@@ -111,9 +111,9 @@ fn balance_of_energy(
     kind: QuantityKind,
     meaning: String,
 ) -> Option<Symbol> {
-    let own = builder.in_stage(kind, "", stage);
-    let key = format!("balance {own}");
-    let symbol = builder.symbol(own, meaning);
+    let name = builder.in_stage(kind, "", stage);
+    let key = format!("balance {name}");
+    let symbol = builder.symbol(name, meaning);
     builder.check_energy(stage, |change| !change.gains || change.velocity.is_some());
     let [before, after] = builder.kinetic_energies(stage);
     let [before, after] = [Expr::from(before?), Expr::from(after?)];

@@ -61,7 +61,7 @@ impl Builder<'_> {
         let Some(before_instant) = instant.checked_sub(1).filter(|before| *before >= 1) else { return };
         let before = Name::of(QuantityKind::Velocity, MASS_CENTRE).at(before_instant).along(self.letter(axis));
         let Some(before) = self.quantity(before) else { return };
-        let Some(position) = self.axes.iter().position(|(own, _)| *own == axis) else { return };
+        let Some(position) = self.axes.iter().position(|(listed, _)| *listed == axis) else { return };
         let alive = self.timeline.alive(instant).len();
         // Mass that joins or leaves carries momentum of its own, and of a fall no time is told.
         let is_apart = self.scene.stages.get(instant - 2).is_some_and(|stage| {
@@ -86,11 +86,15 @@ impl Builder<'_> {
     /// The impulses that act on the bodies of the scene from outside in a stage, along the axis of that position; none where one of them
     /// is not known, as where only the force is told and not for how long it acts.
     fn impulses_from_outside(&self, stage: usize, position: usize) -> Option<Vec<Expr>> {
-        let noted = || self.impulses.iter().filter(|own| own.stage == stage && !matches!(own.by, Agent::Body(_)));
-        let unnoted = self.influences.iter().filter(|own| own.stage == stage && own.by.is_empty()).any(|own| {
-            let is_nothing = matches!(own.along(position), Effect::Of(force) if force.is_zero());
-            !is_nothing && noted().all(|impulse| impulse.on != own.on)
-        });
+        let noted =
+            || self.impulses.iter().filter(|impulse| impulse.stage == stage && !matches!(impulse.by, Agent::Body(_)));
+        let unnoted =
+            self.influences.iter().filter(|influence| influence.stage == stage && influence.by.is_empty()).any(
+                |influence| {
+                    let is_nothing = matches!(influence.along(position), Effect::Of(force) if force.is_zero());
+                    !is_nothing && noted().all(|impulse| impulse.on != influence.on)
+                },
+            );
         // What holds a fixed point pushes on whatever turns about it.
         let stage_itself = self.scene.stages.get(stage)?;
         let is_held = Description::of(self.scene, stage_itself).about.is_some_and(|about| about != MASS_CENTRE);
@@ -148,7 +152,7 @@ impl Builder<'_> {
     fn path_of_mass_centre(&mut self, instant: usize, axis: Axis, after: Symbol) {
         let Some(index) = instant.checked_sub(2) else { return };
         let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-        let Some(position) = self.axes.iter().position(|(own, _)| *own == axis) else { return };
+        let Some(position) = self.axes.iter().position(|(listed, _)| *listed == axis) else { return };
         let Some(moves) = self.moves(index, &alive).filter(|_| alive.len() > 1) else { return };
         let Some((from, velocity)) = self.centre_at_start(index, axis, alive.len()) else { return };
         let unpushed = "the internal forces cancel, and no external impulse acts on the system";
@@ -182,7 +186,7 @@ impl Builder<'_> {
     fn moves(&mut self, index: usize, alive: &[String]) -> Option<Moves> {
         let scene = self.scene;
         let stage = scene.stages.get(index)?;
-        let among = |bodies: &[&str]| alive.iter().all(|own| bodies.contains(&own.as_str()));
+        let among = |bodies: &[&str]| alive.iter().all(|body| bodies.contains(&body.as_str()));
         if !stage.takes_time() {
             return Some(Moves::Not);
         }
@@ -192,12 +196,12 @@ impl Builder<'_> {
             let all = among(&flight.flying().collect::<Vec<_>>());
             return all.then(|| Moves::Flying(self.flight_time(index, flight)));
         }
-        if let Stage::Interact(own) = stage {
-            let bodies: Vec<&str> = own.between.iter().map(String::as_str).collect();
+        if let Stage::Interact(interact) = stage {
+            let bodies: Vec<&str> = interact.between.iter().map(String::as_str).collect();
             if !among(&bodies) || bodies.iter().any(|body| self.guided(body).is_some()) {
                 return None;
             }
-            if own.at_rest {
+            if interact.at_rest {
                 return Some(Moves::FromRest);
             }
         }

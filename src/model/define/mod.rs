@@ -167,7 +167,8 @@ impl Builder<'_> {
             return None;
         }
         let spelling = name.to_string();
-        let is_meant = |own: &Name| own.stage.is_some() && Name { stage: None, ..own.clone() }.to_string() == spelling;
+        let is_meant =
+            |name: &Name| name.stage.is_some() && Name { stage: None, ..name.clone() }.to_string() == spelling;
         let mut found = self.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| is_meant(self.name(*symbol)));
         let first = found.next()?;
         found.next().is_none().then_some(first)

@@ -20,12 +20,12 @@ impl Builder<'_> {
     /// of a body is not told, or something else bends the paths.
     pub fn moment_while(&mut self, stage: usize, about: &str, outside: &[Influence]) -> Option<Vec<Expr>> {
         let is_free = matches!(self.scene.stages.get(stage)?, Stage::Push(_) | Stage::Flight(_));
-        let is_told = |own: &Influence| {
-            let is_force = matches!(own.moment, Moment::OfForce);
-            is_force && (0..self.axes.len()).all(|position| matches!(own.along(position), Effect::Of(_)))
+        let is_told = |influence: &Influence| {
+            let is_force = matches!(influence.moment, Moment::OfForce);
+            is_force && (0..self.axes.len()).all(|position| matches!(influence.along(position), Effect::Of(_)))
         };
         let placed = self.placed();
-        let bodies: BTreeSet<String> = outside.iter().map(|own| own.on.clone()).collect();
+        let bodies: BTreeSet<String> = outside.iter().map(|influence| influence.on.clone()).collect();
         if !is_free
             || self.axes.len() < 2
             || about == MASS_CENTRE
@@ -43,9 +43,11 @@ impl Builder<'_> {
             let mut forces = Vec::new();
             let mut way = Vec::new();
             for (position, (axis, arm)) in axes.iter().zip(arm).enumerate() {
-                let on_it = outside.iter().filter(|own| own.on == body);
+                let on_it = outside.iter().filter(|influence| influence.on == body);
                 let parts =
-                    on_it.filter_map(|own| if let Effect::Of(part) = own.along(position) { Some(part) } else { None });
+                    on_it.filter_map(
+                        |influence| if let Effect::Of(part) = influence.along(position) { Some(part) } else { None },
+                    );
                 let force = Expr::sum(parts.cloned()).simplify();
                 let gained = force.definite(clock, &start, &clock.into())?.simplify() / mass.clone();
                 let velocity = self.velocity(&body, stage + 1, *axis) + gained;

@@ -39,11 +39,11 @@ fn seen_from_the_centre(builder: &mut Builder<'_>, body: &str, instant: usize, a
         return Some(symbol);
     }
     let centre = builder.quantity(Name::of(QuantityKind::Velocity, MASS_CENTRE).at(instant).along(letter))?;
-    let own = builder.velocity(body, instant, axis);
+    let velocity = builder.velocity(body, instant, axis);
     let owner = builder.called(body);
     let of = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
     let symbol = builder.component(relative, Meaning { noun: "the velocity", of });
-    let sides = (symbol.into(), own - Expr::from(centre));
+    let sides = (symbol.into(), velocity - Expr::from(centre));
     builder.law(
         &mass_centre::RELATIVE,
         None,

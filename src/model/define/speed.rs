@@ -113,9 +113,9 @@ impl Builder<'_> {
     fn turns(&self, body: &str, instant: usize) -> bool {
         let around = [instant.checked_sub(1), instant.checked_sub(2)].into_iter().flatten();
         let stages = around.filter_map(|stage| self.scene.stages.get(stage));
-        stages
-            .map(|stage| Description::of(self.scene, stage))
-            .any(|own| own.about.is_some() && own.bodies.iter().any(|(named, _)| *named == body))
+        stages.map(|stage| Description::of(self.scene, stage)).any(|description| {
+            description.about.is_some() && description.bodies.iter().any(|(named, _)| *named == body)
+        })
     }
 
     fn takes_part(&self, stage: usize, body: &str) -> bool {

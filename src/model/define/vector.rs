@@ -44,14 +44,15 @@ impl Builder<'_> {
 
     /// The magnitude of a vector that has components.
     pub(super) fn magnitude_of(&mut self, name: &str) -> Option<Symbol> {
-        if let Some(velocity) = velocity(name).filter(|own| !own.is_of_mass_centre() && own.component.is_none())
+        if let Some(velocity) =
+            velocity(name).filter(|velocity| !velocity.is_of_mass_centre() && velocity.component.is_none())
             && matches!(velocity.instant, Some(Instant::Number(_)))
         {
             return self.quantity(Name { kind: QuantityKind::Speed, stage: None, ..velocity });
         }
         let (components, meaning, dimension) = self.components_of(name)?;
-        let own = Name::of(QuantityKind::Magnitude(name.to_owned()), "");
-        let symbol = self.symbol_of(own, dimension, format!("the magnitude of {meaning}"));
+        let magnitude = Name::of(QuantityKind::Magnitude(name.to_owned()), "");
+        let symbol = self.symbol_of(magnitude, dimension, format!("the magnitude of {meaning}"));
         self.system.positive.insert(symbol);
         if self.defined.insert(format!("magnitude {name}")) {
             if let [only] = &components[..] {
@@ -88,7 +89,7 @@ impl Builder<'_> {
         let [one, other] = names.map(|name| self.at_its_instant(name));
         let [first, second] = [&one, &other].map(|name| self.vector(name));
         let (first, second) = (first?, second?);
-        let both_velocities = [&first, &second].iter().all(|own| own.dimension == Dimension::VELOCITY);
+        let both_velocities = [&first, &second].iter().all(|vector| vector.dimension == Dimension::VELOCITY);
         let meaning = if both_velocities {
             format!("the angle between two velocities: that {} and that {}", first.meaning.of, second.meaning.of)
         } else {
@@ -120,8 +121,8 @@ impl Builder<'_> {
     /// The name of a velocity under the instant since which the body has it.
     fn at_its_instant(&self, name: &str) -> String {
         let since = || {
-            let own = velocity(name)?;
-            let (body, since) = self.body_at(&own)?;
+            let velocity = velocity(name)?;
+            let (body, since) = self.body_at(&velocity)?;
             Some(Name::of(QuantityKind::Velocity, &body).at(since).to_string())
         };
         since().unwrap_or_else(|| name.to_owned())
@@ -130,5 +131,5 @@ impl Builder<'_> {
 
 /// A name that is one of a velocity, taken apart.
 fn velocity(name: &str) -> Option<Name> {
-    Name::parse(name).filter(|own| own.kind == QuantityKind::Velocity)
+    Name::parse(name).filter(|name| name.kind == QuantityKind::Velocity)
 }

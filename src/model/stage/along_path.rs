@@ -33,9 +33,9 @@ impl Builder<'_> {
     /// The forces along the path in a stage.
     pub(super) fn along_path<'a>(&mut self, stage: &'a Rotate, path: &Path) -> Vec<Along<'a>> {
         let mut all = Vec::new();
-        for (position, (entry, own)) in stage.driving().enumerate() {
+        for (position, (entry, acted_on)) in stage.driving().enumerate() {
             let at = path.key("forces").index(position);
-            let Some((on, arm)) = own else {
+            let Some((on, arm)) = acted_on else {
                 self.faults.push(on_no_particle(stage, entry.on.as_deref(), &at));
                 continue;
             };
@@ -72,9 +72,9 @@ impl Builder<'_> {
 
     /// What such a force does at every moment.
     pub(super) fn along_acts(&mut self, index: usize, force: &Along<'_>) {
-        let own = Influence::outside(index, force.on, force.name.as_str()).moment(vec![force.moment.clone()]);
+        let influence = Influence::outside(index, force.on, force.name.as_str()).moment(vec![force.moment.clone()]);
         let words = format!("{} does work along the path", force.name);
-        self.acts(own.works(Effect::Of(force.strength.clone()), &words));
+        self.acts(influence.works(Effect::Of(force.strength.clone()), &words));
     }
 }
 
@@ -100,10 +100,10 @@ fn on_no_particle(stage: &Rotate, on: Option<&str>, at: &Path) -> Fault {
 fn holding<'s>(scene: &'s Scene, name: &Name) -> Option<(&'s Rotate, &'s Arm, usize)> {
     let Some(Instant::Number(instant)) = name.instant else { return None };
     let at_end = |index: usize| instant.checked_sub(index + 1).filter(|side| *side < 2);
-    scene.stages.iter().enumerate().filter(|_| scene.plane == Plane::Horizontal).find_map(|(index, own)| {
-        let (Stage::Rotate(own), Some(side)) = (own, at_end(index)) else { return None };
-        let (_, arm) = own.held().into_iter().find(|(body, _)| *body == name.subject)?;
-        Some((own, arm, side))
+    scene.stages.iter().enumerate().filter(|_| scene.plane == Plane::Horizontal).find_map(|(index, stage)| {
+        let (Stage::Rotate(rotate), Some(side)) = (stage, at_end(index)) else { return None };
+        let (_, arm) = rotate.held().into_iter().find(|(body, _)| *body == name.subject)?;
+        Some((rotate, arm, side))
     })
 }
 

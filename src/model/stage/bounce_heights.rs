@@ -24,8 +24,8 @@ pub(super) fn is_dropped(scene: &Scene, index: usize, stage: &Bounces) -> bool {
 fn of_heights(scene: &Scene) -> Option<(usize, &Bounces)> {
     let all = scene.stages.iter().enumerate();
     let mut dropped = all.filter_map(|(index, stage)| {
-        let Stage::Bounces(own) = stage else { return None };
-        is_dropped(scene, index, own).then_some((index, own))
+        let Stage::Bounces(bounces) = stage else { return None };
+        is_dropped(scene, index, bounces).then_some((index, bounces))
     });
     let only = dropped.next()?;
     dropped.next().is_none().then_some(only)
@@ -47,21 +47,21 @@ fn number(name: &Name) -> Option<usize> {
 
 /// The height after a bounce, by the height of the drop and by those of other bounces.
 pub(crate) fn height_of_a_bounce(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let own = number(name)?;
+    let which = number(name)?;
     let (index, stage) = of_heights(builder.scene)?;
     let path = Path::root().key("scene").key("stages").index(index).key("bounces").key("restitution");
     let e = builder.restitution_coefficient(&stage.restitution, &path);
     let others: Vec<(usize, Symbol)> =
         builder.symbols.iter().filter_map(|(symbol, _)| Some((number(builder.name(symbol))?, symbol))).collect();
-    let (body, bounce) = (builder.called(&stage.body), counted(own, "bounce"));
+    let (body, bounce) = (builder.called(&stage.body), counted(which, "bounce"));
     let symbol = builder.positive(name.clone(), format!("the height that {body} reaches after {bounce}"));
     let drop = builder.drop_height(index, &stage.body);
     let because = "each bounce multiplies the speed by e, hence the height by the square of e";
-    let from_drop = bouncing::bounce_height(&e, &count(own), &drop);
+    let from_drop = bouncing::bounce_height(&e, &count(which), &drop);
     builder.law(&bouncing::BOUNCE_HEIGHT, Some(index), because, (symbol.into(), from_drop));
     for (number, other) in others {
         let ((first, from), (last, to)) =
-            if number < own { ((number, other), (own, symbol)) } else { ((own, symbol), (number, other)) };
+            if number < which { ((number, other), (which, symbol)) } else { ((which, symbol), (number, other)) };
         let between = bouncing::bounce_height(&e, &count(last - first), &from.into());
         builder.law(&bouncing::BOUNCE_HEIGHT, Some(index), because, (to.into(), between));
     }

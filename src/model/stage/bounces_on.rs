@@ -65,21 +65,21 @@ impl Builder<'_> {
     }
 
     /// Speed, height and time of the n-th bounce, and when all are over.
-    fn speeds_and_times(&mut self, own: &Bouncing<'_>) {
-        let (name, e, press) = (&own.name, own.e, &own.press);
+    fn speeds_and_times(&mut self, bounces: &Bouncing<'_>) {
+        let (name, e, press) = (&bounces.name, bounces.e, &bounces.press);
         let because = format!("each bounce multiplies the speed of {name} away from the floor by e");
         let speed = self.positive(
             at_bounce(QuantityKind::Velocity),
             format!("the speed of {name} away from the floor just after the n-th bounce"),
         );
-        let value = bouncing::speed_after(e, own.count, &own.arrival);
-        own.law(self, &bouncing::BOUNCE_SPEED, &because, (speed, value));
+        let value = bouncing::speed_after(e, bounces.count, &bounces.arrival);
+        bounces.law(self, &bouncing::BOUNCE_SPEED, &because, (speed, value));
         let height = self.positive(
             at_bounce(QuantityKind::Height),
             format!("the greatest distance of {name} from the floor after the n-th bounce"),
         );
         let value = bouncing::height_of(&speed.into(), press);
-        own.law(
+        bounces.law(
             self,
             &bouncing::BOUNCE_HEIGHT,
             &format!("{name} rises until it no longer moves away from the floor"),
@@ -88,22 +88,22 @@ impl Builder<'_> {
         let meaning = format!("the duration of the flight of {name} after the n-th bounce");
         let flight = self.positive(at_bounce(QuantityKind::Duration), meaning);
         let value = bouncing::flight(&speed.into(), press);
-        own.law(
+        bounces.law(
             self,
             &bouncing::BOUNCE_FLIGHT,
             &format!("{name} returns to the floor with the speed with which it left"),
             (flight, value),
         );
-        let start = self.clock(own.index + 1).map_or_else(Expr::zero, Expr::from);
+        let start = self.clock(bounces.index + 1).map_or_else(Expr::zero, Expr::from);
         let because = format!("{because}, hence the time of each flight by e");
-        let whole = own.whole();
+        let whole = bounces.whole();
         let meaning = format!("the time of the n-th bounce of {name}");
         let time = self.positive(at_bounce(QuantityKind::Time), meaning);
-        let value = start.clone() + bouncing::time_to(e, own.count, &whole);
-        own.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
+        let value = start.clone() + bouncing::time_to(e, bounces.count, &whole);
+        bounces.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
         let from_the_first = start.is_zero();
         if from_the_first {
-            self.shows(one_after_another(&whole, e, Some(own.count)));
+            self.shows(one_after_another(&whole, e, Some(bounces.count)));
         }
         // A ball that loses nothing does not stop.
         if e.is_one() {
@@ -112,47 +112,53 @@ impl Builder<'_> {
         let meaning = format!("the time at which {name} stops bouncing");
         let total = self.positive(Name::of(QuantityKind::Time, IN_ALL), meaning);
         let value = start + bouncing::time_of_all(e, &whole);
-        own.law(self, &bouncing::BOUNCE_TIME, &because, (total, value));
+        bounces.law(self, &bouncing::BOUNCE_TIME, &because, (total, value));
         if from_the_first {
             self.shows(one_after_another(&whole, e, None));
         }
     }
 
     /// Where the n-th bounce is along the floor, how far it is to the next, and where all are over.
-    fn places_of_bounces(&mut self, body: &str, own: &Bouncing<'_>) {
-        let Some(along) = &own.along else { return };
+    fn places_of_bounces(&mut self, body: &str, bounces: &Bouncing<'_>) {
+        let Some(along) = &bounces.along else { return };
         let letter = along.axis.letter();
         let level = along.acceleration.is_zero();
         let because = if level {
-            format!("the floor is smooth and level: nothing changes the velocity of {} along it", own.name)
+            format!("the floor is smooth and level: nothing changes the velocity of {} along it", bounces.name)
         } else {
-            format!("the slope is smooth: along it, only weight accelerates {}", own.name)
+            format!("the slope is smooth: along it, only weight accelerates {}", bounces.name)
         };
         let way = |time: &Expr| bouncing::along(&along.velocity, &along.acceleration, time);
-        let mut times = vec![(COUNTED, "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole()))];
-        if !own.e.is_one() {
-            let meaning = format!("the time for which {} bounces", own.name);
+        let mut times =
+            vec![(COUNTED, "at its n-th bounce", bouncing::time_to(bounces.e, bounces.count, &bounces.whole()))];
+        if !bounces.e.is_one() {
+            let meaning = format!("the time for which {} bounces", bounces.name);
             let lasts = self.positive(Name::of(QuantityKind::Duration, IN_ALL), meaning);
-            let each = format!("each flight of {} takes e times as long as the one before", own.name);
-            own.law(self, &bouncing::BOUNCE_TIME, &each, (lasts, bouncing::time_of_all(own.e, &own.whole())));
-            self.shows(one_after_another(&own.whole(), own.e, None));
+            let each = format!("each flight of {} takes e times as long as the one before", bounces.name);
+            bounces.law(
+                self,
+                &bouncing::BOUNCE_TIME,
+                &each,
+                (lasts, bouncing::time_of_all(bounces.e, &bounces.whole())),
+            );
+            self.shows(one_after_another(&bounces.whole(), bounces.e, None));
             times.push((IN_ALL, "where its bouncing ends", lasts.into()));
         }
         for (which, when, time) in times {
-            let meaning = format!("the {letter}-component of the position of {} {when}", own.name);
+            let meaning = format!("the {letter}-component of the position of {} {when}", bounces.name);
             let place = self.symbol(Name::of(QuantityKind::Coordinate(along.axis), which), meaning);
-            own.law(self, &bouncing::BOUNCE_PLACE, &because, (place, along.from.clone() + way(&time)));
+            bounces.law(self, &bouncing::BOUNCE_PLACE, &because, (place, along.from.clone() + way(&time)));
         }
         let flight = self.positive(at_bounce(QuantityKind::Duration), String::new());
-        let gained = bouncing::time_to(own.e, own.count, &own.whole()) * along.acceleration.clone();
+        let gained = bouncing::time_to(bounces.e, bounces.count, &bounces.whole()) * along.acceleration.clone();
         let leaving = if level { along.velocity.clone() } else { along.velocity.clone() + gained };
-        let meaning = format!("the distance along the floor from the n-th bounce of {} to the next", own.name);
+        let meaning = format!("the distance along the floor from the n-th bounce of {} to the next", bounces.name);
         let range = self.symbol(at_bounce(QuantityKind::Range), meaning);
         let value = bouncing::along(&leaving, &along.acceleration, &flight.into());
-        own.law(self, &bouncing::BOUNCE_RANGE, &because, (range, value));
+        bounces.law(self, &bouncing::BOUNCE_RANGE, &because, (range, value));
         if level {
-            let after = self.velocity(body, own.index + 2, along.axis);
-            self.law(&momentum::NO_IMPULSE, Some(own.index), because, (after, along.velocity.clone()));
+            let after = self.velocity(body, bounces.index + 2, along.axis);
+            self.law(&momentum::NO_IMPULSE, Some(bounces.index), because, (after, along.velocity.clone()));
         }
     }
 }

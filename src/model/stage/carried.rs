@@ -42,8 +42,8 @@ struct Carried<'a> {
 impl Carried<'_> {
     /// How fast the body moves on what carries it, at the start (0) or at the end (1).
     fn relative(&self, side: usize) -> Expr {
-        let [own, carrier] = self.velocities[side].clone();
-        own - carrier
+        let [carried, carrier] = self.velocities[side].clone();
+        carried - carrier
     }
 }
 
@@ -164,7 +164,7 @@ impl<'s> Builder<'s> {
             return self.not_on_one_axis(path);
         }
         let before = index.checked_sub(1).and_then(|index| stages.get(index));
-        let after_together = before.is_some_and(|own| own.carried() == Some(bodies) && own.ends_together());
+        let after_together = before.is_some_and(|stage| stage.carried() == Some(bodies) && stage.ends_together());
         // What has risen comes back, or goes on over the top: nothing else says so.
         if after_together && !rises && direction.is_none() {
             let fault = Fault::new(Code::MissingKey, "the stage does not say on which side the body comes down");
@@ -172,8 +172,8 @@ impl<'s> Builder<'s> {
             self.faults.push(fault.help(help).at_path(path.clone()));
         }
         let sense = self.sense(direction, path);
-        let velocities = [1, 2].map(|side| bodies.map(|own| self.velocity(own, index + side, axis)));
-        let names = bodies.map(|own| self.called(own));
+        let velocities = [1, 2].map(|side| bodies.map(|body| self.velocity(body, index + side, axis)));
+        let names = bodies.map(|body| self.called(body));
         let together = [together[0] || after_together, together[1]];
         Some(Carried { index, bodies, names, rises, velocities, together, sense })
     }
@@ -188,17 +188,17 @@ impl<'s> Builder<'s> {
     /// The momentum and the energy of both, and what acts on them.
     fn conserved_by_both(&mut self, both: &Carried<'_>, height: Expr, acting: [&str; 2], reason: &Reason) {
         let Carried { index, bodies, names: [name, other], velocities, .. } = both;
-        let masses = bodies.map(|own| self.mass(own));
-        let carrying = velocities.each_ref().map(|own| [0, 1].map(|body| (masses[body].clone(), own[body].clone())));
+        let masses = bodies.map(|body| self.mass(body));
+        let carrying = velocities.each_ref().map(|both| [0, 1].map(|body| (masses[body].clone(), both[body].clone())));
         let because = format!(
             "{name} and {other} act on each other, and nothing else that acts on them has a component along the axis"
         );
         let sides = momentum::conservation(&carrying[0], &carrying[1]);
         self.law(&momentum::CONSERVATION, Some(*index), because, sides);
         let work = Expr::product([masses[0].clone(), self.gravity(), height]);
-        let [start, end] = carrying.map(|own| {
+        let [start, end] = carrying.map(|pairs| {
             let kinetic = |(mass, velocity): &(Expr, Expr)| energy::kinetic(mass, std::slice::from_ref(velocity));
-            own.iter().map(kinetic).collect::<Vec<_>>()
+            pairs.iter().map(kinetic).collect::<Vec<_>>()
         });
         let sides = if both.rises {
             let (end, start) = separation::energy(&work, &end, &start);
@@ -209,10 +209,10 @@ impl<'s> Builder<'s> {
         let because = format!("only the weight of {name} does work on the two of them together");
         self.law(&separation::CARRIED, Some(*index), because, sides);
         for (side, together) in both.together.into_iter().enumerate() {
-            let [own, carrier] = velocities[side].clone();
+            let [carried, carrier] = velocities[side].clone();
             if together {
                 let because = format!("at the highest point, {name} does not move relative to {other}");
-                self.law(&kinematics::TOGETHER, Some(*index), because, (carrier, own));
+                self.law(&kinematics::TOGETHER, Some(*index), because, (carrier, carried));
             } else {
                 let relation = if side == 0 && both.rises { Relation::Greater } else { Relation::AtLeast };
                 self.require(Expr::integer(both.sense) * both.relative(side), relation, Expr::zero(), reason.clone());

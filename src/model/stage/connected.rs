@@ -33,9 +33,9 @@ struct Side {
 }
 
 impl Side {
-    /// The velocity or the way of the string at this side, where the body has `own`.
-    fn of_string(&self, own: &Expr) -> Expr {
-        self.strands.clone() * own.clone()
+    /// The velocity or the way of the string at this side, from that of its body.
+    fn of_string(&self, of_body: &Expr) -> Expr {
+        self.strands.clone() * of_body.clone()
     }
 }
 
@@ -134,10 +134,10 @@ impl Builder<'_> {
     /// of a movable pulley give more than they take.
     fn string_acts(&mut self, index: usize, stage: &Connected, (pulley, is_plain): (&str, bool), pulls: [Expr; 2]) {
         let [trailing, leading] = [&stage.trailing, &stage.leading];
-        for ([own, other], pull) in [[trailing, leading], [leading, trailing]].into_iter().zip(pulls) {
-            let string = Influence::outside(index, &own.body, "the string").force(vec![pull.simplify()]);
+        for ([strand, other], pull) in [[trailing, leading], [leading, trailing]].into_iter().zip(pulls) {
+            let string = Influence::outside(index, &strand.body, "the string").force(vec![pull.simplify()]);
             self.acts(if is_plain { string.by(&[&other.body]) } else { string });
-            self.acts(Influence::outside(index, &own.body, pulley).force(vec![Expr::zero()]).workless());
+            self.acts(Influence::outside(index, &strand.body, pulley).force(vec![Expr::zero()]).workless());
         }
     }
 
@@ -183,7 +183,7 @@ impl Builder<'_> {
             self.comes_to_rest(index, body);
         }
         let ends = [index + 1, index + 2].map(|instant| self.velocities(body, instant));
-        let [before, after] = ends.map(|mut own| own.pop().unwrap_or_else(Expr::zero));
+        let [before, after] = ends.map(|mut components| components.pop().unwrap_or_else(Expr::zero));
         self.note_impulse(index, body, "the string and weight", Vec::new());
         let after = if stops { Expr::zero() } else { after };
         Side {

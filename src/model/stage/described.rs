@@ -64,159 +64,160 @@ impl<'a> Description<'a> {
     #[allow(clippy::too_many_lines, reason = "one arm for each kind of stage")]
     pub(crate) fn of(scene: &'a Scene, stage: &'a Stage) -> Self {
         match stage {
-            Stage::Impact(own) => Self {
-                bodies: match own.partners() {
+            Stage::Impact(impact) => Self {
+                bodies: match impact.partners() {
                     Some(Partners::Bodies(first, second)) => between([first, second]),
                     Some(Partners::Surface(body, _)) => alone(body),
                     None => Vec::new(),
                 },
-                fills_space: own.between.is_some() && own.line_of_impact.is_none(),
+                fills_space: impact.between.is_some() && impact.line_of_impact.is_none(),
                 ..Self::sudden("impact")
             },
-            Stage::Push(own) => {
-                let fills_space = own.over.is_none() && own.incline.is_none();
-                let usual = if own.is_motion() { "motion" } else { "push" };
-                let noun = own.called.as_deref().unwrap_or(usual);
-                let key = if own.body.is_some() { "body" } else { "bodies" };
-                let bodies = own.pushed().map(|body| (body, Some(key))).collect();
+            Stage::Push(push) => {
+                let fills_space = push.over.is_none() && push.incline.is_none();
+                let usual = if push.is_motion() { "motion" } else { "push" };
+                let noun = push.called.as_deref().unwrap_or(usual);
+                let key = if push.body.is_some() { "body" } else { "bodies" };
+                let bodies = push.pushed().map(|body| (body, Some(key))).collect();
                 Self { bodies, fills_space, ..Self::lasting(noun) }
             }
-            Stage::Slide(own) => Self { bodies: carried(&own.body, own.on.as_deref()), ..Self::lasting("slide") },
-            Stage::Spring(own) => Self {
-                bodies: match own.ends() {
+            Stage::Slide(slide) => Self { bodies: carried(&slide.body, slide.on.as_deref()), ..Self::lasting("slide") },
+            Stage::Spring(spring) => Self {
+                bodies: match spring.ends() {
                     Some(Ends::Fixed(body)) => alone(body),
                     Some(Ends::Free(first, second)) => between([first, second]),
                     None => Vec::new(),
                 },
                 ..Self::lasting("motion with the spring")
             },
-            Stage::Swing(own) => {
-                let noun = if own.radius.is_some() { "slide" } else { "swing" };
-                Self { bodies: carried(&own.body, own.on.as_deref()), ..Self::lasting(noun) }
+            Stage::Swing(swing) => {
+                let noun = if swing.radius.is_some() { "slide" } else { "swing" };
+                Self { bodies: carried(&swing.body, swing.on.as_deref()), ..Self::lasting(noun) }
             }
-            Stage::Taut(own) => {
-                let [key, noun] = match &own.strings[..] {
+            Stage::Taut(taut) => {
+                let [key, noun] = match &taut.strings[..] {
                     [] => ["between", "jerk of the string"],
                     _ => ["strings", "jerk of the strings"],
                 };
-                Self { bodies: own.jerked().into_iter().map(|body| (body, Some(key))).collect(), ..Self::sudden(noun) }
+                Self { bodies: taut.jerked().into_iter().map(|body| (body, Some(key))).collect(), ..Self::sudden(noun) }
             }
-            Stage::Connected(own) => Self {
-                bodies: vec![(&own.trailing.body, Some("trailing")), (&own.leading.body, Some("leading"))],
+            Stage::Connected(connected) => Self {
+                bodies: vec![(&connected.trailing.body, Some("trailing")), (&connected.leading.body, Some("leading"))],
                 ..Self::lasting("motion on the string")
             },
-            Stage::Tow(own) => Self {
-                bodies: vec![(&own.front.body, Some("front")), (&own.rear.body, Some("rear"))],
+            Stage::Tow(tow) => Self {
+                bodies: vec![(&tow.front.body, Some("front")), (&tow.rear.body, Some("rear"))],
                 ..Self::lasting("common motion")
             },
-            Stage::Blow(own) => Self { bodies: alone(&own.body), fills_space: true, ..Self::sudden("blow") },
-            Stage::Rotate(own) => Self {
-                bodies: own
+            Stage::Blow(blow) => Self { bodies: alone(&blow.body), fills_space: true, ..Self::sudden("blow") },
+            Stage::Rotate(rotate) => Self {
+                bodies: rotate
                     .held()
                     .into_iter()
                     .map(|(body, _)| (body, None))
-                    .chain(own.rotor.iter().map(|rotor| (rotor.as_str(), Some(ROTOR))))
+                    .chain(rotate.rotor.iter().map(|rotor| (rotor.as_str(), Some(ROTOR))))
                     .collect(),
-                about: Some(&own.about),
+                about: Some(&rotate.about),
                 axes: &[1],
                 ..Self::lasting("motion")
             },
-            Stage::Moment(own) => Self {
+            Stage::Moment(moment) => Self {
                 bodies: scene.rotors().map(|body| (body, Some(ROTOR))).collect(),
                 changes: Some(scene.bodies.keys().map(String::as_str).collect()),
                 fills_space: true,
-                about: Some(&own.about),
+                about: Some(&moment.about),
                 axes: &[2, 3],
                 ..Self::lasting("turning")
             },
-            Stage::Strike(own) => Self {
-                bodies: own
+            Stage::Strike(strike) => Self {
+                bodies: strike
                     .carries
                     .keys()
-                    .chain([&own.body])
+                    .chain([&strike.body])
                     .map(|body| (body.as_str(), None))
-                    .chain(own.rotor.iter().map(|rotor| (rotor.as_str(), Some(ROTOR))))
+                    .chain(strike.rotor.iter().map(|rotor| (rotor.as_str(), Some(ROTOR))))
                     .collect(),
-                about: Some(&own.about),
+                about: Some(&strike.about),
                 axes: &[1],
                 ..Self::sudden("impact")
             },
-            Stage::Conical(own) => Self {
-                bodies: vec![(&own.body, None)],
+            Stage::Conical(conical) => Self {
+                bodies: vec![(&conical.body, None)],
                 ends: Span::Around,
-                about: Some(&own.about),
+                about: Some(&conical.about),
                 axes: &[1],
                 ..Self::lasting("change of the cord")
             },
-            Stage::Bowl(own) => Self {
-                bodies: vec![(&own.body, None)],
+            Stage::Bowl(bowl) => Self {
+                bodies: vec![(&bowl.body, None)],
                 ends: Span::Own(["at the first level", "at the second level"]),
-                about: Some(&own.about),
+                about: Some(&bowl.about),
                 axes: &[0],
                 ..Self::lasting("slide")
             },
-            Stage::Interact(own) if own.friction.is_some() => Self {
-                bodies: own.between.iter().map(|body| (body.as_str(), Some("between"))).collect(),
+            Stage::Interact(interact) if interact.friction.is_some() => Self {
+                bodies: interact.between.iter().map(|body| (body.as_str(), Some("between"))).collect(),
                 axes: &[1, 2, 3],
                 ..Self::lasting("slide")
             },
-            Stage::Interact(own) => Self {
-                bodies: own.between.iter().map(|body| (body.as_str(), None)).collect(),
+            Stage::Interact(interact) => Self {
+                bodies: interact.between.iter().map(|body| (body.as_str(), None)).collect(),
                 ends: Span::Around,
                 fills_space: true,
                 axes: &[1, 2, 3],
                 ..Self::lasting("encounter")
             },
-            Stage::Central(own) => Self {
-                bodies: vec![(&own.body, None)],
+            Stage::Central(central) => Self {
+                bodies: vec![(&central.body, None)],
                 ends: Span::Own(["at the first position", "at the second position"]),
-                about: Some(&own.about),
+                about: Some(&central.about),
                 axes: &[0],
                 ..Self::lasting("motion")
             },
-            Stage::Fall(own) => Self { bodies: alone(&own.body), leaves: Leaves::Others, ..Self::lasting("fall") },
-            Stage::Bounces(own) => Self {
-                bodies: alone(&own.body),
+            Stage::Fall(fall) => Self { bodies: alone(&fall.body), leaves: Leaves::Others, ..Self::lasting("fall") },
+            Stage::Bounces(bounces) => Self {
+                bodies: alone(&bounces.body),
                 ends: Span::Own(["just before the first bounce", "after the bounces"]),
                 ..Self::lasting("bouncing")
             },
-            Stage::Stream(own) => Self {
-                bodies: alone(&own.body),
-                ends: Span::With(&own.by),
+            Stage::Stream(stream) => Self {
+                bodies: alone(&stream.body),
+                ends: Span::With(&stream.by),
                 changes: Some(Vec::new()),
                 leaves: Leaves::All,
                 ..Self::lasting("stream")
             },
-            Stage::Thrust(own) => Self { bodies: alone(&own.body), ..Self::lasting("burn") },
+            Stage::Thrust(thrust) => Self { bodies: alone(&thrust.body), ..Self::lasting("burn") },
             Stage::Drift(_) => Self { fills_space: true, ..Self::lasting("free motion") },
             // The parts need not be there before: `check` looks at them.
-            Stage::Separate(own) => Self {
-                changes: Some(own.into.iter().map(String::as_str).collect()),
+            Stage::Separate(separate) => Self {
+                changes: Some(separate.into.iter().map(String::as_str).collect()),
                 fills_space: true,
-                ..Self::sudden(own.called.as_deref().unwrap_or("separation"))
+                ..Self::sudden(separate.called.as_deref().unwrap_or("separation"))
             },
-            Stage::SlideOff(own) => {
-                Self { bodies: vec![(&own.body, Some("body")), (&own.on, Some("on"))], ..Self::lasting("slide") }
-            }
+            Stage::SlideOff(slide_off) => Self {
+                bodies: vec![(&slide_off.body, Some("body")), (&slide_off.on, Some("on"))],
+                ..Self::lasting("slide")
+            },
             // From rest to rest.
-            Stage::Walk(own) => Self {
-                bodies: vec![(&own.body, Some("body")), (&own.on, Some("on"))],
+            Stage::Walk(walk) => Self {
+                bodies: vec![(&walk.body, Some("body")), (&walk.on, Some("on"))],
                 ends: Span::Around,
                 changes: Some(Vec::new()),
                 ..Self::lasting("walk")
             },
-            Stage::Flight(own) => Self {
-                bodies: own
+            Stage::Flight(flight) => Self {
+                bodies: flight
                     .body
                     .iter()
                     .map(|body| (body.as_str(), Some("body")))
-                    .chain(own.bodies.iter().map(|body| (body.as_str(), Some("bodies"))))
+                    .chain(flight.bodies.iter().map(|body| (body.as_str(), Some("bodies"))))
                     .collect(),
                 leaves: Leaves::Others,
                 fills_space: true,
                 ..Self::lasting("flight")
             },
-            Stage::Motion(own) => Self { bodies: alone(&own.body), ..Self::lasting("motion") },
+            Stage::Motion(motion) => Self { bodies: alone(&motion.body), ..Self::lasting("motion") },
         }
     }
 
@@ -229,7 +230,7 @@ impl<'a> Description<'a> {
     pub(crate) fn leaves(&self, body: &str) -> bool {
         match self.leaves {
             Leaves::All => true,
-            Leaves::Others => self.bodies.iter().all(|(own, _)| *own != body),
+            Leaves::Others => self.bodies.iter().all(|(moved, _)| *moved != body),
             Leaves::None => false,
         }
     }

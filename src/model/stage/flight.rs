@@ -86,9 +86,12 @@ impl Builder<'_> {
 
     /// The weight of a body along each axis.
     fn pulls_along(&mut self, body: &str, falls: &[Fall]) -> Vec<Expr> {
-        let accelerations: Vec<Option<Expr>> = (0..self.axes.len()).map(|own| self.accelerates(own, falls)).collect();
+        let accelerations: Vec<Option<Expr>> =
+            (0..self.axes.len()).map(|position| self.accelerates(position, falls)).collect();
         let mass = self.mass(body);
-        let pull = |own: Option<Expr>| own.map_or_else(Expr::zero, |own| mass.clone() * own);
+        let pull = |acceleration: Option<Expr>| {
+            acceleration.map_or_else(Expr::zero, |acceleration| mass.clone() * acceleration)
+        };
         accelerations.into_iter().map(pull).collect()
     }
 
@@ -198,7 +201,7 @@ impl Builder<'_> {
             let (body, since) = self.place_since(body, index + 1);
             let before = since.checked_sub(2).and_then(|before| self.scene.stages.get(before));
             matches!(before, Some(Stage::Flight(flight))
-                if flight.until.as_ref().is_some_and(|own| own.0.trim() == until.0.trim()) && flight.flying().any(|own| own == body))
+                if flight.until.as_ref().is_some_and(|end| end.0.trim() == until.0.trim()) && flight.flying().any(|flying| flying == body))
         })
     }
 
@@ -222,7 +225,7 @@ impl Builder<'_> {
         let axis = self.axes.iter().map(|(axis, _)| *axis).find(|axis| axis.letter() == letter)?;
         let body = match bodies {
             [only] if body.is_empty() => only,
-            _ => bodies.iter().find(|own| **own == body)?,
+            _ => bodies.iter().find(|flying| **flying == body)?,
         };
         let Expr::Symbol(place) = self.place(body, instant, axis) else { return None };
         Some(self.symbols.entry(place).name.clone())

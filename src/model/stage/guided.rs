@@ -34,7 +34,7 @@ impl Builder<'_> {
         let meaning = format!("the impulse on {name_b} from {name_a} along the line of impact");
         let impulse = Expr::from(self.symbol(self.in_stage(QuantityKind::Impulse, second, index).along("n"), meaning));
         let both = [first, second].iter().all(|body| self.guided(body).is_some());
-        for (body, other, own, [start, end]) in
+        for (body, other, impulse, [start, end]) in
             [(first, second, -impulse.clone(), [&a1, &a2]), (second, first, impulse.clone(), [&b1, &b2])]
         {
             self.impulses.push(Impulse {
@@ -42,7 +42,7 @@ impl Builder<'_> {
                 on: body.to_owned(),
                 by: Agent::Body(other.to_owned()),
                 called: format!("the contact with {}", self.called(other)),
-                components: self.resolved(&own, &frame),
+                components: self.resolved(&impulse, &frame),
                 impulsive: true,
             });
             match self.guided(body) {
@@ -50,11 +50,11 @@ impl Builder<'_> {
                     self.smooth(index, body, start, end);
                     let mass = self.mass(body);
                     let because = format!("the only impulse on {} alone is that of the contact", self.called(body));
-                    let sides = momentum::impulse_momentum(&mass, &start.along, &[own], &end.along);
+                    let sides = momentum::impulse_momentum(&mass, &start.along, &[impulse], &end.along);
                     self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
                 }
                 Some(guide) if both => {
-                    let acting = [self.resolved(&own, &frame)];
+                    let acting = [self.resolved(&impulse, &frame)];
                     let because = format!("{} gives {} an impulse", self.called(other), self.called(body));
                     self.momentum_along_guide(&guide, index, &acting, &because);
                 }
@@ -105,7 +105,7 @@ impl Builder<'_> {
     /// The impulse on the body that is free, which changes its momentum along every axis, and the opposite one on the other.
     fn impulse_on_free(&mut self, contact: &Contact<'_>, body: &str, other: &str) {
         let index = contact.index;
-        let names = [body, other].map(|own| self.called(own));
+        let names = [body, other].map(|body| self.called(body));
         let after = contact.stage.becomes.as_deref().unwrap_or(body);
         let mass = self.mass(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
@@ -121,7 +121,7 @@ impl Builder<'_> {
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
             components.push(impulse);
         }
-        let opposite = components.iter().map(|own| -own.clone()).collect();
+        let opposite = components.iter().map(|component| -component.clone()).collect();
         for (on, by, called, components) in [(body, other, &names[1], components), (other, body, &names[0], opposite)] {
             self.impulses.push(Impulse {
                 stage: index,

@@ -90,8 +90,9 @@ impl Builder<'_> {
             None => return,
         };
         let after: Vec<&str> = stage.becomes.as_deref().map_or_else(|| bodies.clone(), |union| vec![union]);
-        let [start, end] = [(bodies, contact.index + 1), (after, contact.index + 2)]
-            .map(|(own, instant)| Expr::sum(own.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>()));
+        let [start, end] = [(bodies, contact.index + 1), (after, contact.index + 2)].map(|(bodies, instant)| {
+            Expr::sum(bodies.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>())
+        });
         let because = if of_energy { "no kinetic energy is lost" } else { "the loss of kinetic energy is given" };
         self.law(&energy::LOSS, Some(contact.index), because, (start - loss, end));
     }
@@ -175,28 +176,28 @@ impl Builder<'_> {
         let index = contact.index;
         let names = bodies.map(|body| self.called(body));
         let turned = before[0].across.is_some().then_some("n");
-        let impulses = [0, 1].map(|own| {
-            let meaning = format!("the impulse on {} from {}", names[own], names[1 - own]);
-            let name = self.in_stage(QuantityKind::Impulse, bodies[own], index).along(turned);
+        let impulses = [0, 1].map(|side| {
+            let meaning = format!("the impulse on {} from {}", names[side], names[1 - side]);
+            let name = self.in_stage(QuantityKind::Impulse, bodies[side], index).along(turned);
             Expr::from(self.symbol(name, meaning))
         });
-        for own in [0, 1] {
-            let because = format!("the only impulse on {} alone is that of the contact", names[own]);
-            let start = self.changed(bodies[own], index + 1, before[own]);
-            let end = self.changed(bodies[own], index + 2, after[own]);
-            let sides = momentum::impulse_momentum(masses[own], &start, std::slice::from_ref(&impulses[own]), &end);
+        for side in [0, 1] {
+            let because = format!("the only impulse on {} alone is that of the contact", names[side]);
+            let start = self.changed(bodies[side], index + 1, before[side]);
+            let end = self.changed(bodies[side], index + 2, after[side]);
+            let sides = momentum::impulse_momentum(masses[side], &start, std::slice::from_ref(&impulses[side]), &end);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
             self.impulses.push(Impulse {
                 stage: index,
-                on: bodies[own].to_owned(),
-                by: Agent::Body(bodies[1 - own].to_owned()),
-                called: format!("the contact with {}", names[1 - own]),
-                components: self.resolved(&impulses[own], frame),
+                on: bodies[side].to_owned(),
+                by: Agent::Body(bodies[1 - side].to_owned()),
+                called: format!("the contact with {}", names[1 - side]),
+                components: self.resolved(&impulses[side], frame),
                 impulsive: true,
             });
             // Along an oblique line the average force is a magnitude: the contact pushes the first body back along the line.
-            let size = if turned.is_some() && own == 0 { -impulses[own].clone() } else { impulses[own].clone() };
-            self.mean_force(index, bodies[own], &size, contact.stage.duration.as_ref(), contact.path);
+            let size = if turned.is_some() && side == 0 { -impulses[side].clone() } else { impulses[side].clone() };
+            self.mean_force(index, bodies[side], &size, contact.stage.duration.as_ref(), contact.path);
         }
         let [on_first, on_second] = impulses;
         let because = "they are action and reaction";
@@ -231,10 +232,12 @@ impl Builder<'_> {
 
     /// That two bodies push each other, and against the way on which they meet: not that they go on as if nothing had happened.
     fn push_each_other(&mut self, index: usize, first: &str, second: &str) {
-        let [own, other, after] =
+        let [first_before, second_before, after] =
             [(first, index + 1), (second, index + 1), (second, index + 2)].map(|(body, at)| self.velocities(body, at));
-        let parts = own.into_iter().zip(other).zip(after);
-        let pushed = Expr::sum(parts.map(|((own, other), after)| (own - other.clone()) * (after - other)));
+        let parts = first_before.into_iter().zip(second_before).zip(after);
+        let pushed = Expr::sum(parts.map(|((first_before, second_before), after)| {
+            (first_before - second_before.clone()) * (after - second_before)
+        }));
         let reason = Reason::NothingExchanged(self.called(first), self.called(second));
         self.require(Expr::zero(), Relation::Less, pushed, reason);
     }
@@ -271,7 +274,7 @@ impl Builder<'_> {
                 "the impulses that {} and {} exert on each other cancel, and no other impulse acts{along}",
                 names[0], names[1]
             );
-            let pair = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));
+            let pair = |values: &[Expr; 2]| [0, 1].map(|index| (masses[index].clone(), values[index].clone()));
             let united = after[0] == after[1];
             let total = if united {
                 vec![(masses[0].clone() + masses[1].clone(), end[0].clone())]
@@ -280,16 +283,16 @@ impl Builder<'_> {
             };
             self.law(&momentum::CONSERVATION, Some(index), because, momentum::conservation(&pair(&start), &total));
             let mut impulses = Vec::new();
-            for own in [0, 1] {
-                let meaning = format!("the impulse on {} from {}{along}", names[own], names[1 - own]);
-                let name = Name::of(QuantityKind::Impulse, before[own]).along(self.letter(*axis));
+            for side in [0, 1] {
+                let meaning = format!("the impulse on {} from {}{along}", names[side], names[1 - side]);
+                let name = Name::of(QuantityKind::Impulse, before[side]).along(self.letter(*axis));
                 let impulse = name.during(self.stage_label(index));
                 let impulse = Expr::from(self.symbol(impulse, meaning));
-                let because = format!("the only impulse on {} alone is that of the contact", names[own]);
+                let because = format!("the only impulse on {} alone is that of the contact", names[side]);
                 let sides =
-                    momentum::impulse_momentum(&masses[own], &start[own], std::slice::from_ref(&impulse), &end[own]);
+                    momentum::impulse_momentum(&masses[side], &start[side], std::slice::from_ref(&impulse), &end[side]);
                 self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
-                components[own].push(impulse.clone());
+                components[side].push(impulse.clone());
                 impulses.push(impulse);
             }
             if let [on_first, on_second] = &impulses[..] {
@@ -297,23 +300,23 @@ impl Builder<'_> {
                 self.law(&momentum::THIRD_LAW, Some(index), "they are action and reaction", sides);
             }
             if axes.len() == 1 {
-                for own in [0, 1] {
+                for side in [0, 1] {
                     self.mean_force(
                         index,
-                        before[own],
-                        &impulses[own].clone(),
+                        before[side],
+                        &impulses[side].clone(),
                         contact.stage.duration.as_ref(),
                         contact.path,
                     );
                 }
             }
         }
-        for (own, parts) in components.into_iter().enumerate() {
+        for (side, parts) in components.into_iter().enumerate() {
             self.impulses.push(Impulse {
                 stage: index,
-                on: before[own].to_owned(),
-                by: Agent::Body(before[1 - own].to_owned()),
-                called: format!("the contact with {}", names[1 - own]),
+                on: before[side].to_owned(),
+                by: Agent::Body(before[1 - side].to_owned()),
+                called: format!("the contact with {}", names[1 - side]),
                 components: parts,
                 impulsive: true,
             });
@@ -386,7 +389,7 @@ impl Builder<'_> {
 
     /// What tells the impulses of several stages apart in their names.
     pub(crate) fn stage_label(&self, index: usize) -> Option<String> {
-        let own = || self.scene.stages.get(index).and_then(momentous_scene::Stage::name).map(str::to_owned);
-        (self.scene.stages.len() > 1).then(|| own().unwrap_or_else(|| (index + 1).to_string()))
+        let stage_name = || self.scene.stages.get(index).and_then(momentous_scene::Stage::name).map(str::to_owned);
+        (self.scene.stages.len() > 1).then(|| stage_name().unwrap_or_else(|| (index + 1).to_string()))
     }
 }

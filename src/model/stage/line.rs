@@ -25,14 +25,14 @@ impl Builder<'_> {
             return;
         }
         let end = index + 2;
-        let is_placed = |body: &str| self.scene.members(body).iter().any(|own| placed.contains(*own));
+        let is_placed = |body: &str| self.scene.members(body).iter().any(|member| placed.contains(*member));
         let alive = self.timeline.alive(end).into_iter().filter(|body| is_placed(body));
         let alive: Vec<String> = alive.map(str::to_owned).collect();
         for (position, one) in alive.iter().enumerate() {
             for other in alive.iter().skip(position + 1) {
                 let both = |instant: &usize| {
                     let alive = self.timeline.alive(*instant);
-                    [one, other].iter().all(|own| alive.contains(&own.as_str()))
+                    [one, other].iter().all(|body| alive.contains(&body.as_str()))
                 };
                 let Some(first) = (1..end).find(both) else { continue };
                 let [before, after] = [first, end].map(|instant| {
@@ -69,16 +69,16 @@ impl Builder<'_> {
         if matches!(stage, Stage::Drift(_)) {
             return Some(before * lasting?);
         }
-        if let Stage::Flight(own) = stage {
-            let is_even = own.resistance.is_none() && own.flying().any(|flying| flying == body);
+        if let Stage::Flight(flight) = stage {
+            let is_even = flight.resistance.is_none() && flight.flying().any(|flying| flying == body);
             return Some(evenly * lasting.filter(|_| is_even)?);
         }
-        if let Stage::Push(own) = stage {
+        if let Stage::Push(push) = stage {
             let clock = self.running_time();
             let changes = |force: &ActingForce| force.stage == index && force.strength.contains(clock);
-            let is_simple = own.resistance.is_none() && own.mass_change().is_none();
-            let is_even = is_simple && !own.depends_on_place(axis.letter()) && !self.forces.iter().any(changes);
-            return if own.pushed().any(|pushed| pushed == body) {
+            let is_simple = push.resistance.is_none() && push.mass_change().is_none();
+            let is_even = is_simple && !push.depends_on_place(axis.letter()) && !self.forces.iter().any(changes);
+            return if push.pushed().any(|pushed| pushed == body) {
                 Some(evenly * lasting.filter(|_| is_even)?)
             } else {
                 Some(before * lasting.filter(|_| goes_on)?)

@@ -74,8 +74,8 @@ impl Builder<'_> {
         let letter = axis.letter();
         let along = if self.axes.len() > 1 { format!(" along {letter}") } else { String::new() };
         let number = self.axes.len();
-        let [velocity, place] =
-            [&stage.velocity, &stage.position].map(|course| course.as_ref().and_then(|own| own.along(axis, number)));
+        let [velocity, place] = [&stage.velocity, &stage.position]
+            .map(|course| course.as_ref().and_then(|course| course.along(axis, number)));
         match (velocity, place) {
             (Some(term), None) => {
                 let by_place = number == 1 && term.mentions(letter);
@@ -123,7 +123,7 @@ impl Builder<'_> {
         let rate = course.velocity.differentiate(course.variable);
         let rate = if course.by_place { rate * course.velocity.clone() } else { rate }.simplify();
         let at = |term: &Expr, end: &Expr| {
-            let value = term.substitute(&|own| (own == course.variable).then(|| end.clone()));
+            let value = term.substitute(&|symbol| (symbol == course.variable).then(|| end.clone()));
             if end.is_zero() { value.simplify() } else { value }
         };
         let follows = self.scene.follows_a_push(index, body);
@@ -131,9 +131,9 @@ impl Builder<'_> {
         for ((instant, end), [acceleration, force]) in [index + 1, index + 2].into_iter().zip(ends).zip(names) {
             let when = self.when(instant);
             if let Some(place) = &course.place {
-                let own = self.place(body, instant, course.axis);
+                let end_place = self.place(body, instant, course.axis);
                 let because = format!("the problem gives the position of {name} as a function of time");
-                self.law(&motion::PLACE, Some(index), because, (own, at(place, end)));
+                self.law(&motion::PLACE, Some(index), because, (end_place, at(place, end)));
             }
             let because = match &course.place {
                 Some(_) => format!("the velocity of {name} is the rate of change of the position"),

@@ -100,7 +100,7 @@ impl Builder<'_> {
             [-1, 1].map(|sign| axis.clone() * (Expr::one() + Expr::integer(sign) * eccentricity.clone())),
         ];
         for ([radius, ..], [least, greatest]) in
-            round.states.iter().flat_map(|state| ends.iter().map(move |own| (state, own)))
+            round.states.iter().flat_map(|state| ends.iter().map(move |end| (state, end)))
         {
             let reason = || Reason::OffTheOrbit(round.name.clone());
             self.require(radius.clone(), Relation::AtLeast, least.clone(), reason());

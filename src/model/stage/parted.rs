@@ -27,7 +27,7 @@ impl Builder<'_> {
         let scene = self.scene;
         let ([(axis, _)], Some(now)) = (&self.axes[..], scene.stages.get(index)) else { return };
         let axis = *axis;
-        let rubs = |stage: &Stage| matches!(stage, Stage::Push(own) if own.forces.iter().any(|force| matches!(force, Force::Friction(_))));
+        let rubs = |stage: &Stage| matches!(stage, Stage::Push(push) if push.forces.iter().any(|force| matches!(force, Force::Friction(_))));
         // Others go on evenly beside what moves without friction only: nobody says whether they rub on the floor.
         let (is_free, is_known) = (matches!(now, Stage::Drift(_)), matches!(now, Stage::Push(_)) && !rubs(now));
         let with_walls = is_free || matches!(now, Stage::Push(_) | Stage::Slide(_));
@@ -36,11 +36,11 @@ impl Builder<'_> {
                 match parted {
                     Parted::Bodies(both) if is_free || is_known => {
                         let [Some(behind), Some(ahead)] =
-                            both.each_ref().map(|own| self.way_since(own, contact, index, axis))
+                            both.each_ref().map(|body| self.way_since(body, contact, index, axis))
                         else {
                             continue;
                         };
-                        let [one, other] = both.each_ref().map(|own| self.called(own));
+                        let [one, other] = both.each_ref().map(|body| self.called(body));
                         self.require(ahead, Relation::AtLeast, behind, Reason::RunsThrough(one, other));
                     }
                     Parted::Wall(body, wall, side) if with_walls => {
@@ -61,21 +61,21 @@ impl Builder<'_> {
             return None;
         }
         let falls = self.downwards(0).is_some();
-        let names = |stage: &Stage| Description::of(scene, stage).bodies.iter().any(|(own, _)| *own == body);
+        let names = |stage: &Stage| Description::of(scene, stage).bodies.iter().any(|(named, _)| *named == body);
         let mut ways = Vec::new();
         for stage in contact + 1..=index {
-            let own = scene.stages.get(stage)?;
-            if !own.takes_time() {
-                if names(own) || matches!(own, Stage::Separate(_)) {
+            let entry = scene.stages.get(stage)?;
+            if !entry.takes_time() {
+                if names(entry) || matches!(entry, Stage::Separate(_)) {
                     return None;
                 }
                 continue;
             }
             // What later stages say of a body may happen at the same time.
             let is_told = |other: &Stage| other.takes_time() && !matches!(other, Stage::Drift(_)) && names(other);
-            let is_beside = !matches!(own, Stage::Drift(_)) && !names(own);
+            let is_beside = !matches!(entry, Stage::Drift(_)) && !names(entry);
             // Beside what moves on a slope or upright, weight may move it.
-            let is_drawn = falls || matches!(own, Stage::Push(push) if push.incline.is_some());
+            let is_drawn = falls || matches!(entry, Stage::Push(push) if push.incline.is_some());
             if is_beside && (is_drawn || scene.stages.iter().skip(contact + 1).any(is_told)) {
                 return None;
             }
@@ -91,16 +91,16 @@ impl Builder<'_> {
         if let Stage::Separate(Separate { into, energy: Some(_), .. }) = stage {
             return into.windows(2).map(|pair| Parted::Bodies([pair[0].clone(), pair[1].clone()])).collect();
         }
-        let Stage::Impact(own @ Impact { becomes: None, plastic: false, .. }) = stage else { return Vec::new() };
-        match own.partners() {
+        let Stage::Impact(impact @ Impact { becomes: None, plastic: false, .. }) = stage else { return Vec::new() };
+        match impact.partners() {
             Some(Partners::Bodies(first, second)) => {
                 let path = Path::root().key("scene").key("stages").index(contact).key(stage.key());
-                let sense = self.sense(own.line_of_impact.as_ref(), &path);
+                let sense = self.sense(impact.line_of_impact.as_ref(), &path);
                 let [first, second] = [first.to_owned(), second.to_owned()];
                 vec![Parted::Bodies(if sense < 0 { [second, first] } else { [first, second] })]
             }
             Some(Partners::Surface(body, surface)) => {
-                let Some(surface) = scene.surfaces.get(surface).filter(|own| own.velocity.is_none()) else {
+                let Some(surface) = scene.surfaces.get(surface).filter(|surface| surface.velocity.is_none()) else {
                     return Vec::new();
                 };
                 let side = self.sense(Some(&surface.normal), &Path::root().key("scene").key("surfaces"));

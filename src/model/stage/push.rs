@@ -311,7 +311,8 @@ impl Builder<'_> {
 
     /// The number zero for a value that the author wrote as `0 s`, so that nothing is carried along that is not there.
     pub(crate) fn zero_if_so_written(&self, value: Expr) -> Expr {
-        let zero = self.literals.iter().any(|(own, written)| Expr::from(*own) == value && written.value.is_zero());
+        let zero =
+            self.literals.iter().any(|(literal, written)| Expr::from(*literal) == value && written.value.is_zero());
         if zero { Expr::zero() } else { value }
     }
 
@@ -361,9 +362,9 @@ impl Builder<'_> {
         let of_force = Name::of(QuantityKind::TimeIntegral, "F");
         let is_alike = |name: &&Name| name.kind == of_force.kind && name.subject == of_force.subject;
         let count = self.names.iter().filter(is_alike).count();
-        let own = if count == 0 { of_force } else { of_force.at(count + 1) };
+        let name = if count == 0 { of_force } else { of_force.at(count + 1) };
         let meaning = format!("the impulse of {}", force.name);
-        let symbol = self.symbol(own.during(self.stage_label(index)), meaning);
+        let symbol = self.symbol(name.during(self.stage_label(index)), meaning);
         let Some(value) = force.strength.definite(clock, start, end) else {
             let fault =
                 Fault::new(Code::Stuck, format!("{} cannot be integrated over time", wording::force_of(&force.name)));

@@ -101,7 +101,7 @@ impl Builder<'_> {
         }
         let net = Expr::sum(forces).simplify();
         self.passages.extend(passage(&net, place, [&ends[0], &end], &start, Reason::TurnsBack(name.clone())));
-        let nets = ends.each_ref().map(|end| net.substitute(&|own| (own == place).then(|| end.clone())));
+        let nets = ends.each_ref().map(|end| net.substitute(&|symbol| (symbol == place).then(|| end.clone())));
         self.rates_along(pushed, axis, nets);
         let lasts = pushed.end.clone() - pushed.start.clone();
         let impulse = self.impulse_of_all(index, body, axis, &lasts);
@@ -125,9 +125,9 @@ impl Builder<'_> {
         let of_force = Name::of(QuantityKind::Work, "F");
         let is_alike = |name: &&Name| name.kind == of_force.kind && name.subject == of_force.subject;
         let count = self.names.iter().filter(is_alike).count();
-        let own = if count == 0 { of_force } else { of_force.at(count + 1) };
+        let name = if count == 0 { of_force } else { of_force.at(count + 1) };
         let meaning = format!("the work of {}", force.name);
-        let symbol = self.symbol(own.during(self.stage_label(index)), meaning);
+        let symbol = self.symbol(name.during(self.stage_label(index)), meaning);
         let Some(value) = along.definite(place, low, high) else {
             let message = format!("{} cannot be integrated over the position", wording::force_of(&force.name));
             let help = "use polynomials, sines, exponentials and powers of linear terms";

@@ -94,52 +94,53 @@ impl Builder<'_> {
         }
         let force = Expr::sum(forces).simplify();
         let lasts = (pushed.end.clone() - pushed.start.clone()).simplify();
-        let own =
+        let changing =
             Changing { pushed, gains, what, axis, name, masses, velocities, flow, arrives, force, impulses, lasts };
-        let changed = self.change_of_mass(&own, change, &at);
+        let changed = self.change_of_mass(&changing, change, &at);
         if gains {
-            self.velocity_of_gaining(&own, &changed.whole);
+            self.velocity_of_gaining(&changing, &changed.whole);
         } else {
-            self.velocity_of_losing(&own, &changed.laws);
+            self.velocity_of_losing(&changing, &changed.laws);
         }
-        self.way_of_changing(&own, &changed.laws);
-        self.rates_of_changing(&own);
-        self.note_changing(&own);
+        self.way_of_changing(&changing, &changed.laws);
+        self.rates_of_changing(&changing);
+        self.note_changing(&changing);
     }
 
     /// The mass at the end, by the flow and by what joins or leaves in all.
-    fn change_of_mass(&mut self, own: &Changing<'_>, change: &MassChange<'_>, at: &Path) -> Changed {
-        let (index, [before, after]) = (Some(own.pushed.index), own.masses.each_ref());
-        let (joins, flows) = if own.gains { ("joins", "arrives") } else { ("leaves", "leaves") };
-        let steady = own.flow.clone() * own.lasts.clone();
-        let because = format!("{} {flows} at a steady rate", own.what);
+    fn change_of_mass(&mut self, changing: &Changing<'_>, change: &MassChange<'_>, at: &Path) -> Changed {
+        let (index, [before, after]) = (Some(changing.pushed.index), changing.masses.each_ref());
+        let (joins, flows) = if changing.gains { ("joins", "arrives") } else { ("leaves", "leaves") };
+        let steady = changing.flow.clone() * changing.lasts.clone();
+        let because = format!("{} {flows} at a steady rate", changing.what);
         let whole = match change.mass {
             Some(term) => {
-                let meaning = format!("the whole mass of {} that {joins} {}", own.what, own.name);
+                let meaning = format!("the whole mass of {} that {joins} {}", changing.what, changing.name);
                 self.read_positive(term, Dimension::MASS, &meaning, &at.key("mass"))
             }
             None => steady.clone(),
         };
         let first = self.instances.len();
-        let changed = if own.gains { whole.clone() } else { -whole.clone() };
-        let so_much = if change.mass.is_some() { format!("this mass {joins} {}", own.name) } else { because.clone() };
+        let changed = if changing.gains { whole.clone() } else { -whole.clone() };
+        let so_much =
+            if change.mass.is_some() { format!("this mass {joins} {}", changing.name) } else { because.clone() };
         self.law(&variable_mass::USED, index, so_much, variable_mass::changed([before, after], &changed));
         if change.mass.is_some() {
             self.law(&variable_mass::USED, index, because, (whole.clone(), steady));
         }
         let laws = (first..self.instances.len()).collect();
-        if !own.gains {
-            let reason = Reason::RunsOutOfMass(own.name.clone(), own.what.to_owned());
+        if !changing.gains {
+            let reason = Reason::RunsOutOfMass(changing.name.clone(), changing.what.to_owned());
             self.require(before.clone(), Relation::Greater, whole.clone(), reason);
         }
         Changed { whole, laws }
     }
 
-    fn velocity_of_gaining(&mut self, own: &Changing<'_>, arrived: &Expr) {
-        let Changing { pushed, what, name, .. } = own;
-        let given = own.impulses.iter().cloned().chain([arrived.clone() * own.arrives.clone()]);
+    fn velocity_of_gaining(&mut self, changing: &Changing<'_>, arrived: &Expr) {
+        let Changing { pushed, what, name, .. } = changing;
+        let given = changing.impulses.iter().cloned().chain([arrived.clone() * changing.arrives.clone()]);
         let given = given.filter(|impulse| !impulse.is_zero());
-        let brings = if own.arrives.is_zero() {
+        let brings = if changing.arrives.is_zero() {
             format!(
                 "{what} falls straight down, brings no momentum along the motion, and takes on the velocity of {name}"
             )
@@ -147,44 +148,45 @@ impl Builder<'_> {
             format!("{what} brings its momentum, and takes on the velocity of {name}")
         };
         let nothing = if pushed.acting.is_empty() { "; no force acts along the motion" } else { "" };
-        let [masses, velocities] = [&own.masses, &own.velocities].map(<[Expr; 2]>::each_ref);
+        let [masses, velocities] = [&changing.masses, &changing.velocities].map(<[Expr; 2]>::each_ref);
         let sides = variable_mass::gaining(masses, velocities, given);
         self.law(&variable_mass::GAINING, Some(pushed.index), format!("{brings}{nothing}"), sides);
     }
 
-    fn velocity_of_losing(&mut self, own: &Changing<'_>, ends: &[usize]) {
-        let (what, name) = (own.what, &own.name);
+    fn velocity_of_losing(&mut self, changing: &Changing<'_>, ends: &[usize]) {
+        let (what, name) = (changing.what, &changing.name);
         let keeps = format!("{what} leaves with the velocity of {name} and pushes on nothing");
-        let [start, end] = own.velocities.each_ref();
-        if own.force.is_zero() {
+        let [start, end] = changing.velocities.each_ref();
+        if changing.force.is_zero() {
             let because = format!("{keeps}, and no force acts along the motion");
             let sides = (end.clone(), start.clone());
-            return self.law(&variable_mass::LOSING, Some(own.pushed.index), because, sides);
+            return self.law(&variable_mass::LOSING, Some(changing.pushed.index), because, sides);
         }
         let because = format!("{keeps}, and at each time the force accelerates what is left");
-        let sides = variable_mass::losing(&own.force, &own.flow, own.masses.each_ref(), [start, end]);
-        let integral = own.over_time(own.force.clone() / own.mass_at(&own.pushed.clock.into()));
-        self.integral_between(&variable_mass::LOSING, (own.pushed.index, ends), because, sides, integral);
+        let sides = variable_mass::losing(&changing.force, &changing.flow, changing.masses.each_ref(), [start, end]);
+        let integral = changing.over_time(changing.force.clone() / changing.mass_at(&changing.pushed.clock.into()));
+        self.integral_between(&variable_mass::LOSING, (changing.pushed.index, ends), because, sides, integral);
     }
 
     /// Where the body is at the end, as far as there is a formula.
-    fn way_of_changing(&mut self, own: &Changing<'_>, ends: &[usize]) {
-        let Changing { pushed, force, flow, arrives, lasts, .. } = own;
+    fn way_of_changing(&mut self, changing: &Changing<'_>, ends: &[usize]) {
+        let Changing { pushed, force, flow, arrives, lasts, .. } = changing;
         let (index, clock) = (pushed.index, pushed.clock);
         if force.contains(clock) {
             return;
         }
-        let [from, to] = [index + 1, index + 2].map(|instant| self.place(pushed.body, instant, own.axis));
-        let [[before, after], [start, end]] = [&own.masses, &own.velocities].map(<[Expr; 2]>::each_ref);
-        let because = format!("the same holds up to each earlier time, which gives the velocity of {} then", own.name);
-        let then = own.mass_at(&clock.into());
-        let (velocity, value) = if own.gains {
+        let [from, to] = [index + 1, index + 2].map(|instant| self.place(pushed.body, instant, changing.axis));
+        let [[before, after], [start, end]] = [&changing.masses, &changing.velocities].map(<[Expr; 2]>::each_ref);
+        let because =
+            format!("the same holds up to each earlier time, which gives the velocity of {} then", changing.name);
+        let then = changing.mass_at(&clock.into());
+        let (velocity, value) = if changing.gains {
             let drive = (force.clone() + flow.clone() * arrives.clone()).simplify();
             let time = Expr::from(clock) - pushed.start.clone();
             let velocity = variable_mass::velocity_gaining(&drive, [before, &then], start, &time);
             (velocity, variable_mass::way_gaining(&drive, flow, [before, after], start, lasts))
         } else if force.is_zero() {
-            let because = format!("the velocity of {} stays the same", own.name);
+            let because = format!("the velocity of {} stays the same", changing.name);
             let sides = kinematics::mean_velocity([&from, &to], [start, end], lasts);
             return self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
         } else {
@@ -192,25 +194,26 @@ impl Builder<'_> {
             let velocity = start.clone() + variable_mass::gained(&even, [before, &then]);
             (velocity, start.clone() * lasts.clone() + variable_mass::way(&even, [before, after], lasts))
         };
-        let integral = own.over_time(velocity);
+        let integral = changing.over_time(velocity);
         self.integral_between(&motion::DISPLACEMENT, (index, ends), because, (to - from, value), integral);
     }
 
     /// Acceleration and net force at both ends.
-    fn rates_of_changing(&mut self, own: &Changing<'_>) {
-        let Changing { pushed, what, name, .. } = own;
+    fn rates_of_changing(&mut self, changing: &Changing<'_>) {
+        let Changing { pushed, what, name, .. } = changing;
         let first = usize::from(self.scene.follows_a_force(pushed.index, pushed.body));
-        let ends = [&pushed.start, &pushed.end].into_iter().zip(&own.masses).zip(&own.velocities);
+        let ends = [&pushed.start, &pushed.end].into_iter().zip(&changing.masses).zip(&changing.velocities);
         for (side, ((time, mass), velocity)) in ends.enumerate().skip(first) {
-            let [force, acceleration] = self.net_force_and_acceleration(pushed.body, pushed.index + 1 + side, own.axis);
-            let there = own.force.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
+            let [force, acceleration] =
+                self.net_force_and_acceleration(pushed.body, pushed.index + 1 + side, changing.axis);
+            let there = changing.force.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
             let because = format!("these are all the forces on {name} with its load along the motion");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
-            let (because, given) = if own.gains {
-                let slower = if own.arrives.is_zero() {
-                    -(own.flow.clone() * velocity.clone())
+            let (because, given) = if changing.gains {
+                let slower = if changing.arrives.is_zero() {
+                    -(changing.flow.clone() * velocity.clone())
                 } else {
-                    own.flow.clone() * (own.arrives.clone() - velocity.clone())
+                    changing.flow.clone() * (changing.arrives.clone() - velocity.clone())
                 };
                 (format!("{what} has to be brought to the velocity of {name}"), slower)
             } else {
@@ -222,17 +225,17 @@ impl Builder<'_> {
     }
 
     /// What acts, and what is left out.
-    fn note_changing(&mut self, own: &Changing<'_>) {
-        let Changing { pushed, what, name, .. } = own;
+    fn note_changing(&mut self, changing: &Changing<'_>) {
+        let Changing { pushed, what, name, .. } = changing;
         let acts = Acts { stage: pushed.index, on: pushed.body, during: [&pushed.start, &pushed.end] };
-        for (force, impulse) in pushed.acting.iter().zip(&own.impulses) {
+        for (force, impulse) in pushed.acting.iter().zip(&changing.impulses) {
             self.note_pull(acts, &force.name, &force.strength, &force.direction);
             self.note_impulse(pushed.index, pushed.body, force.name.as_str(), vec![impulse.clone()]);
         }
-        if own.gains {
-            let relative = own.arrives.clone() - own.velocities[0].clone();
+        if changing.gains {
+            let relative = changing.arrives.clone() - changing.velocities[0].clone();
             let brings = Influence::outside(pushed.index, pushed.body, *what)
-                .force(vec![own.flow.clone() * own.arrives.clone()]);
+                .force(vec![changing.flow.clone() * changing.arrives.clone()]);
             let dragged = format!("{what} is brought to the velocity of {name}, which changes kinetic energy");
             self.acts(brings.works(Effect::Of(relative), &dragged));
         }

@@ -15,7 +15,7 @@ impl Builder<'_> {
     /// Place, acceleration and net force along one axis, along which these forces act.
     pub(crate) fn motion_along(&mut self, pushed: &Pushed<'_>, axis: Axis, forces: &[Expr]) {
         let net = Expr::sum(forces.iter().cloned()).simplify();
-        let at = |time: &Expr| net.substitute(&|own| (own == pushed.clock).then(|| time.clone()));
+        let at = |time: &Expr| net.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         self.rates_along(pushed, axis, [at(&pushed.start), at(&pushed.end)]);
         let (index, body) = (pushed.index, pushed.body);
         let (name, mass) = (self.called(body), self.mass(body));
@@ -62,8 +62,8 @@ impl Builder<'_> {
             (QuantityKind::Acceleration, format!("the acceleration of {name}{along} {when}")),
         ];
         meanings.map(|(kind, meaning)| {
-            let own = Name::of(kind, body).at(instant).along(self.letter(axis));
-            Expr::from(self.symbol(own, meaning))
+            let name = Name::of(kind, body).at(instant).along(self.letter(axis));
+            Expr::from(self.symbol(name, meaning))
         })
     }
 }

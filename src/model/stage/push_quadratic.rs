@@ -96,16 +96,16 @@ impl Builder<'_> {
     }
 
     /// How the speed changes with time, by what the other forces do.
-    fn quadratic_times(&mut self, own: &Counted<'_>) {
-        let because = format!("nothing acts on {} along its motion but the resistance", own.name);
-        if own.others.is_zero() {
-            let [before, after] = &own.speeds;
-            let sides = resistance::quadratic_alone([&own.mass, own.resists, own.lasts], [before, after]);
-            self.law(&resistance::QUADRATIC_TIME, Some(own.index), because, sides);
-            return self.shows_time(own);
+    fn quadratic_times(&mut self, motion: &Counted<'_>) {
+        let because = format!("nothing acts on {} along its motion but the resistance", motion.name);
+        if motion.others.is_zero() {
+            let [before, after] = &motion.speeds;
+            let sides = resistance::quadratic_alone([&motion.mass, motion.resists, motion.lasts], [before, after]);
+            self.law(&resistance::QUADRATIC_TIME, Some(motion.index), because, sides);
+            return self.shows_time(motion);
         }
-        let (driven, held) = (self.driven(own), self.held_back(own));
-        match self.sign_of(&own.others) {
+        let (driven, held) = (self.driven(motion), self.held_back(motion));
+        match self.sign_of(&motion.others) {
             Some(sign) => {
                 let way = if sign > 0 { driven } else { held };
                 self.system.equations.extend(way.equations);
@@ -116,53 +116,53 @@ impl Builder<'_> {
     }
 
     /// Shows the time as the integral of m dv/(F - k v^2).
-    fn shows_time(&mut self, own: &Counted<'_>) {
-        let [before, after] = &own.speeds;
-        let net = |speed: &Expr| own.others.clone() - own.resists.clone() * speed.clone().powi(2);
-        self.shows_separated(own.lasts.clone(), [before, after], &|speed| own.mass.clone() / net(speed));
+    fn shows_time(&mut self, motion: &Counted<'_>) {
+        let [before, after] = &motion.speeds;
+        let net = |speed: &Expr| motion.others.clone() - motion.resists.clone() * speed.clone().powi(2);
+        self.shows_separated(motion.lasts.clone(), [before, after], &|speed| motion.mass.clone() / net(speed));
     }
 
     /// The other forces drive the body on.
-    fn driven(&mut self, own: &Counted<'_>) -> Alternative {
-        let (even, balance) = self.even(own, own.others.clone());
+    fn driven(&mut self, motion: &Counted<'_>) -> Alternative {
+        let (even, balance) = self.even(motion, motion.others.clone());
         let meaning = "the ratio of w - v to w + v at the end";
-        let ratio = Expr::from(self.symbol(self.in_stage(QuantityKind::SpeedRatio, "", own.index), meaning));
-        let [before, after] = &own.speeds;
-        let values = [&own.mass, own.resists, own.lasts];
+        let ratio = Expr::from(self.symbol(self.in_stage(QuantityKind::SpeedRatio, "", motion.index), meaning));
+        let [before, after] = &motion.speeds;
+        let values = [&motion.mass, motion.resists, motion.lasts];
         let [shrunk, gives] = resistance::quadratic_driven(&even, &ratio, values, [before, after]);
-        let because = format!("the other forces drive {} on", own.name);
-        let index = Some(own.index);
+        let because = format!("the other forces drive {} on", motion.name);
+        let index = Some(motion.index);
         let shrunk = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, index, because, shrunk, None);
-        self.shows_time(own);
+        self.shows_time(motion);
         let gives = self.stated(LAW_COST, &resistance::SPEED_RATIO, index, Because::Definition, gives, None);
-        let reason = Reason::HeldBack(own.name.clone());
+        let reason = Reason::HeldBack(motion.name.clone());
         Alternative {
-            what: format!("the forces drive {} on", own.name),
+            what: format!("the forces drive {} on", motion.name),
             equations: vec![balance, shrunk, gives],
-            conditions: vec![self.condition(own.others.clone(), Relation::Greater, Expr::zero(), reason)],
+            conditions: vec![self.condition(motion.others.clone(), Relation::Greater, Expr::zero(), reason)],
             still: None,
         }
     }
 
     /// The other forces hold the body back.
-    fn held_back(&mut self, own: &Counted<'_>) -> Alternative {
-        let (even, balance) = self.even(own, (-own.others.clone()).simplify());
-        let [before, after] = &own.speeds;
+    fn held_back(&mut self, motion: &Counted<'_>) -> Alternative {
+        let (even, balance) = self.even(motion, (-motion.others.clone()).simplify());
+        let [before, after] = &motion.speeds;
         let angle = |speed: &Expr| if speed.is_zero() { Expr::zero() } else { speed.clone().atan2(even.clone()) };
-        let turned = resistance::turned(&even, [&own.mass, own.resists, own.lasts]);
-        let because = format!("the other forces hold {} back", own.name);
+        let turned = resistance::turned(&even, [&motion.mass, motion.resists, motion.lasts]);
+        let because = format!("the other forces hold {} back", motion.name);
         let sides = (angle(after), angle(before) - turned.clone());
-        let slows = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, Some(own.index), because, sides, None);
-        self.shows_time(own);
-        let reason = Reason::DrivenOn(own.name.clone());
-        let held = self.condition(own.others.clone(), Relation::Less, Expr::zero(), reason);
+        let slows = self.stated(LAW_COST, &resistance::QUADRATIC_TIME, Some(motion.index), because, sides, None);
+        self.shows_time(motion);
+        let reason = Reason::DrivenOn(motion.name.clone());
+        let held = self.condition(motion.others.clone(), Relation::Less, Expr::zero(), reason);
         // Past rest the tangent would begin anew.
-        let reason = Reason::MovesBack(own.name.clone()).against(Some(Opposing::Resistance));
+        let reason = Reason::MovesBack(motion.name.clone()).against(Some(Opposing::Resistance));
         let moves = self.condition(angle(before), Relation::AtLeast, turned, reason);
         let mut conditions = vec![held];
         conditions.extend((!after.is_zero()).then_some(moves));
         Alternative {
-            what: format!("the forces hold {} back", own.name),
+            what: format!("the forces hold {} back", motion.name),
             equations: vec![balance, slows],
             conditions,
             still: None,
@@ -170,12 +170,12 @@ impl Builder<'_> {
     }
 
     /// The speed at which the resistance is as large as the other forces.
-    fn even(&mut self, own: &Counted<'_>, size: Expr) -> (Expr, Equation) {
+    fn even(&mut self, motion: &Counted<'_>, size: Expr) -> (Expr, Equation) {
         let meaning = "the speed at which the resistance is as large as the other forces";
-        let even = Expr::from(self.positive(self.in_stage(QuantityKind::TerminalSpeed, "", own.index), meaning));
-        let because = format!("at the speed w the resistance is as large as the other forces on {}", own.name);
-        let sides = (own.resists.clone() * even.clone().powi(2), size);
-        (even, self.stated(LAW_COST, &resistance::EVEN, Some(own.index), because, sides, None))
+        let even = Expr::from(self.positive(self.in_stage(QuantityKind::TerminalSpeed, "", motion.index), meaning));
+        let because = format!("at the speed w the resistance is as large as the other forces on {}", motion.name);
+        let sides = (motion.resists.clone() * even.clone().powi(2), size);
+        (even, self.stated(LAW_COST, &resistance::EVEN, Some(motion.index), because, sides, None))
     }
 
     /// Whether a sum of products of positive quantities is positive (1) or negative (-1); none where that depends on the values.

@@ -38,7 +38,7 @@ impl Builder<'_> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let mut impulses = Vec::new();
         let rubs = friction.is_some();
-        let friction = friction.and_then(|(own, at)| self.friction_beside(pushed, own, &at));
+        let friction = friction.and_then(|(friction, at)| self.friction_beside(pushed, friction, &at));
         for (position, axis) in axes.into_iter().enumerate() {
             let steady = (self.steady_along(pushed, position) + friction.clone().unwrap_or_else(Expr::zero)).simplify();
             match resistance {
@@ -67,7 +67,8 @@ impl Builder<'_> {
         };
         self.rubs_on_a_floor(&pushed.incline, path);
         let ends = [pushed.index + 1, pushed.index + 2];
-        let [before, after] = ends.map(|own| Expr::integer(pushed.sign) * self.velocity(pushed.body, own, axis));
+        let [before, after] =
+            ends.map(|instant| Expr::integer(pushed.sign) * self.velocity(pushed.body, instant, axis));
         self.moves_along(pushed.index, pushed.body, [&before, &after], Some(Opposing::Friction));
         Some(self.sliding_friction(pushed, friction, axis, path))
     }

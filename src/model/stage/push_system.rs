@@ -33,8 +33,10 @@ pub(crate) fn pushing(scene: &Scene, push: &Push, at: &Path) -> Vec<Fault> {
         return vec![fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone())];
     }
     let mut faults = Vec::new();
-    let twice =
-        bodies.iter().enumerate().find(|(position, body)| bodies.iter().take(*position).any(|own| own == *body));
+    let twice = bodies
+        .iter()
+        .enumerate()
+        .find(|(position, body)| bodies.iter().take(*position).any(|earlier| earlier == *body));
     if let Some((_, body)) = twice {
         let fault = Fault::new(Code::Duplicate, format!("{} is pushed twice in one stage", scene.called(body)));
         faults.push(fault.help("name each body once; it may have several forces").at_path(at.key("bodies")));
@@ -84,10 +86,10 @@ fn of_one_body<'a>(scene: &Scene, push: &Push) -> impl Iterator<Item = (&'a str,
 /// The impulse on all bodies of a push together: `J[pull]`.
 pub(crate) fn total_impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let axis = builder.axis_of(name)?;
-    let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
+    let position = builder.axes.iter().position(|(listed, _)| *listed == axis)?;
     let scene = builder.scene;
-    let several = scene.stages.iter().enumerate().filter_map(|(stage, own)| {
-        if let Stage::Push(push) = own { push.is_of_several().then_some((stage, push)) } else { None }
+    let several = scene.stages.iter().enumerate().filter_map(|(stage, entry)| {
+        if let Stage::Push(push) = entry { push.is_of_several().then_some((stage, push)) } else { None }
     });
     let meant = |stage: usize| name.stage.is_none() || builder.stage_label(stage) == name.stage;
     let [(stage, push)] = several.filter(|(stage, _)| meant(*stage)).collect::<Vec<_>>()[..] else { return None };
@@ -95,9 +97,9 @@ pub(crate) fn total_impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Sy
     let of_forces = of_forces.filter_map(|impulse| impulse.components.get(position).cloned());
     let of_weights = push.pushed().filter_map(|body| builder.impulse_of_weight(body, stage, position));
     let total = Expr::sum(of_forces.chain(of_weights).collect::<Vec<_>>());
-    let own = builder.in_stage(QuantityKind::Impulse, "", stage).along(builder.letter(axis));
+    let name = builder.in_stage(QuantityKind::Impulse, "", stage).along(builder.letter(axis));
     let of = format!("on the system during {}", builder.stage_phrase(stage));
-    let symbol = builder.component(own, Meaning { noun: "the impulse", of });
+    let symbol = builder.component(name, Meaning { noun: "the impulse", of });
     builder.law(&force::IMPULSE, Some(stage), Because::Definition, (symbol.into(), total));
     Some(symbol)
 }
@@ -106,7 +108,7 @@ impl Builder<'_> {
     /// How fast the momentum of the system changes at both ends of a push, and the acceleration of its centre of mass.
     pub(super) fn rates_of_system(&mut self, index: usize, push: &Push) {
         let alive: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
-        let is_pushed = |body: &String| push.pushed().any(|own| own == body);
+        let is_pushed = |body: &String| push.pushed().any(|pushed| pushed == body);
         // The force that carries another body against its weight is not known.
         if self.scene.plane == Plane::Vertical && !alive.iter().all(is_pushed) {
             return;

@@ -51,11 +51,11 @@ impl Builder<'_> {
     }
 
     /// Velocity and displacement as functions of time, and the impulse.
-    pub(super) fn resisted(&mut self, own: &Resisted<'_>) {
-        let Resisted { index, body, axis, steady, resists, moved, after, .. } = own;
-        let (index, [start, end]) = (Some(*index), own.during);
+    pub(super) fn resisted(&mut self, resisted: &Resisted<'_>) {
+        let Resisted { index, body, axis, steady, resists, moved, after, .. } = resisted;
+        let (index, [start, end]) = (Some(*index), resisted.during);
         let (name, mass, along) = (self.called(body), self.mass(body), self.along(*axis));
-        let before = self.velocity(body, own.index + 1, *axis);
+        let before = self.velocity(body, resisted.index + 1, *axis);
         let lasts = (end.clone() - start.clone()).simplify();
         let endless = after.is_zero() && steady.is_zero();
         let impulses = [steady.clone() * lasts.clone(), -((*resists).clone() * moved.clone())];
@@ -74,7 +74,7 @@ impl Builder<'_> {
         }
         let mut terminal = Expr::zero();
         if !steady.is_zero() {
-            let name_of = self.in_stage(QuantityKind::TerminalSpeed, "", own.index).along(self.letter(*axis));
+            let name_of = self.in_stage(QuantityKind::TerminalSpeed, "", resisted.index).along(self.letter(*axis));
             terminal = Expr::from(self.symbol(name_of, format!("the terminal velocity of {name}{along}")));
             let because = format!("the forces on {name} besides the resistance do not change");
             self.law(&resistance::TERMINAL, index, because, resistance::terminal(resists, &terminal, steady));
@@ -84,9 +84,9 @@ impl Builder<'_> {
         self.law(&resistance::LINEAR, index, because.clone(), (after.clone(), velocity(&lasts)));
         let net = |speed: &Expr| steady.clone() - (*resists).clone() * speed.clone();
         self.shows_separated(lasts.clone(), [&before, after], &|speed| mass.clone() / net(speed));
-        let integrand = velocity(&(Expr::from(own.clock) - start.clone()));
+        let integrand = velocity(&(Expr::from(resisted.clock) - start.clone()));
         let value = resistance::way(&before, &terminal, [&mass, resists, &lasts]);
-        let integral = Integral { integrand, variable: own.clock, low: start.clone(), high: end.clone() };
-        self.integral(&motion::DISPLACEMENT, own.index, because, (moved.clone(), value), integral);
+        let integral = Integral { integrand, variable: resisted.clock, low: start.clone(), high: end.clone() };
+        self.integral(&motion::DISPLACEMENT, resisted.index, because, (moved.clone(), value), integral);
     }
 }

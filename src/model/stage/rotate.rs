@@ -121,17 +121,17 @@ impl Builder<'_> {
                 Some(_) => format!("the force towards {centre}"),
                 None => holding(stage, &centre),
             };
-            let own = Influence::outside(index, body, called).through(&stage.about);
-            let own = match arm {
-                Arm::Constant(_) => own.workless(),
+            let influence = Influence::outside(index, body, called).through(&stage.about);
+            let influence = match arm {
+                Arm::Constant(_) => influence.workless(),
                 Arm::Changing([before, after]) => {
                     let [before, after] = [before, after].map(|term| self.read(term, Dimension::LENGTH, "", path));
-                    own.works(Effect::Of(before - after), "work is done as the distance changes")
+                    influence.works(Effect::Of(before - after), "work is done as the distance changes")
                 }
             };
             // A child on a carousel is held by the carousel.
             let held_by: Vec<&str> = stage.rotor.iter().map(String::as_str).collect();
-            self.acts(own.by(&held_by));
+            self.acts(influence.by(&held_by));
             if !others.is_empty() {
                 let between = Influence::outside(index, body, "the arm").by(&others);
                 self.acts(Influence { work: Work::OfForce, ..between });
@@ -193,17 +193,17 @@ impl Builder<'_> {
     /// that of all bodies: where the stage, or the one beside it, counts others, it has its stage in its name.
     pub(crate) fn momentum_on_arm_by_name(&self, index: usize, side: usize, about: &str) -> Name {
         let turning = |stage: usize| -> Option<BTreeSet<&str>> {
-            let own = self.scene.stages.get(stage)?;
-            if !matches!(own, Stage::Rotate(_) | Stage::Strike(_)) {
+            let entry = self.scene.stages.get(stage)?;
+            if !matches!(entry, Stage::Rotate(_) | Stage::Strike(_)) {
                 return None;
             }
-            let own = Description::of(self.scene, own);
-            (own.about == Some(about)).then(|| own.bodies.iter().map(|(body, _)| *body).collect())
+            let description = Description::of(self.scene, entry);
+            (description.about == Some(about)).then(|| description.bodies.iter().map(|(body, _)| *body).collect())
         };
         let beside = if side == 0 { index.checked_sub(1) } else { Some(index + 1) };
-        let (own, others) = (turning(index), beside.and_then(turning));
+        let (bodies, others) = (turning(index), beside.and_then(turning));
         let alive: BTreeSet<&str> = self.timeline.alive(index + 1 + side).into_iter().collect();
-        let differs = own.is_some_and(|own| own != alive || others.is_some_and(|others| own != others));
+        let differs = bodies.is_some_and(|bodies| bodies != alive || others.is_some_and(|others| bodies != others));
         let name = Name::of(QuantityKind::AngularMomentum, about).at(index + 1 + side);
         if differs { name.during(self.stage_label(index)) } else { name }
     }
@@ -316,13 +316,13 @@ fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
 /// The angular impulse of a moment that stays the same, or of a body that strikes, where somebody asks for it.
 pub(crate) fn angular_impulse_by_name(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let meant = |index: usize| name.stage.is_none() || builder.stage_label(index) == name.stage;
-    let mut all = builder.turned.iter().filter(|own| meant(own.stage) && own.letter == name.component);
-    let own = all.next().cloned()?;
+    let mut all = builder.turned.iter().filter(|turned| meant(turned.stage) && turned.letter == name.component);
+    let turned = all.next().cloned()?;
     if all.next().is_some() || !name.subject.is_empty() {
         return None;
     }
-    let symbol = builder.named_angular_impulse(own.stage, (own.of, own.letter.as_deref()));
-    let [before, after] = own.ends;
-    builder.law(own.law, Some(own.stage), own.because, (Expr::sum([before, symbol.into()]), after));
+    let symbol = builder.named_angular_impulse(turned.stage, (turned.of, turned.letter.as_deref()));
+    let [before, after] = turned.ends;
+    builder.law(turned.law, Some(turned.stage), turned.because, (Expr::sum([before, symbol.into()]), after));
     Some(symbol)
 }

@@ -142,7 +142,7 @@ impl Builder<'_> {
     /// How far each of them moves over the ground.
     fn ways(&mut self, rubbing: &Rubbing<'_>, axis: Axis, slid: Option<&Expr>) {
         let index = rubbing.index;
-        let [own, its] = [0, 1].map(|side| {
+        let [way, other_way] = [0, 1].map(|side| {
             let (body, name) = (rubbing.bodies[side], &rubbing.names[side]);
             let meaning = format!("the displacement of {name} over the ground");
             let way = Expr::from(self.symbol(self.in_stage(QuantityKind::Displacement, body, index), meaning));
@@ -160,7 +160,7 @@ impl Builder<'_> {
             let [name, other] = &rubbing.names;
             let because = format!("{name} slides on {other}, which moves meanwhile");
             let slid = Expr::integer(rubbing.sign) * slid.clone();
-            self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(&own, &its, &slid));
+            self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(&way, &other_way, &slid));
         }
     }
 

@@ -39,8 +39,9 @@ impl Builder<'_> {
         if let Some(term) = &stage.energy {
             let meaning = "the energy that becomes kinetic energy";
             let released = self.read_positive(term, Dimension::ENERGY, meaning, &path.key("energy"));
-            let [start, end] = [(&before, index + 1), (&parts, index + 2)]
-                .map(|(own, instant)| own.iter().map(|body| self.kinetic_term(body, instant)).collect::<Vec<_>>());
+            let [start, end] = [(&before, index + 1), (&parts, index + 2)].map(|(bodies, instant)| {
+                bodies.iter().map(|body| self.kinetic_term(body, instant)).collect::<Vec<_>>()
+            });
             let because = "the energy released becomes kinetic energy of the parts";
             self.law(&separation::ENERGY, Some(index), because, separation::energy(&released, &start, &end));
             self.in_order_along_the_axis(index, &parts);
@@ -84,8 +85,8 @@ impl Builder<'_> {
     fn together(&mut self, index: usize, parts: &[&str]) {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         for (axis, pair) in axes.iter().flat_map(|axis| parts.windows(2).map(move |pair| (axis, pair))) {
-            let [first, second] = [0, 1].map(|own| self.velocity(pair[own], index + 1, *axis));
-            let [one, other] = [0, 1].map(|own| self.called(pair[own]));
+            let [first, second] = [0, 1].map(|side| self.velocity(pair[side], index + 1, *axis));
+            let [one, other] = [0, 1].map(|side| self.called(pair[side]));
             let because = format!("{one} and {other} move together at first");
             self.law(&separation::TOGETHER, Some(index), because, (second, first));
         }
@@ -107,19 +108,19 @@ impl Builder<'_> {
         let force =
             Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false), points: Vec::new() };
         let impulse = self.impulse_of(index, &force, clock, [&Expr::zero(), &end]);
-        let own = self.in_stage(QuantityKind::Impulse, ahead, index);
+        let impulse_ahead = self.in_stage(QuantityKind::Impulse, ahead, index);
         let meaning = format!("the impulse on {}", self.called(ahead));
-        let own = Expr::from(self.symbol(own, meaning));
+        let symbol = Expr::from(self.symbol(impulse_ahead, meaning));
         let because = format!("{name} drives {} forwards throughout", self.called(ahead));
-        self.law(&force::IMPULSE, Some(index), because, (own, impulse));
+        self.law(&force::IMPULSE, Some(index), because, (symbol, impulse));
     }
 
     /// Named from back to front, parts that are driven apart do not pass through each other.
     fn in_order_along_the_axis(&mut self, index: usize, parts: &[&str]) {
         let [(axis, _)] = self.axes[..] else { return };
         for pair in parts.windows(2) {
-            let [behind, ahead] = [0, 1].map(|own| self.velocity(pair[own], index + 2, axis));
-            let [name, other] = [0, 1].map(|own| self.called(pair[own]));
+            let [behind, ahead] = [0, 1].map(|side| self.velocity(pair[side], index + 2, axis));
+            let [name, other] = [0, 1].map(|side| self.called(pair[side]));
             let reason = Reason::PassesThrough(name, other);
             self.require(ahead, Relation::AtLeast, behind, reason);
         }
@@ -146,10 +147,15 @@ impl Builder<'_> {
         let parts = self.components(&direction);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         for (axis, part) in axes.iter().zip(parts) {
-            let own = self.velocity(of, index + 2, *axis);
+            let velocity = self.velocity(of, index + 2, *axis);
             let other = self.velocity(seen_from, instant, *axis);
             let value = if part.is_zero() { part } else { size.clone() * part };
-            self.law(&separation::RELATIVE, Some(index), because.clone(), separation::relative(&own, &other, &value));
+            self.law(
+                &separation::RELATIVE,
+                Some(index),
+                because.clone(),
+                separation::relative(&velocity, &other, &value),
+            );
         }
     }
 
@@ -169,7 +175,7 @@ impl Builder<'_> {
                 let impulse = impulse.during(self.stage_label(index));
                 let impulse = Expr::from(self.symbol(impulse, meaning));
                 let [start, end] =
-                    [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
+                    [(whole, index + 1), (part, index + 2)].map(|(body, at)| self.velocity(body, at, *axis));
                 // On a part that is guided, its guide acts, too.
                 if !held {
                     let because = format!("the impulse on {name} is the change of momentum{along}");

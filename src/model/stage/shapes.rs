@@ -35,13 +35,13 @@ impl Shape {
 /// The shapes under what is told piece by piece, each with its area; none where a piece is no straight line, or one of the pieces ends
 /// elsewhere than at the end.
 pub(super) fn under(value: &Expr, clock: Symbol, [start, end]: [&Expr; 2]) -> Option<Vec<(Shape, Expr)>> {
-    let Expr::Piecewise(own) = value else { return None };
-    if own.variable != Expr::from(clock) {
+    let Expr::Piecewise(piecewise) = value else { return None };
+    if piecewise.variable != Expr::from(clock) {
         return None;
     }
     let mut from = start.clone();
     let mut shapes = Vec::new();
-    for (until, piece) in &own.pieces {
+    for (until, piece) in &piecewise.pieces {
         let to = until.as_ref().unwrap_or(end);
         let width = (to.clone() - from.clone()).simplify();
         if width.is_zero() {
@@ -50,7 +50,7 @@ pub(super) fn under(value: &Expr, clock: Symbol, [start, end]: [&Expr; 2]) -> Op
         if piece.differentiate(clock).simplify().contains(clock) {
             return None;
         }
-        let at = |time: &Expr| piece.substitute(&|own| (own == clock).then(|| time.clone())).simplify();
+        let at = |time: &Expr| piece.substitute(&|symbol| (symbol == clock).then(|| time.clone())).simplify();
         shapes.extend(shape(&width, [at(&from), at(to)]));
         from = to.clone();
     }
@@ -97,17 +97,17 @@ mod tests {
         let zero = Expr::zero();
         let shapes = under(&push, t, [&zero, &last]).unwrap();
         assert_eq!(
-            shapes.iter().map(|own| own.0).collect::<Vec<_>>(),
+            shapes.iter().map(|shape| shape.0).collect::<Vec<_>>(),
             [Shape::Triangle, Shape::Rectangle, Shape::Triangle]
         );
         let value = |symbol| match symbol {
-            own if own == f => 10.0,
-            own if own == a => 1.0,
-            own if own == b => 3.0,
+            symbol if symbol == f => 10.0,
+            symbol if symbol == a => 1.0,
+            symbol if symbol == b => 3.0,
             _ => 5.0,
         };
         // 10/2 + 10*2 + 2*10/2
-        assert!((shapes.iter().map(|own| own.1.evaluate(&value)).sum::<f64>() - 35.0).abs() < 1e-12);
+        assert!((shapes.iter().map(|shape| shape.1.evaluate(&value)).sum::<f64>() - 35.0).abs() < 1e-12);
         // Where the push is not followed to its end, its last piece is cut.
         assert_eq!(under(&push, t, [&zero, &b.into()]), None);
     }

@@ -23,7 +23,7 @@ use momentous_solve::Relation;
 impl Builder<'_> {
     pub(crate) fn slide_off(&mut self, index: usize, stage: &SlideOff, path: &Path) {
         let (body, on) = (stage.body.as_str(), stage.on.as_str());
-        let [name, other] = [body, on].map(|own| self.called(own));
+        let [name, other] = [body, on].map(|body| self.called(body));
         let Some(guide) = self.guided(on) else {
             let fault = Fault::new(Code::MissingKey, format!("`{on}` needs a guide along which it can move"));
             let help = "write `guide: { along: x, by: the floor }` for the body, in a scene with two axes";
@@ -40,8 +40,8 @@ impl Builder<'_> {
         }
         let after = index + 2;
         self.hold(&guide, after, None);
-        for own in [body, on] {
-            self.starts_from_rest(index, own);
+        for body in [body, on] {
+            self.starts_from_rest(index, body);
         }
         let mut end = self.carrying(&[body, on], after);
         if guide.along.turn.is_zero() {
@@ -67,15 +67,15 @@ impl Builder<'_> {
 
         let leaves = self.direction(&stage.direction, &path.key("direction"));
         let [cos, sin] = leaves.cosine_and_sine();
-        let seen: Vec<Expr> = end[0].1.iter().zip(&end[1].1).map(|(own, its)| difference(own, its)).collect();
+        let seen: Vec<Expr> = end[0].1.iter().zip(&end[1].1).map(|(one, other)| difference(one, other)).collect();
         let across = dot(&seen, &[-sin.clone(), cos.clone()]);
         let because = format!("relative to {other}, {name} moves along its face at the end");
         self.law(&separation::ALONG_FACE, Some(index), because, (across, Expr::zero()));
         let reason = Reason::SlidesUp(name.clone(), other.clone());
         self.require(dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
         let weights = self.weight_and_guide(index, stage, &guide.by, &along);
-        for own in weights {
-            self.acts(own);
+        for influence in weights {
+            self.acts(influence);
         }
         self.act_on_each_other(index, [body, on], [&other, &name]);
         self.neglect(format!("friction between {name} and {other}"), "they are smooth");
@@ -114,6 +114,6 @@ impl Builder<'_> {
 }
 
 /// One velocity less another, where that is not zero as it is written.
-fn difference(own: &Expr, other: &Expr) -> Expr {
-    if other.is_zero() { own.clone() } else { own.clone() - other.clone() }
+fn difference(one: &Expr, other: &Expr) -> Expr {
+    if other.is_zero() { one.clone() } else { one.clone() - other.clone() }
 }

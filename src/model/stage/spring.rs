@@ -91,13 +91,13 @@ impl Builder<'_> {
         let travel = length(self, stage.travel.as_ref(), "the increase in the deformation of the spring", "travel");
         let before = match &stage.carried {
             Some(pan) => {
-                let own = before.unwrap_or_else(|| {
+                let deformation = before.unwrap_or_else(|| {
                     self.positive(self.in_stage(QuantityKind::SpringDeformation, pan, index), from).into()
                 });
                 let load = self.mass(pan) * self.gravity();
                 let because = format!("the spring carries {} at rest", self.called(pan));
-                self.law(&force::HOOKE, Some(index), because, (stiffness.clone() * own.clone(), load));
-                own
+                self.law(&force::HOOKE, Some(index), because, (stiffness.clone() * deformation.clone(), load));
+                deformation
             }
             None => before.unwrap_or_else(Expr::zero),
         };
@@ -187,21 +187,21 @@ impl Builder<'_> {
     fn energies_on_the_way(
         &mut self,
         name: &str,
-        own: &OnTheWay,
+        way: &OnTheWay,
         [start, end]: &[Expr; 2],
         length: &Expr,
     ) -> (&'static Law, String, Sides) {
         let (mut start, mut end) = (start.clone(), end.clone());
-        if !own.incline.is_level() {
-            let weight = own.mass.clone() * self.gravity();
-            let raised = Expr::product([weight, own.incline.along.clone(), length.clone()]);
-            if own.rises { end = end + raised } else { start = start + raised }
+        if !way.incline.is_level() {
+            let weight = way.mass.clone() * self.gravity();
+            let raised = Expr::product([weight, way.incline.along.clone(), length.clone()]);
+            if way.rises { end = end + raised } else { start = start + raised }
         }
-        let friction = own.friction.as_ref().map(|friction| {
-            let press = Expr::product([own.mass.clone(), self.gravity(), own.incline.press.clone()]);
+        let friction = way.friction.as_ref().map(|friction| {
+            let press = Expr::product([way.mass.clone(), self.gravity(), way.incline.press.clone()]);
             -Expr::product([friction.clone(), press, length.clone()])
         });
-        let what = if own.incline.is_level() { "the spring alone does" } else { "only the spring and weight do" };
+        let what = if way.incline.is_level() { "the spring alone does" } else { "only the spring and weight do" };
         let (law, because) = match friction {
             None => (&energy::CONSERVATION, format!("{what} work on {name}")),
             Some(_) => (
@@ -214,17 +214,17 @@ impl Builder<'_> {
 
     /// The same where only the values tell whether the spring is deformed further or relaxes: on a way of either sense friction takes
     /// energy.
-    fn further_or_back(&mut self, name: &str, own: &OnTheWay, energies: &[Expr; 2], travel: &Expr) {
+    fn further_or_back(&mut self, name: &str, way: &OnTheWay, energies: &[Expr; 2], travel: &Expr) {
         let senses = [
             ("the spring is deformed further", travel.clone(), Relation::AtLeast, Reason::SpringRelaxes),
             ("the spring relaxes", (-travel.clone()).simplify(), Relation::Less, Reason::SpringDeforms),
         ];
         let ways = senses.map(|(what, length, relation, reason)| {
-            let mut way = Alternative { what: what.to_owned(), ..Alternative::default() };
-            let (law, because, sides) = self.energies_on_the_way(name, own, energies, &length);
-            way.equations.push(self.stated(LAW_COST, law, Some(own.index), because, sides, None));
-            way.conditions.push(self.condition(travel.clone(), relation, Expr::zero(), reason));
-            way
+            let mut alternative = Alternative { what: what.to_owned(), ..Alternative::default() };
+            let (law, because, sides) = self.energies_on_the_way(name, way, energies, &length);
+            alternative.equations.push(self.stated(LAW_COST, law, Some(way.index), because, sides, None));
+            alternative.conditions.push(self.condition(travel.clone(), relation, Expr::zero(), reason));
+            alternative
         });
         self.choices.push(ways.into());
     }
@@ -274,8 +274,8 @@ impl Builder<'_> {
             (&one[0], &other[1], Reason::NotCompressed(first.clone(), second.clone()))
         };
         self.require(greater.clone(), Relation::AtLeast, less.clone(), reason);
-        for [own, other] in [bodies, [bodies[1], bodies[0]]] {
-            let spring = Influence::outside(index, own, "the spring").by(&[other]);
+        for [body, other] in [bodies, [bodies[1], bodies[0]]] {
+            let spring = Influence::outside(index, body, "the spring").by(&[other]);
             self.acts(spring.works(Effect::Open, SPRING_WORKS));
         }
         let pair = Pair { index, bodies, before, after, link: "the spring", line: "it", pulley: None };

@@ -264,7 +264,7 @@ impl Builder<'_> {
 
     /// The kinetic energy that a body and a stream lose together as the stream comes to rest on it.
     pub(crate) fn lost_in_stream(&mut self, index: usize) -> Option<Symbol> {
-        let flowing = self.flowing.iter().find(|own| own.stage == index).cloned()?;
+        let flowing = self.flowing.iter().find(|flowing| flowing.stage == index).cloned()?;
         let Some(Stage::Stream(stage)) = self.scene.stages.get(index) else { return None };
         let Some(caught) = flowing.caught else {
             let path = Path::root().key("scene").key("stages").index(index).key("stream");

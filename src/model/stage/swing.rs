@@ -186,10 +186,10 @@ impl Builder<'_> {
             (false, true) => format!("the height to which {goes} up"),
             (false, false) => format!("the height from which {goes} down"),
         };
-        let own = self.in_stage(QuantityKind::Height, &stage.body, index);
+        let name = self.in_stage(QuantityKind::Height, &stage.body, index);
         let height = match &stage.height {
             Some(term) => self.read(term, Dimension::LENGTH, &meaning, &path.key("height")),
-            None => self.symbol(own, meaning).into(),
+            None => self.symbol(name, meaning).into(),
         };
         if let (false, Expr::Symbol(symbol)) = (between, &height) {
             self.system.positive.insert(*symbol);
@@ -267,12 +267,12 @@ impl Builder<'_> {
 
     /// Whether a body swings on cords of several lengths, as at a peg: then its tension changes between two swings.
     fn changes_cord(&self, stage: &Swing) -> bool {
-        let length = |own: &Swing| own.arm().map(|term| term.0.trim().to_owned());
-        let own = length(stage);
+        let length = |swing: &Swing| swing.arm().map(|term| term.0.trim().to_owned());
+        let arm = length(stage);
         self.scene
             .stages
             .iter()
-            .any(|other| matches!(other, Stage::Swing(other) if other.body == stage.body && length(other) != own))
+            .any(|other| matches!(other, Stage::Swing(other) if other.body == stage.body && length(other) != arm))
     }
 
     /// The name of the tension of the cord, or of the normal force of the track, at the start (0) or at the end (1), and when it is so.

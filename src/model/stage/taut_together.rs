@@ -65,14 +65,14 @@ impl Builder<'_> {
 
     /// A string with its impulse, which is noted on both of its ends.
     fn pulling(&mut self, index: usize, stage: &Taut, position: usize, path: &Path) -> Pulling {
-        let own = &stage.strings[position];
+        let string = &stage.strings[position];
         let at = path.key("strings").index(position).key("along");
-        let direction = match &own.along {
+        let direction = match &string.along {
             Some(term) => self.direction(term, &at),
             None => self.first_axis(),
         };
         let line = self.components(&direction);
-        let ends = own.between.clone();
+        let ends = string.between.clone();
         self.strings.push(TautString { jerk: index, ends: ends.clone(), direction });
         let [first, second] = ends.each_ref().map(|body| self.called(body));
         let called = format!("the string between {first} and {second}");

@@ -103,7 +103,7 @@ impl Builder<'_> {
     /// A burn begins with the mass that the body has. Between two burns something may be dropped, and nothing is gained.
     fn check_mass_at_start(&mut self, index: usize, body: &str, start: &Expr, path: &Path) {
         let earlier = self.scene.stages.iter().take(index);
-        let is_own = |stage: &Stage| matches!(stage, Stage::Thrust(own) if own.body == body);
+        let is_own = |stage: &Stage| matches!(stage, Stage::Thrust(thrust) if thrust.body == body);
         if earlier.into_iter().any(is_own) {
             let left = self.mass_at(body, index + 1);
             self.require(left, Relation::AtLeast, start.clone(), Reason::GainsMass(self.called(body)));

@@ -56,32 +56,34 @@ impl Builder<'_> {
         }
         let tension = self.pull_of_joint(index, stage, &duration);
         let both = [&front, &rear];
-        let driven = Expr::sum(both.map(|own| own.drive.clone()));
-        let masses =
-            |velocity: &dyn Fn(&Member) -> Expr| momentum::total(&both.map(|own| (own.mass.clone(), velocity(own))));
+        let driven = Expr::sum(both.map(|member| member.drive.clone()));
+        let masses = |velocity: &dyn Fn(&Member) -> Expr| {
+            momentum::total(&both.map(|member| (member.mass.clone(), velocity(member))))
+        };
         let because = format!("{joint} acts on both with equal and opposite impulses, which cancel in the sum");
-        let start = Expr::sum([masses(&|own| own.before.clone()), driven * duration.clone()]);
-        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, masses(&|own| own.after.clone())));
-        for (own, sign) in [(&front, -1), (&rear, 1)] {
-            let because = format!("{joint} and the external forces change the momentum of {}", own.name);
-            let acting = Expr::sum([Expr::integer(sign) * tension.clone(), own.drive.clone()]);
-            let sides = momentum::impulse_momentum(&own.mass, &own.before, &[acting * duration.clone()], &own.after);
+        let start = Expr::sum([masses(&|member| member.before.clone()), driven * duration.clone()]);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, masses(&|member| member.after.clone())));
+        for (member, sign) in [(&front, -1), (&rear, 1)] {
+            let because = format!("{joint} and the external forces change the momentum of {}", member.name);
+            let acting = Expr::sum([Expr::integer(sign) * tension.clone(), member.drive.clone()]);
+            let sides =
+                momentum::impulse_momentum(&member.mass, &member.before, &[acting * duration.clone()], &member.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
         if let Some(term) = &stage.distance {
             let meaning = format!("how far {} and {} move", front.name, rear.name);
             let distance = self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"));
             let kinetic = |velocity: &dyn Fn(&Member) -> Expr| {
-                Expr::sum(both.map(|own| energy::kinetic(&own.mass, &[velocity(own)])))
+                Expr::sum(both.map(|member| energy::kinetic(&member.mass, &[velocity(member)])))
             };
-            let works = both.map(|own| (own.drive.clone() * distance.clone()).simplify());
+            let works = both.map(|member| (member.drive.clone() * distance.clone()).simplify());
             let fact = format!("{joint} does equal and opposite work on the two bodies");
             let because = Because::Conclusion(fact, "its total work is zero".to_owned());
-            let (start, end) = (kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone()));
+            let (start, end) = (kinetic(&|member| member.before.clone()), kinetic(&|member| member.after.clone()));
             self.goes_the_whole_way(&front.name, kinetic(&|_| front.before.clone()), works.clone());
             self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
         }
-        let opposing = stage.both().iter().any(|own| own.friction.is_some()).then_some(Opposing::Friction);
+        let opposing = stage.both().iter().any(|towed| towed.friction.is_some()).then_some(Opposing::Friction);
         for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
             let reason = Reason::MovesBack(front.name.clone()).against(opposing);
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
@@ -95,16 +97,16 @@ impl Builder<'_> {
         let joint = stage.joint();
         let meaning = format!("the pull of {joint} during {} (negative where it pushes)", self.stage_phrase(index));
         let symbol = self.symbol(self.in_stage(QuantityKind::Tension, "", index), meaning);
-        let names = stage.both().map(|own| own.body.clone());
-        for (own, other, reversed) in [(0, 1, true), (1, 0, false)] {
-            let acts = Acts { stage: index, on: &names[own], during: [&Expr::zero(), duration] };
+        let names = stage.both().map(|towed| towed.body.clone());
+        for (side, other, reversed) in [(0, 1, true), (1, 0, false)] {
+            let acts = Acts { stage: index, on: &names[side], during: [&Expr::zero(), duration] };
             let towards = Direction::axis(self.axis_place(0), reversed);
             self.forces.push(acts.force(ForceKind::Pull, joint, symbol.into(), towards));
             let pull = if reversed { -Expr::from(symbol) } else { symbol.into() };
-            self.acts(Influence::outside(index, &names[own], joint).by(&[&names[other]]).force(vec![pull]));
+            self.acts(Influence::outside(index, &names[side], joint).by(&[&names[other]]).force(vec![pull]));
             self.impulses.push(Impulse {
                 stage: index,
-                on: names[own].clone(),
+                on: names[side].clone(),
                 by: Agent::Body(names[other].clone()),
                 called: joint.to_owned(),
                 components: Vec::new(),
@@ -178,7 +180,7 @@ impl Builder<'_> {
             self.comes_to_rest(index, body);
         }
         let ends = [index + 1, index + 2].map(|instant| self.velocities(body, instant));
-        let [before, after] = ends.map(|mut own| own.pop().unwrap_or_else(Expr::zero));
+        let [before, after] = ends.map(|mut components| components.pop().unwrap_or_else(Expr::zero));
         let after = if stops { Expr::zero() } else { after };
         Member { name, mass, drive: Expr::sum(acting), before, after }
     }

@@ -19,9 +19,9 @@ impl Builder<'_> {
         }
         let bodies = [stage.body.as_str(), stage.on.as_str()];
         let [name, other] = bodies.map(|body| self.called(body));
-        for [own, its] in [bodies, [bodies[1], bodies[0]]] {
+        for [body, other] in [bodies, [bodies[1], bodies[0]]] {
             let words = "the walker does work to set both in motion and to stop them";
-            let step = Influence::outside(index, own, self.called(its)).by(&[its]).works(Effect::Open, words);
+            let step = Influence::outside(index, body, self.called(other)).by(&[other]).works(Effect::Open, words);
             self.acts(step);
         }
         let displacements = bodies.map(|body| {
@@ -43,9 +43,14 @@ impl Builder<'_> {
         self.law(&mass_centre::REST, Some(index), because, (momentous_laws::momentum::total(&parts), Expr::zero()));
         let meaning = format!("the displacement of {name} relative to {other}");
         let distance = self.read(&stage.distance, Dimension::LENGTH, &meaning, &path.key("distance"));
-        let [own, its] = &displacements;
+        let [of_walker, of_carrier] = &displacements;
         let because = format!("{name} walks along {other}, which moves meanwhile");
-        self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(own, its, &distance));
+        self.law(
+            &separation::RELATIVE_WAY,
+            Some(index),
+            because,
+            separation::relative(of_walker, of_carrier, &distance),
+        );
         self.not_needed(
             "the speed of the walk, and its changes",
             "the centre of mass stays where it is at every instant",
