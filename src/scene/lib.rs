@@ -60,7 +60,7 @@ impl Scene {
         if self.bodies.contains_key(whole) {
             return Vec::new();
         }
-        let parts = self.stages.iter().filter_map(Stage::whole_and_parts).find(|(own, _)| *own == whole);
+        let parts = self.stages.iter().filter_map(Stage::whole_and_parts).find(|(other, _)| *other == whole);
         parts.into_iter().flat_map(|(_, parts)| parts).map(String::as_str).filter(|part| *part != whole).collect()
     }
 
@@ -69,7 +69,7 @@ impl Scene {
     pub fn division_of(&self, whole: &str) -> Vec<&str> {
         let separations = self.stages.iter().filter(|stage| matches!(stage, Stage::Separate(_)));
         let mut divisions = separations.filter_map(Stage::whole_and_parts);
-        let parts = divisions.find(|(own, _)| *own == whole);
+        let parts = divisions.find(|(other, _)| *other == whole);
         parts.into_iter().flat_map(|(_, parts)| parts).map(String::as_str).collect()
     }
 
@@ -78,7 +78,7 @@ impl Scene {
     #[must_use]
     pub fn follows_a_push(&self, index: usize, body: &str) -> bool {
         let before = self.stage_before(index);
-        matches!(before, Some(Stage::Push(push)) if push.pushed().any(|own| own == body))
+        matches!(before, Some(Stage::Push(push)) if push.pushed().any(|pushed| pushed == body))
             || matches!(before, Some(Stage::Thrust(burn)) if burn.body == body && burn.is_free())
     }
 
@@ -122,7 +122,7 @@ impl Scene {
             };
             return Some(end.map_or(StageMass::Since(stage + 2), |term| StageMass::Burn { stage, side: 1, term }));
         }
-        self.bodies.get(body).filter(|own| own.mass.is_none())?;
+        self.bodies.get(body).filter(|body| body.mass.is_none())?;
         match (past..self.stages.len()).find_map(change)? {
             (stage, ChangeOfMass::Burn(mass)) => Some(StageMass::Burn { stage, side: 0, term: mass.at_start() }),
             (_, ChangeOfMass::Steady) => None,
@@ -143,8 +143,11 @@ impl Scene {
     /// How a body is called in a sentence: `the boat`, `Ana, Ben and the boat together`.
     #[must_use]
     pub fn called(&self, body: &str) -> String {
-        let names: Vec<&str> =
-            self.members(body).into_iter().map(|own| self.bodies.get(own).map_or(own, |entry| &entry.name)).collect();
+        let names: Vec<&str> = self
+            .members(body)
+            .into_iter()
+            .map(|member| self.bodies.get(member).map_or(member, |entry| &entry.name))
+            .collect();
         match &names[..] {
             [rest @ .., last] if !rest.is_empty() => format!("{} and {last} together", rest.join(", ")),
             _ => names.concat(),

@@ -12,7 +12,7 @@ impl Term {
     /// Whether a name stands in it by itself: `x` in `k*x`, but not in `k_x`.
     #[must_use]
     pub fn mentions(&self, name: &str) -> bool {
-        self.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(|word| word == name)
+        self.0.split(|letter: char| !letter.is_alphanumeric() && letter != '_').any(|word| word == name)
     }
 
     /// Whether it is the number zero, with a unit or without.

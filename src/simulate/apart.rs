@@ -9,9 +9,9 @@ impl Record {
     /// do not have the same impacts.
     #[must_use]
     pub fn apart(&self, truth: &Self, to_rest: bool) -> Option<f64> {
-        let (own, other) = (&self.impacts, &truth.impacts);
-        let counted = own.len() == other.len() || to_rest && !own.is_empty() && !other.is_empty();
-        let same = own.iter().zip(other).all(|(one, other)| one.contact == other.contact);
+        let (impacts, other) = (&self.impacts, &truth.impacts);
+        let counted = impacts.len() == other.len() || to_rest && !impacts.is_empty() && !other.is_empty();
+        let same = impacts.iter().zip(other).all(|(one, other)| one.contact == other.contact);
         let (first, last) = (truth.moments.first()?, truth.moments.last()?);
         if !counted || !same {
             return None;
@@ -19,14 +19,14 @@ impl Record {
         let sizes = Sizes::of(truth, first);
         let mut worst = sizes.between(self.moments.last()?, last);
         let mut keep = |part: f64| worst = if part.is_nan() { f64::INFINITY } else { worst.max(part) };
-        for (one, other) in own.iter().zip(other) {
+        for (one, other) in impacts.iter().zip(other) {
             keep(share(one.time - other.time, sizes.time));
             keep(share(distance(&one.impulse, &other.impulse), sizes.impulse));
             if let (Some(one), Some(other)) = (self.just_after(one.time), truth.just_after(other.time)) {
                 keep(sizes.between(one, other));
             }
         }
-        if own.is_empty() && self.moments.len() == truth.moments.len() {
+        if impacts.is_empty() && self.moments.len() == truth.moments.len() {
             self.moments.iter().zip(&truth.moments).for_each(|(one, other)| keep(sizes.between(one, other)));
         }
         Some(worst)
@@ -51,13 +51,13 @@ struct Sizes {
 impl Sizes {
     fn of(truth: &Record, first: &Moment) -> Self {
         let greatest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-        let ways = truth.moments.iter().flat_map(|own| own.positions.iter().zip(&first.positions));
-        let speeds = truth.moments.iter().flat_map(|own| &own.velocities);
+        let ways = truth.moments.iter().flat_map(|moment| moment.positions.iter().zip(&first.positions));
+        let speeds = truth.moments.iter().flat_map(|moment| &moment.velocities);
         Self {
-            time: greatest(&mut truth.moments.iter().map(|own| (own.time - first.time).abs())),
-            way: greatest(&mut ways.map(|(own, first)| distance(own, first))),
-            speed: greatest(&mut speeds.map(|own| size(own))),
-            impulse: greatest(&mut truth.impacts.iter().map(|own| size(&own.impulse))),
+            time: greatest(&mut truth.moments.iter().map(|moment| (moment.time - first.time).abs())),
+            way: greatest(&mut ways.map(|(way, first)| distance(way, first))),
+            speed: greatest(&mut speeds.map(|speed| size(speed))),
+            impulse: greatest(&mut truth.impacts.iter().map(|impact| size(&impact.impulse))),
         }
     }
 

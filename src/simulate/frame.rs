@@ -39,7 +39,7 @@ impl<const D: usize> Trajectory<D> {
         for state in run.states.iter_mut().chain([&mut run.last]) {
             let shift = shift(state.time);
             state.positions.iter_mut().for_each(|position| *position += shift);
-            state.velocities.iter_mut().for_each(|own| *own -= velocity);
+            state.velocities.iter_mut().for_each(|relative| *relative -= velocity);
         }
         run.impacts = self.impacts.iter().map(|impact| self.impact_seen_from(world, impact, velocity)).collect();
         Some(run)
@@ -48,8 +48,9 @@ impl<const D: usize> Trajectory<D> {
     fn impact_seen_from(&self, world: &World<D>, impact: &Impact<D>, velocity: Vector<D>) -> Impact<D> {
         let (first, second) = world.parties(impact.contact);
         let kinetic = |body: usize| {
-            let own = self.at(body, impact.time).map_or(self.last.velocities[body], |(_, own)| own) - velocity;
-            world.bodies[body].mass * own.norm_squared() / 2.0
+            let before =
+                self.at(body, impact.time).map_or(self.last.velocities[body], |(_, velocity)| velocity) - velocity;
+            world.bodies[body].mass * before.norm_squared() / 2.0
         };
         // What comes from outside does other work on bodies that move otherwise.
         let given = if first.is_none() { velocity.dot(&impact.impulse) } else { 0.0 };

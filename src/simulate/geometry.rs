@@ -134,7 +134,7 @@ impl<const D: usize> World<D> {
     #[inline]
     pub fn rate(&self, contact: Contact, normal: &Vector<D>, velocities: &[Vector<D>]) -> f64 {
         let (first, second) = self.parties(contact);
-        let own = normal.dot(&velocities[second]);
+        let velocity = normal.dot(&velocities[second]);
         let other = match (first, contact) {
             (Some(first), _) => normal.dot(&velocities[first]),
             (None, Contact::Wall { wall, .. }) => {
@@ -143,18 +143,18 @@ impl<const D: usize> World<D> {
             }
             (None, _) => 0.0,
         };
-        own - other
+        velocity - other
     }
 
     /// The reduced mass of the two bodies at a contact, in kg: that of the body alone at a wall.
     #[must_use]
     pub fn reduced_mass(&self, contact: Contact) -> f64 {
         let (first, second) = self.parties(contact);
-        let own = self.bodies[second].mass;
-        first.map_or(own, |first| {
+        let mass = self.bodies[second].mass;
+        first.map_or(mass, |first| {
             let other = self.bodies[first].mass;
             // Never the product of the masses, which could overflow.
-            let (light, heavy) = if own < other { (own, other) } else { (other, own) };
+            let (light, heavy) = if mass < other { (mass, other) } else { (other, mass) };
             light / (1.0 + light / heavy)
         })
     }

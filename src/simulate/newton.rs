@@ -34,15 +34,15 @@ impl<const D: usize> World<D> {
     ) -> Impact<D> {
         let restitution = self.restitution_of(contact);
         let (first, second) = self.parties(contact);
-        let own = self.bodies[second].mass;
-        let mut energy_before = own * velocities[second].norm_squared() / 2.0;
+        let mass = self.bodies[second].mass;
+        let mut energy_before = mass * velocities[second].norm_squared() / 2.0;
         let reduced = self.reduced_mass(contact);
         let mut energy_lost = reduced * (1.0 - restitution) * (1.0 + restitution) * rate * rate / 2.0;
         if let Some(first) = first {
             let other = self.bodies[first].mass;
             energy_before += other * velocities[first].norm_squared() / 2.0;
             let before = [normal.dot(&velocities[first]), normal.dot(&velocities[second])];
-            let after = direct_impact([other, own], before, restitution);
+            let after = direct_impact([other, mass], before, restitution);
             turn(&mut velocities[first], normal, before[0], after[0]);
             turn(&mut velocities[second], normal, before[1], after[1]);
         } else {
@@ -50,7 +50,7 @@ impl<const D: usize> World<D> {
             let face = before - rate;
             turn(&mut velocities[second], normal, before, face - restitution * rate);
             // A wall that moves does work on the body: J u.
-            energy_lost -= own * (1.0 + restitution) * -rate * face;
+            energy_lost -= mass * (1.0 + restitution) * -rate * face;
         }
         let impulse = normal * (reduced * (1.0 + restitution) * -rate);
         Impact { time: 0.0, contact, impulse, energy_before, energy_lost }

@@ -292,8 +292,8 @@ mod tests {
         for (place, body, expected) in
             [(2, 0, 3.183_098_861_837_906_7), (3, 0, -0.4), (4, 0, -0.4), (5, 9, 0.630_249_409_724_609_4), (6, 0, 6.0)]
         {
-            let own = line(place).last.velocities[body].x;
-            assert!((own - expected).abs() < 3e-15, "{}: {own}", ON_A_LINE[place].name);
+            let computed = line(place).last.velocities[body].x;
+            assert!((computed - expected).abs() < 3e-15, "{}: {computed}", ON_A_LINE[place].name);
         }
         assert!((line(6).last.positions[0].x - 4.0).abs() < 1e-15);
         let plane = |place: usize| (IN_THE_PLANE[place].closed_form)(0.0);

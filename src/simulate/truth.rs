@@ -30,14 +30,14 @@ impl<const D: usize> Truth<D> {
         let impulse = self.impacts.iter().map(|(_, impulse)| impulse.norm()).fold(0.0, f64::max);
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part.abs() / whole };
         let mut parts = vec![share(run.last.time - self.last.time, self.length)];
-        for (own, (time, true_impulse)) in run.impacts.iter().zip(&self.impacts) {
-            parts.push(share(own.time - time, self.length));
-            parts.push(share((own.impulse - true_impulse).norm(), impulse));
+        for (impact, (time, true_impulse)) in run.impacts.iter().zip(&self.impacts) {
+            parts.push(share(impact.time - time, self.length));
+            parts.push(share((impact.impulse - true_impulse).norm(), impulse));
         }
         let places = run.last.positions.iter().zip(&self.last.positions);
-        parts.extend(places.map(|(own, place)| share((own - place).norm(), self.way)));
+        parts.extend(places.map(|(computed, place)| share((computed - place).norm(), self.way)));
         let velocities = run.last.velocities.iter().zip(&self.last.velocities);
-        parts.extend(velocities.map(|(own, velocity)| share((own - velocity).norm(), self.speed)));
+        parts.extend(velocities.map(|(computed, velocity)| share((computed - velocity).norm(), self.speed)));
         parts.iter().all(|part| part.is_finite()).then(|| parts.into_iter().fold(0.0, f64::max))
     }
 }

@@ -170,8 +170,8 @@ impl<const D: usize> World<D> {
         if let Contact::Cord(cord) = contact {
             return self.cords[cord].restitution;
         }
-        let own = self.restitutions.iter().find(|(other, _)| *other == contact);
-        own.map_or(self.restitution, |(_, value)| *value)
+        let pair = self.restitutions.iter().find(|(other, _)| *other == contact);
+        pair.map_or(self.restitution, |(_, value)| *value)
     }
 
     /// The kinetic energy of bodies with these velocities, in J.

@@ -65,8 +65,8 @@ pub(super) fn brief(film: &Film) -> Option<Film> {
     if lever.is_some() {
         // What the pivot gives while the arm turns.
         let start = moments.first()?.momentum.clone();
-        for own in &mut moments {
-            own.outside = own.momentum.iter().zip(&start).map(|(now, then)| now - then).collect();
+        for each in &mut moments {
+            each.outside = each.momentum.iter().zip(&start).map(|(now, then)| now - then).collect();
         }
     }
     let contact = film.record.bodies.iter().map(|body| body.name.as_str()).collect::<Vec<_>>().join("-");
@@ -98,8 +98,8 @@ pub(super) fn brief(film: &Film) -> Option<Film> {
 /// greatest of both sides are none.
 fn length(moment: &Moment, lever: Option<f64>, greatest: f64) -> f64 {
     let least = SAME * greatest;
-    let arm = moment.velocities.last().map(|own| size(own));
-    let (fastest, arm) = (fastest(moment).max(least), arm.map(|own| own.max(least)));
+    let arm = moment.velocities.last().map(|velocity| size(velocity));
+    let (fastest, arm) = (fastest(moment).max(least), arm.map(|arm| arm.max(least)));
     match (lever, arm) {
         (Some(lever), Some(arm)) => (WAY_IN_ARMS * lever / fastest).min(ANGLE * lever / arm),
         _ => WAY / fastest,
@@ -107,7 +107,7 @@ fn length(moment: &Moment, lever: Option<f64>, greatest: f64) -> f64 {
 }
 
 fn fastest(moment: &Moment) -> f64 {
-    moment.velocities.iter().map(|own| size(own)).fold(0.0, f64::max)
+    moment.velocities.iter().map(|velocity| size(velocity)).fold(0.0, f64::max)
 }
 
 fn size(vector: &[f64]) -> f64 {
@@ -116,17 +116,17 @@ fn size(vector: &[f64]) -> f64 {
 
 /// The bodies so long after the contact, or before it where that is negative.
 fn moment(film: &Film, side: &Side<'_>, since: f64, time: f64) -> Option<Moment> {
-    let own = side.moment;
-    let (mut positions, mut velocities): (Vec<Vec<f64>>, Vec<Vec<f64>>) = own
+    let moment = side.moment;
+    let (mut positions, mut velocities): (Vec<Vec<f64>>, Vec<Vec<f64>>) = moment
         .velocities
         .iter()
         .map(|velocity| (velocity.iter().map(|part| part * since).collect(), velocity.clone()))
         .unzip();
     if let Some(lever) = film.record.lever {
-        let speed = *own.velocities.last()?.first()?;
+        let speed = *moment.velocities.last()?.first()?;
         let (sine, cosine) = libm::sincos(speed * since / lever);
         let tip = (vec![lever * sine, lever * (1.0 - cosine)], vec![speed * cosine, speed * sine]);
-        let fastest = fastest(own);
+        let fastest = fastest(moment);
         for (place, velocity) in positions.iter_mut().zip(&mut velocities) {
             // What sticks in the arm turns with it.
             let sticks = since >= 0.0 && (velocity.first()? - speed).abs() <= SAME * fastest;
@@ -141,16 +141,16 @@ fn moment(film: &Film, side: &Side<'_>, since: f64, time: f64) -> Option<Moment>
     }
     let axes = positions.first()?.len();
     let weighed = |vectors: &[Vec<f64>], axis: usize| -> Option<f64> {
-        own.masses.iter().zip(vectors).map(|(mass, vector)| Some(mass * vector.get(axis)?)).sum()
+        moment.masses.iter().zip(vectors).map(|(mass, vector)| Some(mass * vector.get(axis)?)).sum()
     };
-    let total: f64 = own.masses.iter().sum();
+    let total: f64 = moment.masses.iter().sum();
     Some(Moment {
         time,
         centre: (0..axes).map(|axis| Some(weighed(&positions, axis)? / total)).collect::<Option<_>>()?,
         momentum: (0..axes).map(|axis| weighed(&velocities, axis)).collect::<Option<_>>()?,
-        outside: own.outside.iter().copied().chain([0.0]).take(axes).collect(),
+        outside: moment.outside.iter().copied().chain([0.0]).take(axes).collect(),
         positions,
         velocities,
-        ..own.clone()
+        ..moment.clone()
     })
 }

@@ -117,7 +117,7 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
             let part = |body: &str| witness.carried("v", body, instant, letter);
             apart[*axis as usize] = part(first)? - other.map_or(Some(0.0), part)?;
         }
-        let square: f64 = apart.iter().map(|own| own * own).sum();
+        let square: f64 = apart.iter().map(|difference| difference * difference).sum();
         (*energy, *widest) = match partners {
             Partners::Bodies(first, second) => {
                 // Smooth bodies touch along the line of impact only.
@@ -128,9 +128,9 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
             }
             Partners::Surface(_, surface) => {
                 // A surface moves along its normal, and energy is lost or not as it sees the body.
-                let own = scene.surfaces.get(surface)?;
-                let moves = own.velocity.as_ref().map_or(Some(0.0), |term| witness.value(&term.0))?;
-                let along = part_along(scene, &own.normal.0, apart, &number)?;
+                let surface = scene.surfaces.get(surface)?;
+                let moves = surface.velocity.as_ref().map_or(Some(0.0), |term| witness.value(&term.0))?;
+                let along = part_along(scene, &surface.normal.0, apart, &number)?;
                 (square - 2.0 * along * moves + moves * moves, (along - moves).abs())
             }
         };

@@ -20,7 +20,7 @@ type Total = (f64, f64);
 pub(super) fn is_conserved(case: &Case<'_>, witness: &Witness<'_>, ask: &Conserved) -> Option<bool> {
     let scene = case.scene;
     let stage = witness.stage_of(ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
-    let lasts = scene.stages.get(stage).is_some_and(|own| !takes_no_time(own));
+    let lasts = scene.stages.get(stage).is_some_and(|stage| !takes_no_time(stage));
     if lasts && ask.conserved == Conservable::AngularMomentum {
         let motions = witness.watched(stage);
         let stays = motions.and_then(|motions| turning::stays(witness, ask, about(scene, ask)?, stage, &motions));
@@ -52,8 +52,8 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
         let mut ends = [(0.0, 0.0); 2];
         for (end, instant) in ends.iter_mut().zip([stage + 1, stage + 2]) {
             for body in &ask.of {
-                let own = witness.carried(base, body, instant, letter)?;
-                *end = (end.0 + own, end.1 + own.abs());
+                let part = witness.carried(base, body, instant, letter)?;
+                *end = (end.0 + part, end.1 + part.abs());
             }
         }
         Some(ends)
@@ -62,10 +62,10 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
         Conservable::Momentum => {
             // What is nothing along one axis is known to the error of the others.
             let all = every_letter(scene).into_iter().filter_map(|letter| total("p", letter));
-            let size = all.flatten().map(|own| own.1).fold(0.0, f64::max);
+            let size = all.flatten().map(|total| total.1).fold(0.0, f64::max);
             let is_same = |[before, after]: [Total; 2]| (after.0 - before.0).abs() <= UNCHANGED * size;
             let asked = letters(scene, ask).into_iter().map(|letter| total("p", letter).map(is_same));
-            let is_same = asked.collect::<Option<Vec<bool>>>()?.into_iter().all(|own| own);
+            let is_same = asked.collect::<Option<Vec<bool>>>()?.into_iter().all(|agrees| agrees);
             // On which side of the support an arm carries a body is not said: with all on one side, equal sums prove nothing.
             let has_sides = matches!(scene.stages.get(stage), Some(Stage::Strike(_)));
             (!(is_same && has_sides)).then_some(is_same)
@@ -80,8 +80,9 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
                 let is_same = |(before, after): (&f64, &f64)| (after - before).abs() <= UNCHANGED * size;
                 return Some(before.0.iter().zip(&after.0).all(is_same));
             }
-            let is_asked =
-                |body: &String| ask.of.iter().any(|own| own == body || scene.members(own).contains(&body.as_str()));
+            let is_asked = |body: &String| {
+                ask.of.iter().any(|asked| asked == body || scene.members(asked).contains(&body.as_str()))
+            };
             if !scene.bodies.keys().all(is_asked) {
                 return None;
             }
@@ -106,7 +107,7 @@ fn every_letter(scene: &Scene) -> Vec<&'static str> {
 
 /// The letters of those along which momentum is asked.
 fn letters(scene: &Scene, ask: &Conserved) -> Vec<&'static str> {
-    let asked = |letter: &&str| letter.is_empty() || ask.along.is_none_or(|own| own.letter() == *letter);
+    let asked = |letter: &&str| letter.is_empty() || ask.along.is_none_or(|axis| axis.letter() == *letter);
     every_letter(scene).into_iter().filter(asked).collect()
 }
 
@@ -117,7 +118,7 @@ fn same([before, after]: [Total; 2]) -> bool {
 /// Whether the sum is the same at every moment that is watched; of bodies that are not seen to move nothing changes. Bodies that move
 /// by themselves are added up where they are watched at the same times, and judged by the ends alone elsewhere.
 fn stays(scene: &Scene, ask: &Conserved, motions: &[RecordedMotion]) -> bool {
-    let is_asked = |motion: &&RecordedMotion| motion.record.bodies.iter().any(|own| ask.of.contains(&own.name));
+    let is_asked = |motion: &&RecordedMotion| motion.record.bodies.iter().any(|body| ask.of.contains(&body.name));
     let watched: Vec<&RecordedMotion> = motions.iter().filter(is_asked).collect();
     let times = |motion: &RecordedMotion| motion.record.moments.iter().map(|moment| moment.time).collect::<Vec<_>>();
     let Some((first, others)) = watched.split_first() else { return true };
@@ -137,7 +138,7 @@ fn stays(scene: &Scene, ask: &Conserved, motions: &[RecordedMotion]) -> bool {
     let size = totals.iter().flatten().map(|sum| sum.1).fold(0.0, f64::max);
     let Some(start) = totals.first() else { return true };
     let is_same =
-        |sums: &Vec<Total>| sums.iter().zip(start).all(|(own, start)| (own.0 - start.0).abs() <= UNCHANGED * size);
+        |sums: &Vec<Total>| sums.iter().zip(start).all(|(total, start)| (total.0 - start.0).abs() <= UNCHANGED * size);
     totals.iter().all(is_same)
 }
 
@@ -146,10 +147,10 @@ fn add(sums: &mut [Total], scene: &Scene, ask: &Conserved, motion: &RecordedMoti
     // Beside the only axis of a scene, a motion may have a height of its own, along which nobody asks.
     let is_asked = |component: &Component| match scene.axes.rectangular().len() {
         0 | 1 => motion.components.len() < 2 || !component.vertical,
-        _ => ask.along.is_none_or(|own| own.letter() == component.letter),
+        _ => ask.along.is_none_or(|axis| axis.letter() == component.letter),
     };
     let Some(moment) = motion.record.moments.get(moment) else { return };
-    for (place, _) in motion.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name)) {
+    for (place, _) in motion.record.bodies.iter().enumerate().filter(|(_, body)| ask.of.contains(&body.name)) {
         let (Some(mass), Some(velocity)) = (moment.masses.get(place), moment.velocities.get(place)) else { continue };
         match ask.conserved {
             Conservable::Momentum => {
@@ -160,8 +161,8 @@ fn add(sums: &mut [Total], scene: &Scene, ask: &Conserved, motion: &RecordedMoti
                 }
             }
             Conservable::Energy => {
-                let own = mass * velocity.iter().map(|part| part * part).sum::<f64>() / 2.0;
-                sums[0] = (sums[0].0 + own, sums[0].1 + own);
+                let energy = mass * velocity.iter().map(|part| part * part).sum::<f64>() / 2.0;
+                sums[0] = (sums[0].0 + energy, sums[0].1 + energy);
             }
             Conservable::AngularMomentum => {}
         }

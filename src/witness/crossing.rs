@@ -46,10 +46,12 @@ impl Witness<'_> {
             let (reached, error) = (Cell::new(false), Cell::new(0.0));
             let value = |name: &str| {
                 let name = self.since(name);
-                let Some(own) = observed.found.iter().find(|own| own.name == name) else { return self.value(&name) };
+                let Some(reached_here) = observed.found.iter().find(|reached| reached.name == name) else {
+                    return self.value(&name);
+                };
                 reached.set(true);
-                error.set(error.get() + own.error);
-                Some(own.value)
+                error.set(error.get() + reached_here.error);
+                Some(reached_here.value)
             };
             let [left, right] = [left, right].map(|side| value_of(self.scene(), side, &value));
             let (Some(left), Some(right)) = (left, right) else { return false };

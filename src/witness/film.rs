@@ -56,7 +56,7 @@ impl Film {
     pub fn kind(&self, scene: &Scene) -> &'static str {
         let stage = self.stage.checked_sub(1).and_then(|place| scene.stages.get(place));
         let key = stage.map_or("motion", Stage::key);
-        KINDS.iter().find(|(own, _)| *own == key).map_or(key, |(_, words)| *words)
+        KINDS.iter().find(|(known, _)| *known == key).map_or(key, |(_, words)| *words)
     }
 
     /// The digits that can be trusted; none of a run that was given up before its time.

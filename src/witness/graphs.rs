@@ -64,11 +64,11 @@ fn follows(
     let [low, high] = curve.reach();
     let height = high - low;
     let moves =
-        |own: &Recorded| own.name == graph.body || witness.scene().members(&own.name).contains(&graph.body.as_str());
+        |body: &Recorded| body.name == graph.body || witness.scene().members(&body.name).contains(&graph.body.as_str());
     let found = motions.iter().find_map(|motion| Some((motion, motion.record.bodies.iter().position(moves)?)));
     let (motion, body) = found?;
     let component = match graph.along {
-        Some(axis) => motion.components.iter().position(|own| own.letter == axis.letter())?,
+        Some(axis) => motion.components.iter().position(|component| component.letter == axis.letter())?,
         None => 0,
     };
     let moments = &motion.record.moments;

@@ -23,10 +23,11 @@ pub(super) fn integrated(
     stage: usize,
     request: &Request,
 ) -> Result<Result<Vec<Film>, NothingToSimulate>, NotShown> {
-    let Some(own) = problem.loaded().draft.scene.stages.get(stage - 1) else {
+    let Some(entry) = problem.loaded().draft.scene.stages.get(stage - 1) else {
         return Ok(Err(NothingToSimulate::NoStage));
     };
-    let choices = options(&Classified::integrated(own.key()), request).map_err(|error| out_of_reach(stage, &error))?;
+    let choices =
+        options(&Classified::integrated(entry.key()), request).map_err(|error| out_of_reach(stage, &error))?;
     let follow = |tolerance: f64| followed(problem, variant, stage - 1, tolerance);
     let mut least = f64::INFINITY;
     for choice in choices {
@@ -51,7 +52,7 @@ pub(super) fn integrated(
 /// How far two integrations of a stage are apart.
 fn apart(motions: &[RecordedMotion], others: &[RecordedMotion]) -> f64 {
     let pairs = motions.iter().zip(others);
-    let apart = pairs.map(|(own, other)| own.record.apart(&other.record, false).unwrap_or(f64::INFINITY));
+    let apart = pairs.map(|(motion, other)| motion.record.apart(&other.record, false).unwrap_or(f64::INFINITY));
     let whole = if motions.len() == others.len() { f64::EPSILON } else { f64::INFINITY };
     apart.fold(whole, f64::max)
 }

@@ -17,7 +17,7 @@ impl Witness<'_> {
                 parts.collect::<Option<_>>()?
             }
         };
-        let value = libm::sqrt(parts.iter().map(|own| own.value * own.value).sum());
-        Some(Seen { value, error: parts.iter().map(|own| own.error).sum() })
+        let value = libm::sqrt(parts.iter().map(|part| part.value * part.value).sum());
+        Some(Seen { value, error: parts.iter().map(|part| part.error).sum() })
     }
 }

@@ -76,14 +76,15 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
             (Ask::Find(find), PartKind::Number(number)) => {
                 if let (Some(from), Some(sense)) = (&find.from, find.sense) {
                     let compared = witness.direction(number.symbol, from, sense == Turn::Clockwise);
-                    all.extend(compared.map(|own| (part.id.clone(), own)));
+                    all.extend(compared.map(|comparison| (part.id.clone(), comparison)));
                 }
             }
             (_, PartKind::Range(range)) => {
                 let sides = [&range.claim.left, &range.claim.right].map(|side| (side, witness.evaluated(side)));
                 let at = |(side, seen): &(&momentous_expr::Expr, Option<super::simulation::Seen>)| {
-                    let said =
-                        || side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value));
+                    let said = || {
+                        side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |number| number.value))
+                    };
                     seen.map_or_else(|| (said(), 0.0), |seen| (seen.value, seen.error))
                 };
                 if sides.iter().any(|(_, seen)| seen.is_some()) {
@@ -100,10 +101,10 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
 
 /// What the formulas that are asked come to with the numbers of the variant, each with the quantity that it is to be.
 pub(super) fn formulas(worked: &Worked<'_>) -> Vec<(String, Symbol, f64)> {
-    let own = |symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value);
+    let value = |symbol| worked.variant.value(symbol).map_or(f64::NAN, |number| number.value);
     let said = |part: &Part| {
         let PartKind::Formula(formula) = &part.kind else { return None };
-        Some((format!("the formula of {}", part.id), formula.symbol, worked.formula(formula)?.evaluate(&own)))
+        Some((format!("the formula of {}", part.id), formula.symbol, worked.formula(formula)?.evaluate(&value)))
     };
     worked.form.parts.iter().filter_map(said).collect()
 }
@@ -131,7 +132,7 @@ pub(super) fn agrees(
             Some(found? == right)
         }
         Answer::Number { symbol, ask: Ask::Count(count), .. } => {
-            let put = case.replaced.iter().find(|(own, _)| own == symbol).map(|(_, value)| *value);
+            let put = case.replaced.iter().find(|(known, _)| known == symbol).map(|(_, value)| *value);
             let number = put.or_else(|| Some(worked.variant.value(*symbol)?.value))?;
             is_first(worked, case.scene, count, number, tolerance)
         }

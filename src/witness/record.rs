@@ -25,7 +25,7 @@ impl Shot {
             "problem": problem.id(),
             "seed": variant.seed(),
             "form": form,
-            "stages": self.films.iter().map(|own| film(own, scene)).collect::<Vec<_>>(),
+            "stages": self.films.iter().map(|each| film(each, scene)).collect::<Vec<_>>(),
             "not_simulated": nothing,
         })
     }
@@ -48,9 +48,9 @@ fn film(film: &Film, scene: &Scene) -> Value {
         json!({ "name": wall.name, "normal": normal, "offset": offset, "velocity": velocity })
     });
     let point = scene.points.values().next().filter(|_| scene.points.len() == 1).map(|point| &point.name);
-    let pivot = film.record.pivot.as_ref().map(|own| {
-        let mut pivot = json!({ "at": own.at, "cord": own.tie == Tie::Cords, "name": point });
-        if let Tie::Arm(body) = own.tie {
+    let pivot = film.record.pivot.as_ref().map(|axle| {
+        let mut pivot = json!({ "at": axle.at, "cord": axle.tie == Tie::Cords, "name": point });
+        if let Tie::Arm(body) = axle.tie {
             pivot["arm"] = body.into();
         }
         pivot
@@ -88,9 +88,9 @@ fn impact(impact: &RecordedImpact) -> Value {
 }
 
 fn moment(moment: &Moment) -> Value {
-    let own = moment.masses.iter().zip(&moment.velocities);
+    let moving = moment.masses.iter().zip(&moment.velocities);
     let momenta: Vec<Vec<f64>> =
-        own.map(|(mass, velocity)| velocity.iter().map(|part| mass * part).collect()).collect();
+        moving.map(|(mass, velocity)| velocity.iter().map(|part| mass * part).collect()).collect();
     json!({
         "time": moment.time,
         "masses": moment.masses,

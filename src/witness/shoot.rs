@@ -69,10 +69,10 @@ fn is_weighed(problem: &Problem, variant: &Variant, body: &str) -> bool {
     let scene = &problem.loaded().draft.scene;
     let value = |name: &str| problem.model().symbol_of(name).and_then(|symbol| variant.value(symbol));
     let known = |name: &str| value(name).is_some_and(|mass| mass.value > 0.0);
-    let own =
+    let all_parts =
         |part: &&str| scene.bodies.get(*part).is_some_and(|body| body.mass.is_some()) || known(&format!("m_{part}"));
     let members = scene.members(body);
-    members.iter().all(own) || members.iter().all(|part| !scene.bodies.contains_key(*part))
+    members.iter().all(all_parts) || members.iter().all(|part| !scene.bodies.contains_key(*part))
 }
 
 fn filmed<const D: usize>(
@@ -105,12 +105,12 @@ fn filmed<const D: usize>(
 fn components<const D: usize>(experiment: &Experiment<D>, scene: &Scene) -> Vec<Component> {
     let axes = scene.axes.rectangular();
     let suffix = experiment.readings.iter().find_map(|(name, _)| name.rsplit_once('.').map(|(_, letter)| letter));
-    let own: Vec<Axis> = match suffix {
+    let alone: Vec<Axis> = match suffix {
         Some(letter) if D == 1 => axes.iter().map(|(axis, _)| *axis).filter(|axis| axis.letter() == letter).collect(),
         _ => axes.iter().map(|(axis, _)| *axis).collect(),
     };
     (0..D)
-        .map(|place| match own.get(place) {
+        .map(|place| match alone.get(place) {
             Some(axis) => Component::along(scene, *axis),
             None => Component::only("x"),
         })

@@ -102,9 +102,9 @@ impl<'a> Witness<'a> {
                     witness.run.insert(stage);
                     witness.ways.extend(observed.ways);
                     let bodies = witness.interacting(stage);
-                    witness.sums.extend(observed.sums.into_iter().map(|own| (bodies.clone(), own)));
+                    witness.sums.extend(observed.sums.into_iter().map(|sum| (bodies.clone(), sum)));
                     witness.terms.extend(observed.terms);
-                    witness.found.extend(observed.found.into_iter().map(|own| (own.name.clone(), own)));
+                    witness.found.extend(observed.found.into_iter().map(|reached| (reached.name.clone(), reached)));
                 }
                 Err(reason) => witness.nothing = Some(reason),
             }
@@ -114,8 +114,8 @@ impl<'a> Witness<'a> {
 
     /// The bodies that act on each other in a stage.
     fn interacting(&self, stage: usize) -> Vec<String> {
-        if let Some(Stage::Interact(own)) = self.case.scene.stages.get(stage) {
-            return own.between.clone();
+        if let Some(Stage::Interact(interact)) = self.case.scene.stages.get(stage) {
+            return interact.between.clone();
         }
         self.timeline.alive(stage + 2).into_iter().map(str::to_owned).collect()
     }
@@ -163,7 +163,7 @@ impl<'a> Witness<'a> {
 
     /// What the variant says of a quantity, or what is put in its place.
     fn stated(&self, symbol: Symbol) -> Option<f64> {
-        let other = self.case.replaced.iter().rev().find(|(own, _)| *own == symbol);
+        let other = self.case.replaced.iter().rev().find(|(known, _)| *known == symbol);
         let is_known = self.case.known.is_none_or(|known| known.contains(&symbol));
         other.map(|(_, value)| *value).or_else(|| Some(self.case.variant.value(symbol).filter(|_| is_known)?.value))
     }
@@ -182,7 +182,7 @@ impl<'a> Witness<'a> {
 
     /// What the simulation starts from: what is said, else what a stage before reached.
     pub(super) fn value(&self, name: &str) -> Option<f64> {
-        let found = || self.found_as(name).map(|own| own.value);
+        let found = || self.found_as(name).map(|reached| reached.value);
         let value = self.started_from(name).or_else(found).or_else(|| self.component(&self.since(name)));
         if value.is_none() && self.nothing.is_none() {
             self.missing.borrow_mut().extend(self.symbol(&self.since(name)));
@@ -217,9 +217,9 @@ impl<'a> Witness<'a> {
     /// A velocity under the name of the instant since which the body has it.
     pub(super) fn since(&self, name: &str) -> String {
         match Name::parse(name) {
-            Some(own @ Name { kind: QuantityKind::Velocity, instant: Some(Instant::Number(at)), stage: None, .. }) => {
-                let since = self.timeline.naming_instant(&own.subject, at);
-                own.at(since).to_string()
+            Some(name @ Name { kind: QuantityKind::Velocity, instant: Some(Instant::Number(at)), stage: None, .. }) => {
+                let since = self.timeline.naming_instant(&name.subject, at);
+                name.at(since).to_string()
             }
             _ => name.to_owned(),
         }
@@ -229,7 +229,7 @@ impl<'a> Witness<'a> {
     pub(super) fn seen(&self, name: &str) -> Option<Seen> {
         let found = self.found_as(name);
         found
-            .map(|own| Seen { value: own.value, error: own.error })
+            .map(|reached| Seen { value: reached.value, error: reached.error })
             .or_else(|| self.measured(name))
             .or_else(|| self.magnitude(name))
             .or_else(|| self.exchanged(name))
@@ -238,18 +238,18 @@ impl<'a> Witness<'a> {
     fn measured(&self, name: &str) -> Option<Seen> {
         let entering = RefCell::new(BTreeMap::new());
         let value = |name: &str| {
-            let found = self.found_as(name).map(|own| (own.name.clone(), own.error));
+            let found = self.found_as(name).map(|reached| (reached.name.clone(), reached.error));
             entering.borrow_mut().extend(found);
-            self.found_as(name).map(|own| own.value).or_else(|| self.value(name))
+            self.found_as(name).map(|reached| reached.value).or_else(|| self.value(name))
         };
-        let own = self.asked(name, &|asked, alive| {
+        let measured_value = self.asked(name, &|asked, alive| {
             // What nothing simulated enters would only repeat a formula.
-            let own = measure(self.case.scene, alive, asked, &value).filter(|_| !entering.borrow().is_empty());
+            let measured = measure(self.case.scene, alive, asked, &value).filter(|_| !entering.borrow().is_empty());
             // Where no stage has been yet, the bodies are watched.
             let watched = || watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1);
-            own.or_else(|| watched().inspect(|_| self.watched.set(true)))
+            measured.or_else(|| watched().inspect(|_| self.watched.set(true)))
         });
-        let seen = self.as_seen(own?);
+        let seen = self.as_seen(measured_value?);
         let entered: Vec<(String, f64)> = entering.borrow().clone().into_iter().collect();
         let off = |(moved, error): &(String, f64)| {
             let value = |name: &str| {
@@ -269,7 +269,7 @@ impl<'a> Witness<'a> {
         let at_start = |asked: Asked<'_>, alive: &[&str]| {
             measure(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1)
         };
-        self.asked(name, &at_start).map(|own| self.as_seen(own))
+        self.asked(name, &at_start).map(|value| self.as_seen(value))
     }
 
     fn as_seen(&self, (value, scale): (f64, f64)) -> Seen {
@@ -304,23 +304,23 @@ impl<'a> Witness<'a> {
             self.seen(name).or_else(|| self.started_with(name)).unwrap_or_else(said)
         };
         let all: BTreeMap<Symbol, Seen> = expr.symbols().into_iter().map(|symbol| (symbol, of(symbol))).collect();
-        let value = |symbol| all.get(&symbol).map_or(f64::NAN, |own| own.value);
+        let value = |symbol| all.get(&symbol).map_or(f64::NAN, |known| known.value);
         let mut error = 0.0;
         expr.slopes(&value, 1.0, &mut |symbol, slope| {
-            error += slope.abs() * all.get(&symbol).map_or(0.0, |own| own.error);
+            error += slope.abs() * all.get(&symbol).map_or(0.0, |known| known.error);
         });
         Seen { value: expr.evaluate(&value), error }
     }
 
     fn error_of(&self, symbol: Symbol) -> f64 {
-        self.case.variant.value(symbol).map_or(0.0, |own| own.error)
+        self.case.variant.value(symbol).map_or(0.0, |number| number.error)
     }
 
     /// A quantity of the variant with what the simulation finds of it.
     pub(super) fn comparison(&self, symbol: Symbol) -> Option<Comparison> {
         let name = &self.case.problem.model().symbols.entry(symbol).name;
         // An expression that a question names is what its parts make of it.
-        let expression = || self.case.problem.model().expressions.get(&symbol).map(|own| self.worked_out(own));
+        let expression = || self.case.problem.model().expressions.get(&symbol).map(|term| self.worked_out(term));
         let seen = self.seen(name).or_else(expression)?;
         Some(self.compared(symbol, self.stated(symbol)?, seen))
     }
@@ -360,16 +360,16 @@ impl<'a> Witness<'a> {
         }
         for (bodies, sum) in &self.sums {
             // The bodies as the problem says they end; the others of the scene have no part in it.
-            let own: Vec<&str> = bodies.iter().map(String::as_str).collect();
+            let bodies: Vec<&str> = bodies.iter().map(String::as_str).collect();
             let said = |name: &str| self.started_from(name);
-            if let Some((said, _)) = self.asked(&sum.name, &|asked, _| measure(self.case.scene, &own, asked, &said)) {
+            if let Some((said, _)) = self.asked(&sum.name, &|asked, _| measure(self.case.scene, &bodies, asked, &said))
+            {
                 let comparison = Comparison { stated: said, found: sum.value, error: sum.error, turns: false };
                 all.insert(format!("{} of all together", sum.name), comparison);
             }
         }
         for term in &self.terms {
-            let own = value_of(self.case.scene, &term.name, &|name| self.value(name));
-            if let Some(said) = own {
+            if let Some(said) = value_of(self.case.scene, &term.name, &|name| self.value(name)) {
                 let comparison = Comparison { stated: said, found: term.value, error: term.error, turns: false };
                 all.insert(format!("`{}` of the scene", term.name), comparison);
             }
@@ -391,7 +391,7 @@ impl<'a> Witness<'a> {
 
     /// A value as it is found, else as it is told.
     pub(super) fn known(&self, name: &str) -> Option<f64> {
-        self.found_as(name).map(|own| own.value).or_else(|| self.value(name))
+        self.found_as(name).map(|reached| reached.value).or_else(|| self.value(name))
     }
 
     fn found_as(&self, name: &str) -> Option<&Reached> {

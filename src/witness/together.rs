@@ -72,7 +72,7 @@ fn joined(parts: &[&Film]) -> Option<Film> {
             }
         }
         for body in &part.record.bodies {
-            if whole.record.bodies.iter().all(|own| own.name != body.name) {
+            if whole.record.bodies.iter().all(|other| other.name != body.name) {
                 whole.record.bodies.push(body.clone());
             }
         }
@@ -82,9 +82,9 @@ fn joined(parts: &[&Film]) -> Option<Film> {
     for body in &whole.record.bodies {
         let mut along = Vec::new();
         for axis in &whole.axes {
-            let own =
+            let is_here =
                 |part: &&&Film| part.axes.as_slice() == [axis.clone()] && names(part).any(|name| name == body.name);
-            let part = *parts.iter().find(own)?;
+            let part = *parts.iter().find(is_here)?;
             along.push((part, names(part).position(|name| name == body.name)?));
         }
         sources.push(along);
@@ -97,14 +97,14 @@ fn joined(parts: &[&Film]) -> Option<Film> {
     }
     for part in parts {
         let place = whole.axes.iter().position(|axis| part.axes.contains(axis))?;
-        let spread = |value: f64| (0..whole.axes.len()).map(|own| if own == place { value } else { 0.0 }).collect();
+        let spread = |value: f64| (0..whole.axes.len()).map(|axis| if axis == place { value } else { 0.0 }).collect();
         for wall in &part.record.walls {
             let normal = spread(wall.normal.first().copied()?);
             whole.record.walls.push(RecordedWall { normal, ..wall.clone() });
         }
         for impact in &part.record.impacts {
-            let own = RecordedImpact { impulse: spread(impact.impulse.first().copied()?), ..impact.clone() };
-            add(&mut whole.record.impacts, own);
+            let impact = RecordedImpact { impulse: spread(impact.impulse.first().copied()?), ..impact.clone() };
+            add(&mut whole.record.impacts, impact);
         }
     }
     whole.record.impacts.sort_by(|one, other| one.time.total_cmp(&other.time));
@@ -112,19 +112,19 @@ fn joined(parts: &[&Film]) -> Option<Film> {
 }
 
 /// What happens between the same bodies at the same time is one impact.
-fn add(all: &mut Vec<RecordedImpact>, own: RecordedImpact) {
-    let turned = own.contact.split_once('-').map(|(one, other)| format!("{other}-{one}"));
+fn add(all: &mut Vec<RecordedImpact>, impact: RecordedImpact) {
+    let turned = impact.contact.split_once('-').map(|(one, other)| format!("{other}-{one}"));
     let same = all.iter_mut().find(|other| {
-        other.time.total_cmp(&own.time).is_eq()
-            && (other.contact == own.contact || Some(&other.contact) == turned.as_ref())
+        other.time.total_cmp(&impact.time).is_eq()
+            && (other.contact == impact.contact || Some(&other.contact) == turned.as_ref())
     });
-    let Some(other) = same else { return all.push(own) };
-    let sign = if other.contact == own.contact { 1.0 } else { -1.0 };
-    for (sum, part) in other.impulse.iter_mut().zip(&own.impulse) {
+    let Some(other) = same else { return all.push(impact) };
+    let sign = if other.contact == impact.contact { 1.0 } else { -1.0 };
+    for (sum, part) in other.impulse.iter_mut().zip(&impact.impulse) {
         *sum += sign * part;
     }
-    other.energy_before += own.energy_before;
-    other.energy_after += own.energy_after;
+    other.energy_before += impact.energy_before;
+    other.energy_after += impact.energy_after;
 }
 
 fn instants(film: &Film, from: f64, until: f64) -> Vec<Instant> {
@@ -143,11 +143,11 @@ fn at(film: &Film, (time, after): Instant, value: &dyn Fn(&Moment) -> f64) -> Op
     let moments = &film.record.moments;
     let next = moments.partition_point(|moment| moment.time < time || after && moment.time <= time);
     // Just after an instant counts what stands at it last; just before it, what stands at it first.
-    let exact = if after { next.checked_sub(1).and_then(|own| moments.get(own)) } else { moments.get(next) };
+    let exact = if after { next.checked_sub(1).and_then(|last| moments.get(last)) } else { moments.get(next) };
     if let Some(moment) = exact.filter(|moment| moment.time.total_cmp(&time).is_eq()) {
         return Some(value(moment));
     }
-    match (next.checked_sub(1).and_then(|own| moments.get(own)), moments.get(next)) {
+    match (next.checked_sub(1).and_then(|last| moments.get(last)), moments.get(next)) {
         (Some(one), Some(other)) => {
             let share = (time - one.time) / (other.time - one.time);
             Some(value(one) + share * (value(other) - value(one)))
@@ -164,18 +164,20 @@ fn moment(parts: &[&Film], sources: &[Vec<(&Film, usize)>], instant: Instant) ->
         };
         sources.iter().map(of_body).collect()
     };
-    let first =
-        |vectors: &[Vec<f64>], body: usize| vectors.get(body).and_then(|own| own.first()).copied().unwrap_or(f64::NAN);
+    let first = |vectors: &[Vec<f64>], body: usize| {
+        vectors.get(body).and_then(|velocity| velocity.first()).copied().unwrap_or(f64::NAN)
+    };
     let positions = vectors(&|moment, body| first(&moment.positions, body))?;
     let velocities = vectors(&|moment, body| first(&moment.velocities, body))?;
     let masses: Vec<f64> = vectors(&|moment, body| moment.masses.get(body).copied().unwrap_or(f64::NAN))?
         .iter()
-        .map(|own| own.first().copied().unwrap_or(f64::NAN))
+        .map(|velocity| velocity.first().copied().unwrap_or(f64::NAN))
         .collect();
     let count = sources.first().map_or(0, Vec::len);
     let weighed = |vectors: &[Vec<f64>]| -> Vec<f64> {
-        let along =
-            |axis: usize| masses.iter().zip(vectors).map(|(mass, own)| mass * own.get(axis).unwrap_or(&0.0)).sum();
+        let along = |axis: usize| {
+            masses.iter().zip(vectors).map(|(mass, velocity)| mass * velocity.get(axis).unwrap_or(&0.0)).sum()
+        };
         (0..count).map(along).collect()
     };
     let total: f64 = masses.iter().sum();

@@ -88,31 +88,31 @@ impl Portion {
     /// Simulates seeds one after another, until one is found that differs.
     #[must_use]
     pub fn of(problem: &Problem, form: usize, seeds: RangeInclusive<u64>) -> Self {
-        let (mut own, is_first) = (Self::default(), *seeds.start() == 1);
-        let Ok(mut sampler) = Sampler::new(problem, form) else { return own };
+        let (mut portion, is_first) = (Self::default(), *seeds.start() == 1);
+        let Ok(mut sampler) = Sampler::new(problem, form) else { return portion };
         let scene = &problem.loaded().draft.scene;
         for seed in seeds {
             let Ok(variant) = sampler.variant(seed) else { continue };
             let Some(worked) = Worked::new(problem, &variant) else { continue };
             let case = Case { problem, scene, variant: &variant, replaced: Vec::new(), known: None };
             let mut trial = Trial::new(&worked, &case);
-            own.simulated.seeds += 1;
+            portion.simulated.seeds += 1;
             // The very first says how far off all can be, and how closely everything would be seen.
-            let is_looked_at = is_first && own.simulated.seeds == 1;
+            let is_looked_at = is_first && portion.simulated.seeds == 1;
             if is_looked_at {
                 trial.widen();
             }
-            own.ways.extend(trial.witness.ways());
-            own.reason = own.reason.or(trial.witness.nothing);
-            if let Some(said) = trial.differing(&mut own.simulated) {
-                own.broken = Some(format!("with seed {seed}, {said}"));
+            portion.ways.extend(trial.witness.ways());
+            portion.reason = portion.reason.or(trial.witness.nothing);
+            if let Some(said) = trial.differing(&mut portion.simulated) {
+                portion.broken = Some(format!("with seed {seed}, {said}"));
                 break;
             }
             if is_looked_at {
-                trial.put_wrong(&mut own.simulated);
+                trial.put_wrong(&mut portion.simulated);
             }
         }
-        own
+        portion
     }
 }
 
@@ -131,10 +131,10 @@ impl<'a> Trial<'a> {
     fn new(worked: &'a Worked<'a>, case: &'a Case<'a>) -> Self {
         let [fine, coarse] = TOLERANCES;
         let witness = Witness::new(case, fine);
-        let own = compared(worked, &witness);
+        let comparisons = compared(worked, &witness);
         let rough = compared(worked, &Witness::new(case, coarse));
         let mut all: BTreeMap<String, (Comparison, f64)> = BTreeMap::new();
-        for (name, comparison) in own {
+        for (name, comparison) in comparisons {
             let run = rough.get(&name).map_or(0.0, |rough| (rough.found - comparison.found).abs());
             let bound = comparison.error + run;
             all.insert(name, (comparison, bound));
@@ -176,7 +176,7 @@ impl<'a> Trial<'a> {
     /// The expressions that questions name, each with how it moves with its parts.
     fn expressions(&self) -> BTreeMap<&'a str, Vec<(&'a str, f64)>> {
         let (variant, model) = (self.worked.variant, self.worked.problem.model());
-        let value = |symbol| variant.value(symbol).map_or(f64::NAN, |own| own.value);
+        let value = |symbol| variant.value(symbol).map_or(f64::NAN, |number| number.value);
         let name = |symbol: Symbol| model.symbols.entry(symbol).name.as_str();
         let parts = |expression: &Expr| {
             let mut parts = Vec::new();
@@ -202,11 +202,11 @@ impl<'a> Trial<'a> {
         if !self.wide && self.all.values().any(is_beyond) {
             self.widen();
         }
-        for (name, own) in &self.all {
+        for (name, judged) in &self.all {
             simulated.compared += 1;
-            let (comparison, bound) = own;
+            let (comparison, bound) = judged;
             let apart = comparison.apart().abs();
-            if is_beyond(own) {
+            if is_beyond(judged) {
                 return Some(format!(
                     "`{name}` is {} by the laws and {} by simulation: a difference of {apart:e}, where errors allow {bound:e}",
                     comparison.stated, comparison.found
@@ -246,9 +246,10 @@ impl<'a> Trial<'a> {
     fn finds_out(&self, symbol: Symbol, wrong: f64, answer: Option<&Answer<'_>>) -> bool {
         let case = Case { replaced: vec![(symbol, wrong)], ..*self.case };
         let witness = Witness::new(&case, TOLERANCES[0]);
-        let (expressions, own) = (self.expressions(), &self.worked.problem.model().symbols.entry(symbol).name);
+        let (expressions, entry) = (self.expressions(), self.worked.problem.model().symbols.entry(symbol));
         let differs = |(name, other): (&String, &Comparison)| {
-            let bound = self.all.get(name).filter(|_| name == own || !expressions.contains_key(name.as_str()));
+            let is_meant = *name == entry.name || !expressions.contains_key(name.as_str());
+            let bound = self.all.get(name).filter(|_| is_meant);
             bound.is_some_and(|(_, bound)| other.apart().abs() > *bound)
         };
         let agrees = |answer| parts::agrees(self.worked, &case, &witness, answer, TOLERANCES[0]);
@@ -260,10 +261,10 @@ impl<'a> Trial<'a> {
     fn parts_of(&self, symbol: Symbol) -> impl Iterator<Item = (Symbol, f64)> {
         let (worked, model) = (self.worked, self.worked.problem.model());
         let parts = model.expressions.get(&symbol).map(Expr::symbols).unwrap_or_default();
-        let is_solved = |own: &Symbol| {
-            !worked.form.told.contains(own) && self.witness.started_with(&model.symbols.entry(*own).name).is_none()
+        let is_solved = |part: &Symbol| {
+            !worked.form.told.contains(part) && self.witness.started_with(&model.symbols.entry(*part).name).is_none()
         };
-        parts.into_iter().filter(is_solved).filter_map(|own| Some((own, parts::off(worked, own)?)))
+        parts.into_iter().filter(is_solved).filter_map(|part| Some((part, parts::off(worked, part)?)))
     }
 }
 
@@ -276,9 +277,9 @@ fn allow_for_zeros(worked: &Worked<'_>, all: &mut BTreeMap<String, (Comparison, 
         let sizes = alike.filter_map(|(symbol, _)| Some(worked.variant.value(symbol)?.value.abs()));
         sizes.fold(0.0, f64::max)
     };
-    for (name, (_, bound)) in all.iter_mut().filter(|(_, (own, _))| own.stated == 0.0) {
+    for (name, (_, bound)) in all.iter_mut().filter(|(_, (comparison, _))| comparison.stated == 0.0) {
         let dimension = symbols.find(name).map(|symbol| symbols.entry(symbol).dimension);
-        let Some(dimension) = dimension.filter(|own| *own != Dimension::NONE) else { continue };
+        let Some(dimension) = dimension.filter(|dimension| *dimension != Dimension::NONE) else { continue };
         *bound = bound.max(largest(dimension) * 4.0 * f64::EPSILON);
         if dimension == Dimension::MOMENTUM {
             *bound = bound.max(largest(Dimension::MASS) * largest(Dimension::VELOCITY) * 4.0 * f64::EPSILON);

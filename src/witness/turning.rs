@@ -21,11 +21,11 @@ pub(super) fn stays(
 ) -> Option<bool> {
     let scene = witness.scene();
     let (centre, upright) = match scene.stages.get(stage)? {
-        Stage::Rotate(own) => (Some(&own.about), false),
-        Stage::Central(own) => (Some(&own.about), false),
+        Stage::Rotate(rotate) => (Some(&rotate.about), false),
+        Stage::Central(central) => (Some(&central.about), false),
         // What is round about an upright axis has no moment about it alone.
-        Stage::Bowl(own) => (Some(&own.about), true),
-        Stage::Conical(own) => (Some(&own.about), true),
+        Stage::Bowl(bowl) => (Some(&bowl.about), true),
+        Stage::Conical(conical) => (Some(&conical.about), true),
         Stage::Flight(_) => (None, false),
         Stage::Impact(_)
         | Stage::Push(_)
@@ -61,10 +61,11 @@ pub(super) fn stays(
             .moments
             .iter()
             .map(|moment| {
-                let own = motion.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name));
-                own.fold([0.0; 4], |sum, (body, _)| {
+                let asked_bodies =
+                    motion.record.bodies.iter().enumerate().filter(|(_, body)| ask.of.contains(&body.name));
+                asked_bodies.fold([0.0; 4], |sum, (body, _)| {
                     let part = |of: &[Vec<f64>], axis: usize| {
-                        of.get(body).and_then(|own| own.get(axis)).copied().unwrap_or(0.0)
+                        of.get(body).and_then(|vector| vector.get(axis)).copied().unwrap_or(0.0)
                     };
                     let mass = moment.masses.get(body).copied().unwrap_or(f64::NAN);
                     let arm: [f64; 3] = std::array::from_fn(|axis| part(&moment.positions, axis) - from[axis]);
@@ -72,15 +73,15 @@ pub(super) fn stays(
                     let turning =
                         |one: usize, other: usize| mass * (arm[one] * velocity[other] - arm[other] * velocity[one]);
                     let size = mass * libm::sqrt(square(arm) * square(velocity));
-                    let own =
+                    let part =
                         if upright { [0.0, 0.0, turning(0, 1)] } else { [turning(1, 2), turning(2, 0), turning(0, 1)] };
-                    [sum[0] + own[0], sum[1] + own[1], sum[2] + own[2], sum[3] + size]
+                    [sum[0] + part[0], sum[1] + part[1], sum[2] + part[2], sum[3] + size]
                 })
             })
             .collect();
-        let size = totals.iter().map(|own| own[3]).fold(0.0, f64::max);
+        let size = totals.iter().map(|total| total[3]).fold(0.0, f64::max);
         let first = totals.first()?;
-        stays &= totals.iter().all(|own| (0..3).all(|axis| (own[axis] - first[axis]).abs() <= UNCHANGED * size));
+        stays &= totals.iter().all(|total| (0..3).all(|axis| (total[axis] - first[axis]).abs() <= UNCHANGED * size));
     }
     Some(stays)
 }
@@ -91,11 +92,11 @@ pub(super) fn moments(witness: &Witness<'_>, of: &[&str], subject: &str, instant
     let axes = scene.axes.rectangular();
     let components: Vec<Option<&str>> =
         if axes.len() == 3 { axes.iter().map(|(axis, _)| Some(axis.letter())).collect() } else { vec![None] };
-    let own =
+    let sum_of =
         |component| measure(scene, of, Asked { base: "H", subject, instant, component }, &|name| witness.known(name));
-    let all: Vec<(f64, f64)> = components.into_iter().map(own).collect::<Option<_>>()?;
-    let size = all.iter().map(|own| own.1).fold(0.0, f64::max);
-    Some((all.into_iter().map(|own| own.0).collect(), size))
+    let all: Vec<(f64, f64)> = components.into_iter().map(sum_of).collect::<Option<_>>()?;
+    let size = all.iter().map(|part| part.1).fold(0.0, f64::max);
+    Some((all.into_iter().map(|part| part.0).collect(), size))
 }
 
 fn square(vector: [f64; 3]) -> f64 {
@@ -106,9 +107,9 @@ fn square(vector: [f64; 3]) -> f64 {
 fn place(scene: &Scene, witness: &Witness<'_>, point: &str) -> Option<[f64; 3]> {
     let mut place = [0.0; 3];
     let at = &scene.points.get(point)?.at;
-    for ((axis, _), own) in scene.axes.rectangular().iter().zip(&mut place) {
+    for ((axis, _), coordinate) in scene.axes.rectangular().iter().zip(&mut place) {
         if let Some(term) = at.get(*axis) {
-            *own = value_of(scene, &term.0, &|name| witness.value(name))?;
+            *coordinate = value_of(scene, &term.0, &|name| witness.value(name))?;
         }
     }
     Some(place)

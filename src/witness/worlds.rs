@@ -45,7 +45,7 @@ pub(super) fn settle(case: &Case<'_>, sought: &str, tolerance: f64) -> Option<bo
     let told = &case.problem.forms().get(case.variant.form())?.on_sheet;
     let sheet = Sheet { case, told, tolerance };
     let open = sheet.open()?;
-    let seen = |witness: &Witness<'_>| witness.seen(sought).map(|own| own.value);
+    let seen = |witness: &Witness<'_>| witness.seen(sought).map(|measured| measured.value);
     let turns = 0..TRIALS.len() * MULTIPLES.len();
     let worlds = turns.filter_map(|turn| sheet.same_sheet(&open, sheet.trial(turn, &open)));
     let values: Vec<f64> = worlds.filter_map(|world| sheet.simulated(&open, &world, seen)).collect();
@@ -65,7 +65,7 @@ impl Sheet<'_> {
         loop {
             let case = self.with(&open, &self.trial(0, &open));
             let witness = Witness::new(&case, self.tolerance);
-            let missing = witness.missing().into_iter().find(|own| !open.contains(own));
+            let missing = witness.missing().into_iter().find(|symbol| !open.contains(symbol));
             if witness.nothing.is_none() {
                 return Some(open);
             }
@@ -105,7 +105,7 @@ impl Sheet<'_> {
     fn off(&self, open: &[Symbol], world: &[f64]) -> Option<Vec<f64>> {
         self.simulated(open, world, |witness| {
             let compared = self.told.iter().filter_map(|symbol| witness.comparison(*symbol));
-            Some(compared.map(|own| own.apart() / own.stated.abs().max(1.0)).collect())
+            Some(compared.map(|comparison| comparison.apart() / comparison.stated.abs().max(1.0)).collect())
         })
     }
 
@@ -113,7 +113,7 @@ impl Sheet<'_> {
     fn same_sheet(&self, open: &[Symbol], mut world: Vec<f64>) -> Option<Vec<f64>> {
         for _ in 0..STEPS {
             let off = self.off(open, &world)?;
-            if off.iter().all(|own| own.abs() < SAME * DIFFERENT) {
+            if off.iter().all(|difference| difference.abs() < SAME * DIFFERENT) {
                 return Some(world);
             }
             let mut slopes = Vec::new();
@@ -123,8 +123,8 @@ impl Sheet<'_> {
                 let there = self.off(open, &moved)?;
                 slopes.push(there.iter().zip(&off).map(|(there, here)| (there - here) / NUDGE).collect::<Vec<f64>>());
             }
-            for (own, step) in world.iter_mut().zip(least_step(&slopes, &off)?) {
-                *own -= step;
+            for (value, step) in world.iter_mut().zip(least_step(&slopes, &off)?) {
+                *value -= step;
             }
         }
         None
@@ -134,16 +134,16 @@ impl Sheet<'_> {
 /// The least change of a world by which what is off comes right to first order; none where the slopes are no numbers.
 fn least_step(slopes: &[Vec<f64>], off: &[f64]) -> Option<Vec<f64>> {
     let product = |left: &[f64], right: &[f64]| left.iter().zip(right).map(|(left, right)| left * right).sum::<f64>();
-    let largest = slopes.iter().map(|own| product(own, own)).fold(0.0, f64::max);
+    let largest = slopes.iter().map(|slope| product(slope, slope)).fold(0.0, f64::max);
     let mut rows: Vec<Vec<f64>> = Vec::new();
-    for (place, own) in slopes.iter().enumerate() {
-        let mut row: Vec<f64> = slopes.iter().map(|other| product(own, other)).collect();
+    for (place, slope) in slopes.iter().enumerate() {
+        let mut row: Vec<f64> = slopes.iter().map(|other| product(slope, other)).collect();
         // Where more is open than the sheet fixes, the smallest of all possible steps is taken.
         row[place] += RIDGE * largest;
-        row.push(product(own, off));
+        row.push(product(slope, off));
         rows.push(row);
     }
-    eliminated(rows).filter(|step| step.iter().all(|own| own.is_finite()))
+    eliminated(rows).filter(|step| step.iter().all(|part| part.is_finite()))
 }
 
 /// The solution of linear equations, each row with its right side last.
@@ -152,10 +152,10 @@ fn eliminated(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     for pivot in 0..count {
         let best = (pivot..count).max_by(|one, other| rows[*one][pivot].abs().total_cmp(&rows[*other][pivot].abs()))?;
         rows.swap(pivot, best);
-        let own = rows[pivot].clone();
+        let pivot_row = rows[pivot].clone();
         for (_, row) in rows.iter_mut().enumerate().filter(|(place, _)| *place != pivot) {
-            let share = row[pivot] / own[pivot];
-            row.iter_mut().zip(&own).for_each(|(part, own)| *part -= share * own);
+            let share = row[pivot] / pivot_row[pivot];
+            row.iter_mut().zip(&pivot_row).for_each(|(part, pivot_part)| *part -= share * pivot_part);
         }
     }
     Some(rows.iter().enumerate().map(|(place, row)| row[count] / row[place]).collect())

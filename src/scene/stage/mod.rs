@@ -139,11 +139,11 @@ impl Stage {
     /// How it changes the mass of a body, if it does.
     pub(super) fn change_of_mass(&self, body: &str) -> Option<ChangeOfMass<'_>> {
         if let Self::Push(push) = self {
-            let changes = push.mass_change().is_some() && push.pushed().any(|own| own == body);
+            let changes = push.mass_change().is_some() && push.pushed().any(|pushed| pushed == body);
             return changes.then_some(ChangeOfMass::Steady);
         }
-        if let Self::Thrust(Thrust { body: own, mass, .. }) = self
-            && own == body
+        if let Self::Thrust(Thrust { body: burning, mass, .. }) = self
+            && burning == body
         {
             return Some(ChangeOfMass::Burn(mass));
         }
@@ -162,9 +162,9 @@ impl Stage {
     /// Whether a body and the one which carries it move together at the end.
     #[must_use]
     pub fn ends_together(&self) -> bool {
-        let swings_up = |own: &Swing| own.on.is_some() && own.stops();
+        let swings_up = |swing: &Swing| swing.on.is_some() && swing.stops();
         matches!(self, Self::Slide(Slide { until: Some(Halt::Together), .. }))
-            || matches!(self, Self::Swing(own) if swings_up(own))
+            || matches!(self, Self::Swing(swing) if swings_up(swing))
     }
 
     /// The key that introduces the stage in a problem file.

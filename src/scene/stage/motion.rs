@@ -44,7 +44,7 @@ impl Course {
     pub fn along(&self, axis: Axis, axes: usize) -> Option<&Term> {
         match self {
             Self::Only(term) => (axes == 1).then_some(term),
-            Self::Components(own) => own.get(axis),
+            Self::Components(components) => components.get(axis),
         }
     }
 }

@@ -79,7 +79,7 @@ impl Push {
 
     /// The forces on one of its bodies, each with its place in the list.
     pub fn forces_on<'a>(&'a self, body: &'a str) -> impl Iterator<Item = (usize, &'a Force)> {
-        self.forces.iter().enumerate().filter(move |(_, force)| force.on().is_none_or(|own| own == body))
+        self.forces.iter().enumerate().filter(move |(_, force)| force.on().is_none_or(|on| on == body))
     }
 
     /// Whether some force is a term in the position along the axis of that letter.
@@ -100,18 +100,18 @@ impl Push {
     /// How the mass of the body changes, where it does.
     #[must_use]
     pub fn mass_change(&self) -> Option<MassChange<'_>> {
-        let gain = self.gains.as_ref().map(|own| MassChange {
+        let gain = self.gains.as_ref().map(|gain| MassChange {
             gains: true,
-            name: &own.name,
-            flow: own.flow.as_ref(),
-            mass: own.mass.as_ref(),
-            velocity: own.velocity.as_ref(),
+            name: &gain.name,
+            flow: gain.flow.as_ref(),
+            mass: gain.mass.as_ref(),
+            velocity: gain.velocity.as_ref(),
         });
-        let loss = self.loses.as_ref().map(|own| MassChange {
+        let loss = self.loses.as_ref().map(|loss| MassChange {
             gains: false,
-            name: &own.name,
-            flow: own.flow.as_ref(),
-            mass: own.mass.as_ref(),
+            name: &loss.name,
+            flow: loss.flow.as_ref(),
+            mass: loss.mass.as_ref(),
             velocity: None,
         });
         gain.or(loss)

@@ -89,12 +89,12 @@ impl Rotate {
     pub fn driving(&self) -> impl Iterator<Item = (&AlongPath, Option<(&str, &Arm)>)> {
         let held = self.held();
         self.forces.iter().map(move |force| {
-            let own = match (&force.on, &held[..]) {
+            let on_arm = match (&force.on, &held[..]) {
                 (None, [only]) => Some(*only),
                 (None, _) => None,
                 (Some(on), held) => held.iter().find(|(body, _)| body == on).copied(),
             };
-            (force, own)
+            (force, on_arm)
         })
     }
 

@@ -160,14 +160,15 @@ pub(super) fn nearest(tried: &[Tried]) -> String {
     let known = |value: Option<f64>| value.unwrap_or(f64::INFINITY);
     let least =
         |of: fn(&Tried) -> Option<f64>| tried.iter().min_by(|one, other| known(of(one)).total_cmp(&known(of(other))));
-    let accurate = least(|own| own.1).map(|(choice, error, seconds)| match error.filter(|error| error.is_finite()) {
-        Some(error) => {
-            let seconds = seconds.map_or_else(String::new, |seconds| format!(" in {}", time(seconds)));
-            format!("the most accurate, {}, has an error of up to {error:.0e}{seconds}", choice.named())
-        }
-        None => format!("what is asked for does not happen with {}", choice.named()),
-    });
-    let cheap = least(|own| own.2).and_then(|(choice, _, seconds)| {
+    let accurate =
+        least(|error_of| error_of.1).map(|(choice, error, seconds)| match error.filter(|error| error.is_finite()) {
+            Some(error) => {
+                let seconds = seconds.map_or_else(String::new, |seconds| format!(" in {}", time(seconds)));
+                format!("the most accurate, {}, has an error of up to {error:.0e}{seconds}", choice.named())
+            }
+            None => format!("what is asked for does not happen with {}", choice.named()),
+        });
+    let cheap = least(|cost_of| cost_of.2).and_then(|(choice, _, seconds)| {
         seconds.map(|seconds| format!("the cheapest, {}, takes {}", choice.named(), time(seconds)))
     });
     accurate.into_iter().chain(cheap).collect::<Vec<_>>().join("; ")
@@ -238,7 +239,8 @@ mod tests {
         for class in [Class::ClosedForm, Class::LinearSolve, Class::Piecewise, Class::OdeNeeded] {
             for power in 1..=11 {
                 let accuracy = libm::pow(10.0, -f64::from(power));
-                let rows = options(&scene(class), &asked(accuracy)).unwrap().into_iter().filter_map(|own| own.cost);
+                let rows =
+                    options(&scene(class), &asked(accuracy)).unwrap().into_iter().filter_map(|option| option.cost);
                 let rows: Vec<Cost> = rows.collect();
                 assert!(rows.iter().all(|cost| cost.error <= accuracy), "{rows:?}");
                 assert!(rows.is_sorted_by(|one, next| one.seconds <= next.seconds), "{rows:?}");
@@ -255,13 +257,13 @@ mod tests {
     fn a_time_alone_is_spent_on_accuracy_and_a_name_alone_on_its_best() {
         let timed = Request { budget: Some(1e-5), ..Request::default() };
         let rows: Vec<Cost> =
-            options(&scene(Class::OdeNeeded), &timed).unwrap().into_iter().filter_map(|own| own.cost).collect();
+            options(&scene(Class::OdeNeeded), &timed).unwrap().into_iter().filter_map(|option| option.cost).collect();
         assert!(rows.len() > 40 && rows.is_sorted_by(|one, next| one.error <= next.error));
         let named = Request { method: Some(MethodKind::Penalty), ..Request::default() };
         let only = options(&scene(Class::OdeNeeded), &named).unwrap();
         let best = costs().iter().filter(|cost| cost.class == Class::OdeNeeded && cost.method == MethodKind::Penalty);
         let best = best.map(|cost| cost.error).fold(f64::INFINITY, f64::min);
-        assert_eq!(only.iter().map(|own| own.cost.as_ref().unwrap().error).collect::<Vec<_>>(), [best]);
+        assert_eq!(only.iter().map(|option| option.cost.as_ref().unwrap().error).collect::<Vec<_>>(), [best]);
         // What the table says of its tasks may be better in a scene.
         let exact = Request { accuracy: Some(1e-12), ..named };
         assert!(options(&scene(Class::OdeNeeded), &exact).unwrap().len() > 3);

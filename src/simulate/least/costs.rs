@@ -37,8 +37,8 @@ fn read(line: &str) -> Option<Cost> {
     let [class, method, setting, seconds, error, work] = line.split(',').collect::<Vec<_>>().try_into().ok()?;
     let setting: Option<f64> = if setting.is_empty() { None } else { Some(setting.parse().ok()?) };
     Some(Cost {
-        class: Class::ALL.into_iter().find(|own| own.name() == class)?,
-        method: MethodKind::ALL.iter().copied().find(|own| own.name() == method)?,
+        class: Class::ALL.into_iter().find(|known| known.name() == class)?,
+        method: MethodKind::ALL.iter().copied().find(|kind| kind.name() == method)?,
         setting,
         seconds: seconds.parse().ok()?,
         error: error.parse().ok()?,

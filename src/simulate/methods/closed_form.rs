@@ -145,12 +145,12 @@ mod tests {
         let budgets = [Budget::impacts(7), Budget::until(2.5), Budget::until(0.1), Budget::until(50.0)];
         for world in [thrown(4.0, 0.0, 0.75), thrown(0.0, 5.0, 0.5), thrown(1e-12, -3.0, 0.9), thrown(2.0, 1.0, 0.0)] {
             for budget in budgets {
-                let (own, other) =
+                let (fixed, other) =
                     (ClosedForm.run(&world, &budget).unwrap(), EventDriven.run(&world, &budget).unwrap());
-                assert!((own.last.time - other.last.time).abs() < 1e-12 * other.last.time, "{budget:?}");
-                let (left, right) = (own.last.velocities[0].x, other.last.velocities[0].x);
+                assert!((fixed.last.time - other.last.time).abs() < 1e-12 * other.last.time, "{budget:?}");
+                let (left, right) = (fixed.last.velocities[0].x, other.last.velocities[0].x);
                 assert!((left - right).abs() < 1e-9, "{budget:?}: {left} {right}");
-                for (left, right) in own.impacts.iter().zip(&other.impacts).take(20) {
+                for (left, right) in fixed.impacts.iter().zip(&other.impacts).take(20) {
                     assert!((left.time - right.time).abs() <= 1e-14 * right.time.max(1e-3), "{left:?} {right:?}");
                     assert!((left.energy_lost - right.energy_lost).abs() <= 1e-13 * right.energy_before);
                 }

@@ -131,8 +131,8 @@ impl<const D: usize> Run<'_, D> {
             }
             let mut relative = self.trial.dense[second];
             if let Some(first) = first {
-                for (own, other) in relative.iter_mut().zip(&self.trial.dense[first]) {
-                    *own -= other;
+                for (coefficient, other) in relative.iter_mut().zip(&self.trial.dense[first]) {
+                    *coefficient -= other;
                 }
             }
             let gap = gap_polynomial(self.world, contact, &self.result.last, &relative, length);

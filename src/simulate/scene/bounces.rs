@@ -75,15 +75,15 @@ impl Values<'_> {
         let sense = -falls[up].signum();
         let (mut gravity, mut normal, mut place, mut velocity) = ([0.0; D], [0.0; D], [0.0; D], [0.0; D]);
         normal[up] = sense;
-        for (own, fall) in falls.iter().enumerate().take(D) {
-            gravity[own] = *fall;
+        for (component, fall) in falls.iter().enumerate().take(D) {
+            gravity[component] = *fall;
         }
         match self.drop_before(stage)? {
             Some(height) => place[up] = sense * height,
             None => {
                 velocity = self.velocities_before(&stage.body, axes)?;
-                for (own, axis) in axes.into_iter().enumerate().filter(|(own, _)| *own != up) {
-                    place[own] = self.place_before(&stage.body, axis).unwrap_or(0.0);
+                for (other, axis) in axes.into_iter().enumerate().filter(|(other, _)| *other != up) {
+                    place[other] = self.place_before(&stage.body, axis).unwrap_or(0.0);
                 }
             }
         }
@@ -104,7 +104,7 @@ impl Values<'_> {
         let (component, sign) = bouncing.up;
         let time = |which: &str| (format!("t_{which}"), Reading::Time { start });
         let places = |which: &str| {
-            let across = bouncing.axes.iter().enumerate().filter(|(own, _)| *own != component);
+            let across = bouncing.axes.iter().enumerate().filter(|(other, _)| *other != component);
             let place = |(component, axis): (usize, &Axis)| {
                 (format!("{}_{which}", axis.letter()), Reading::Place { body: 0, component })
             };
@@ -135,7 +135,7 @@ impl<const D: usize> Bouncing<D> {
     fn bounce(&self, number: f64) -> Result<Bounce, NothingToSimulate> {
         let run = EventDriven.run(&self.world, &until(number)).map_err(|_| NothingToSimulate::NoMethod)?;
         let (up, sense) = self.up;
-        let along = (0..D).find(|own| *own != up).map(|own| run.last.positions[0][own]);
+        let along = (0..D).find(|other| *other != up).map(|other| run.last.positions[0][other]);
         let leaves = sense * run.last.velocities[0][up];
         Ok(Bounce { time: run.last.time, along, leaves, press: -sense * self.world.gravity[up] })
     }

@@ -68,14 +68,14 @@ impl Component {
     }
 
     /// A component of a motion with axes of its own.
-    pub(super) fn own(letter: &'static str, vertical: bool, on_page: [f64; 2]) -> Self {
+    pub(super) fn of_letter(letter: &'static str, vertical: bool, on_page: [f64; 2]) -> Self {
         Self { letter, vertical, positive: None, on_page }
     }
 
     /// The only component of a motion on a line of its own.
     #[must_use]
     pub fn only(letter: &'static str) -> Self {
-        Self::own(letter, false, RIGHT)
+        Self::of_letter(letter, false, RIGHT)
     }
 }
 
@@ -87,23 +87,27 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    fn own(components: Vec<Component>) -> Self {
+    fn of_components(components: Vec<Component>) -> Self {
         Self { axes: [Axis::X, Axis::Y, Axis::Z][..components.len()].to_vec(), components }
     }
 
     /// A line of its own.
     pub(super) fn line(letter: &'static str) -> Self {
-        Self::own(vec![Component::only(letter)])
+        Self::of_components(vec![Component::only(letter)])
     }
 
     /// A plane of its own: across, and in height where it stands upright.
     pub(super) fn plane(upright: bool) -> Self {
-        Self::own(vec![Component::only("x"), Component::own("y", upright, UP)])
+        Self::of_components(vec![Component::only("x"), Component::of_letter("y", upright, UP)])
     }
 
     /// Space, with the height last.
     pub(super) fn upright_space() -> Self {
-        Self::own(vec![Component::only("x"), Component::own("y", false, AWAY), Component::own("z", true, UP)])
+        Self::of_components(vec![
+            Component::only("x"),
+            Component::of_letter("y", false, AWAY),
+            Component::of_letter("z", true, UP),
+        ])
     }
 
     /// The components of a vector.
@@ -125,16 +129,16 @@ fn on_page(words: &[&str]) -> Vec<[f64; 2]> {
     if let [_, _, _] = words {
         return in_space(words);
     }
-    let said = |words: &str| WORDS.iter().find(|(own, _)| *own == words).map(|(_, units)| *units);
+    let said = |words: &str| WORDS.iter().find(|(words_of_unit, _)| *words_of_unit == words).map(|(_, units)| *units);
     let mut units: Vec<Option<[f64; 2]>> = words.iter().map(|words| said(words)).collect();
     if let [first, second] = units.as_mut_slice() {
         let turned = |[x, y]: [f64; 2]| [-y, x];
         match (*first, *second) {
             (None, None) => (*first, *second) = (Some(RIGHT), Some(UP)),
             (None, Some([x, _])) => *first = Some(if x == 0.0 { RIGHT } else { UP }),
-            (Some(own), other) => {
-                let across = other.filter(|other| own[0] * other[0] + own[1] * other[1] == 0.0);
-                *second = across.or(Some(if own[0] == 0.0 { RIGHT } else { turned([own[0].abs(), 0.0]) }));
+            (Some(direction), other) => {
+                let across = other.filter(|other| direction[0] * other[0] + direction[1] * other[1] == 0.0);
+                *second = across.or(Some(if direction[0] == 0.0 { RIGHT } else { turned([direction[0].abs(), 0.0]) }));
             }
         }
     }

@@ -61,7 +61,8 @@ impl StageRun<'_> {
         integrator: Integrator,
         until: &Until<'_, N>,
     ) -> Result<End<N>, NothingToSimulate> {
-        let names: Vec<&str> = system.particles.iter().filter(|own| own.mass.is_some()).map(|own| own.name).collect();
+        let names: Vec<&str> =
+            system.particles.iter().filter(|particle| particle.mass.is_some()).map(|particle| particle.name).collect();
         let end = if let Until::Time(time) = until { *time } else { f64::INFINITY };
         let stop = |_: f64, state: &[f64; N]| if let Until::Event(stop) = until { stop(state) } else { 1.0 };
         let state = system.state();
@@ -74,8 +75,8 @@ impl StageRun<'_> {
             let start = (reached.time, reached.state);
             reached = integrator.run(start.0, start.1, next, &slope, &stop)?;
             let components = system.frame.components.clone();
-            for own in 0..system.particles.len() {
-                self.fastest = self.fastest.max(size(velocity(&reached.largest, own)));
+            for index in 0..system.particles.len() {
+                self.fastest = self.fastest.max(size(velocity(&reached.largest, index)));
             }
             self.film(&Motion { names: &names, components, start, end: reached.time, slope: &slope, look: &look })?;
             if reached.stopped {

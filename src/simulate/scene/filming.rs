@@ -95,9 +95,9 @@ impl<const N: usize> Motion<'_, N> {
             let share = f64::from(step) / f64::from(INSTANTS);
             let next = if step == INSTANTS { self.end } else { start + (self.end - start) * share };
             let (_, roughly) = self.at_nodes(integrator, (time, state), next)?;
-            let own = self.gives(integrator, (time, state), next, &roughly, HALVINGS)?;
-            (state, time) = (own.0, next);
-            given.add(&own.1);
+            let step = self.gives(integrator, (time, state), next, &roughly, HALVINGS)?;
+            (state, time) = (step.0, next);
+            given.add(&step.1);
             record.moments.push(moment(time, (self.look)(time, &state), &given));
         }
         Ok(())
@@ -163,8 +163,8 @@ struct Given {
 
 impl Given {
     fn add(&mut self, other: &Self) {
-        for (sum, own) in self.outside.iter_mut().zip(&other.outside) {
-            *sum += own;
+        for (sum, outside) in self.outside.iter_mut().zip(&other.outside) {
+            *sum += outside;
         }
         self.work += other.work;
         self.pushes += other.pushes;

@@ -27,7 +27,7 @@ impl Values<'_> {
     pub(super) fn impact(&self, stage: &Impact) -> Result<Staged, NothingToSimulate> {
         match stage.partners() {
             Some(Partners::Bodies(first, second)) => {
-                let guided = |body: &str| self.scene.bodies.get(body).is_some_and(|own| own.guide.is_some());
+                let guided = |body: &str| self.scene.bodies.get(body).is_some_and(|body| body.guide.is_some());
                 if guided(first) || guided(second) {
                     return Err(NothingToSimulate::NoMethod);
                 }
@@ -61,13 +61,13 @@ impl Values<'_> {
             // The one that is faster along the axis stands behind.
             let side = if before[0] >= before[1] { -1.0 } else { 1.0 };
             let mut world = World::<1>::new(0.0);
-            for (own, side) in [(0, side), (1, -side)] {
-                let place = side * radii[own];
-                world.bodies.push(Body::sphere(bodies[own], masses[own], radii[own], [place], [before[own]]));
+            for (index, side) in [(0, side), (1, -side)] {
+                let place = side * radii[index];
+                world.bodies.push(Body::sphere(bodies[index], masses[index], radii[index], [place], [before[index]]));
             }
-            let after = |own: usize| {
-                let body = stage.becomes.as_deref().unwrap_or(bodies[own]);
-                (self.velocity_after(body, axis), Reading::Velocity { body: own, component: 0, sign: 1.0 })
+            let after = |index: usize| {
+                let body = stage.becomes.as_deref().unwrap_or(bodies[index]);
+                (self.velocity_after(body, axis), Reading::Velocity { body: index, component: 0, sign: 1.0 })
             };
             staged.on_lines.push(Experiment { world, budget: Budget::impacts(1), readings: vec![after(0), after(1)] });
         }
@@ -101,10 +101,10 @@ impl Values<'_> {
     ) -> Result<Experiment<D>, NothingToSimulate> {
         let mut world = World::new(restitution);
         let masses = [self.mass(bodies[0])?, self.mass(bodies[1])?];
-        for (own, (radius, sign)) in radii(masses).into_iter().zip([-1.0, 1.0]).enumerate() {
+        for (index, (radius, sign)) in radii(masses).into_iter().zip([-1.0, 1.0]).enumerate() {
             let place = axes.map(|axis| sign * radius * part(line, axis));
-            let velocity = self.velocities_before(bodies[own], axes)?;
-            world.bodies.push(Body::sphere(bodies[own], masses[own], radius, place, velocity));
+            let velocity = self.velocities_before(bodies[index], axes)?;
+            world.bodies.push(Body::sphere(bodies[index], masses[index], radius, place, velocity));
         }
         Ok(self.one_impact(axes, world))
     }
@@ -145,11 +145,11 @@ impl Values<'_> {
 
     /// A run over the one impact of bodies that touch.
     fn one_impact<const D: usize>(&self, axes: [Axis; D], world: World<D>) -> Experiment<D> {
-        let readings = world.bodies.iter().enumerate().flat_map(|(body, own)| {
+        let readings = world.bodies.iter().enumerate().flat_map(|(body, sphere)| {
             let reading = move |component| Reading::Velocity { body, component, sign: 1.0 };
             axes.into_iter()
                 .enumerate()
-                .map(move |(component, axis)| (self.velocity_after(&own.name, axis), reading(component)))
+                .map(move |(component, axis)| (self.velocity_after(&sphere.name, axis), reading(component)))
         });
         let readings = readings.collect();
         Experiment { world, budget: Budget::impacts(1), readings }

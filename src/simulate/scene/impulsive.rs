@@ -26,9 +26,9 @@ pub fn is_impulsive(
 ) -> Option<bool> {
     let values = Values { scene, value, index: stage };
     let bare = force.trim().trim_start_matches("the ");
-    let own = scene.stages.get(stage)?;
-    let struck = || if let Stage::Impact(impact) = own { impact.body.as_deref() } else { None };
-    let body = body.or_else(struck).or(if let Stage::Blow(blow) = own { Some(blow.body.as_str()) } else { None })?;
+    let sudden = scene.stages.get(stage)?;
+    let struck = || if let Stage::Impact(impact) = sudden { impact.body.as_deref() } else { None };
+    let body = body.or_else(struck).or(if let Stage::Blow(blow) = sudden { Some(blow.body.as_str()) } else { None })?;
     if ORDINARY.contains(&bare) {
         // It is integrated over both contacts.
         let over = |time: f64| {
@@ -41,10 +41,10 @@ pub fn is_impulsive(
         };
         return Some(over(1.0 / SHORTER)? > over(1.0)? / 2.0);
     }
-    let gives = if let Stage::Blow(blow) = own {
+    let gives = if let Stage::Blow(blow) = sudden {
         blow.by.clone()
     } else {
-        let Stage::Impact(impact) = own else { return None };
+        let Stage::Impact(impact) = sudden else { return None };
         match impact.partners()? {
             Partners::Bodies(first, second) => {
                 [first, second].into_iter().filter(|name| *name != body).map(|name| scene.called(name)).next()?
@@ -61,10 +61,10 @@ pub fn is_impulsive(
     }
     let given = |shorter: f64| {
         let mut bench = StageRun { shorter, ..StageRun::new(&values, tolerance) };
-        bench.stage(own).ok()?;
+        bench.stage(sudden).ok()?;
         let name = format!("J_{body}");
-        let parts = bench.observed.found.iter().filter(|own| own.name.starts_with(&name));
-        Some(parts.map(|own| own.value.abs()).sum::<f64>())
+        let parts = bench.observed.found.iter().filter(|part| part.name.starts_with(&name));
+        Some(parts.map(|part| part.value.abs()).sum::<f64>())
     };
     let (long, short) = (given(1.0)?, given(SHORTER)?);
     Some(long > 0.0 && short > long / 2.0)

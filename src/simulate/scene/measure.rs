@@ -35,22 +35,22 @@ pub fn measure(
     match (asked.base, asked.subject) {
         ("speed", body) => Some((size(moving(body)?), 0.0)),
         ("angle", body) if values.axes().len() == 2 => {
-            let own = moving(body)?;
-            Some((libm::atan2(own[1], own[0]), 1.0))
+            let vector = moving(body)?;
+            Some((libm::atan2(vector[1], vector[0]), 1.0))
         }
         ("p", "") => {
             let (all, scale) = sum(&values, alive, &moving)?;
             Some((one(all)?, scale))
         }
         ("p", body) => {
-            let (own, scale) = sum(&values, &[body], &moving)?;
-            Some((one(own)?, scale))
+            let (total, scale) = sum(&values, &[body], &moving)?;
+            Some((one(total)?, scale))
         }
         ("T", "") => energy_by_speed(&values, alive),
         ("T", body) if body != "G" => energy_by_speed(&values, &[body]),
         ("V", body) => {
-            let (own, mass) = (place(&values, body).ok()?, values.mass(body).ok()?);
-            let lifted = values.axes().into_iter().map(|axis| Some(-values.gravity(axis).ok()? * part(own, axis)));
+            let (centre, mass) = (place(&values, body).ok()?, values.mass(body).ok()?);
+            let lifted = values.axes().into_iter().map(|axis| Some(-values.gravity(axis).ok()? * part(centre, axis)));
             Some((mass * lifted.sum::<Option<f64>>()?, 0.0))
         }
         ("r" | "v", "G") => of_centre(&values, alive, asked, &moving),
@@ -143,8 +143,8 @@ pub(super) fn place(values: &Values<'_>, body: &str) -> Result<Vector, NothingTo
 /// What each body has, counted by its mass and added up; and the sum of the sizes.
 pub(super) fn sum(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Option<Vector>) -> Option<(Vector, f64)> {
     bodies.iter().try_fold((ZERO, 0.0), |(all, scale), body| {
-        let own = times(values.mass(body).ok()?, of(body)?);
-        Some((add(all, own), scale + size(own)))
+        let momentum = times(values.mass(body).ok()?, of(body)?);
+        Some((add(all, momentum), scale + size(momentum)))
     })
 }
 

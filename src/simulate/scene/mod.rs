@@ -61,7 +61,7 @@ use vector::{cross, dot};
 /// }"#).unwrap();
 /// let value = |name: &str| match name { "m_P" => Some(80.0), "m_B" => Some(240.0), _ => None };
 /// let observed = observe(&scene, 0, &value, 1e-11).unwrap();
-/// let barge = observed.found.iter().find(|own| own.name == "s_B").unwrap();
+/// let barge = observed.found.iter().find(|reached| reached.name == "s_B").unwrap();
 /// assert!((barge.value + 1.0).abs() < 1e-9);
 /// ```
 ///
@@ -88,10 +88,10 @@ pub fn observe_at(
     tolerance: f64,
     crossing: usize,
 ) -> Result<Observed, NothingToSimulate> {
-    let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
+    let entry = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
     let values = Values { scene, value, index: stage };
     let mut run = StageRun { crossing, ..StageRun::new(&values, tolerance) };
-    run.stage(own)?;
+    run.stage(entry)?;
     Ok(run.observed)
 }
 
@@ -122,10 +122,10 @@ pub fn follow(
     value: &dyn Fn(&str) -> Option<f64>,
     tolerance: f64,
 ) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
-    let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
+    let entry = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
     let values = Values { scene, value, index: stage };
     let mut run = StageRun { motions: Some(Vec::new()), ..StageRun::new(&values, tolerance) };
-    run.stage(own)?;
+    run.stage(entry)?;
     let motions = run.motions.unwrap_or_default();
     if motions.is_empty() { Err(NothingToSimulate::NotShown) } else { Ok(motions) }
 }
@@ -163,7 +163,7 @@ pub fn part_along(scene: &Scene, direction: &str, vector: Vector, value: &dyn Fn
 ///     "stages": [{ "impact": { "between": ["A", "B"], "restitution": 0.7 } }]
 /// }"#).unwrap();
 /// let numbers = [("m_A", 3.0), ("m_B", 2.0), ("v_A1", 3.0), ("v_B1", -2.0)];
-/// let value = |name: &str| numbers.iter().find(|(own, _)| *own == name).map(|(_, value)| *value);
+/// let value = |name: &str| numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
 /// let after = translate(&scene, 0, &value).unwrap().run().unwrap();
 /// assert_eq!(after[0].name, "v_A2");
 /// assert!((after[0].value - -0.4).abs() <= after[0].error);
@@ -256,7 +256,7 @@ mod tests {
     }
 
     fn value<'a>(numbers: &'a [(&str, f64)]) -> impl Fn(&str) -> Option<f64> + 'a {
-        |name| numbers.iter().find(|(own, _)| *own == name).map(|(_, value)| *value)
+        |name| numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
 
     #[test]
@@ -264,9 +264,9 @@ mod tests {
         for (axes, stage, numbers, expected) in FOUND {
             let found = translate(&scene(axes, stage), 0, &value(numbers)).unwrap().run().unwrap();
             for (name, expected) in *expected {
-                let own = found.iter().find(|reached| reached.name == *name).unwrap();
-                assert!((own.value - expected).abs() <= own.error, "{stage}: {own:?}, not {expected}");
-                assert!(own.error <= 1e-8 * (1.0 + expected.abs()), "{stage}: {own:?}");
+                let computed = found.iter().find(|reached| reached.name == *name).unwrap();
+                assert!((computed.value - expected).abs() <= computed.error, "{stage}: {computed:?}, not {expected}");
+                assert!(computed.error <= 1e-8 * (1.0 + expected.abs()), "{stage}: {computed:?}");
             }
         }
     }

@@ -131,7 +131,7 @@ impl Force {
 
     /// How fast the particles move along the line.
     fn moves(&self, state: &[f64]) -> f64 {
-        self.on.iter().fold(0.0, |sum, (own, along)| sum + dot(*along, velocity(state, *own)))
+        self.on.iter().fold(0.0, |sum, (index, along)| sum + dot(*along, velocity(state, *index)))
     }
 
     /// How far a spring is deformed.
@@ -141,7 +141,7 @@ impl Force {
     }
 
     fn stretched(&self, deformed: f64, state: &[f64]) -> f64 {
-        self.on.iter().fold(deformed, |sum, (own, along)| sum + dot(*along, place(state, *own)))
+        self.on.iter().fold(deformed, |sum, (index, along)| sum + dot(*along, place(state, *index)))
     }
 }
 
@@ -162,7 +162,7 @@ impl Surface {
     }
 
     fn weighed(&self, vector: Vector) -> Vector {
-        [0, 1, 2].map(|own| self.squares[own] * vector[own])
+        [0, 1, 2].map(|component| self.squares[component] * vector[component])
     }
 }
 
@@ -171,14 +171,16 @@ impl Constraint {
     pub(super) fn lines(&self, state: &[f64]) -> (SharedLines<'_>, f64) {
         match self {
             Self::Length(lines) => (Cow::Borrowed(lines), 0.0),
-            Self::Surface(own) => {
+            Self::Surface(surface) => {
                 let seen = |of: fn(&[f64], usize) -> Vector| {
-                    own.carrier.map_or(of(state, own.on), |carrier| less(of(state, own.on), of(state, carrier)))
+                    surface
+                        .carrier
+                        .map_or(of(state, surface.on), |carrier| less(of(state, surface.on), of(state, carrier)))
                 };
-                let (normal, moving) = (own.weighed(less(seen(place), own.centre)), seen(velocity));
-                let back = own.carrier.map(|carrier| (carrier, times(-1.0, normal)));
-                let lines = [(own.on, normal)].into_iter().chain(back).collect();
-                (Cow::Owned(lines), own.changes - dot(moving, own.weighed(moving)))
+                let (normal, moving) = (surface.weighed(less(seen(place), surface.centre)), seen(velocity));
+                let back = surface.carrier.map(|carrier| (carrier, times(-1.0, normal)));
+                let lines = [(surface.on, normal)].into_iter().chain(back).collect();
+                (Cow::Owned(lines), surface.changes - dot(moving, surface.weighed(moving)))
             }
         }
     }

@@ -27,9 +27,9 @@ impl<'a> Pushed<'a> {
 impl StageRun<'_> {
     /// Notes the velocities afterwards.
     pub(super) fn note_velocities(&mut self, pushed: &[Pushed<'_>]) {
-        let scale = pushed.iter().map(|own| size(own.body.velocity).max(size(own.after))).fold(0.0, f64::max);
-        for own in pushed {
-            self.note_velocity(own.body.name, own.after, scale);
+        let scale = pushed.iter().map(|pushed| size(pushed.body.velocity).max(size(pushed.after))).fold(0.0, f64::max);
+        for each in pushed {
+            self.note_velocity(each.body.name, each.after, scale);
         }
     }
 
@@ -42,8 +42,8 @@ impl StageRun<'_> {
             }
         }
         let moving = |of: fn(&Pushed<'_>) -> Vector| -> Vec<(f64, Vector)> {
-            pushed.iter().filter_map(|own| Some((own.body.mass?, of(own)))).collect()
+            pushed.iter().filter_map(|pushed| Some((pushed.body.mass?, of(pushed)))).collect()
         };
-        self.note_energy(&moving(|own| own.body.velocity), &moving(|own| own.after));
+        self.note_energy(&moving(|pushed| pushed.body.velocity), &moving(|pushed| pushed.after));
     }
 }

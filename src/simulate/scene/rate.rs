@@ -20,8 +20,8 @@ pub(super) struct Rate {
 pub(super) fn rate<E>(width: f64, at: impl Fn(f64) -> Result<Vector, E>) -> Result<Rate, E> {
     let slope = |width: f64| -> Result<(Vector, f64), E> {
         INSTANTS.into_iter().zip(WEIGHTS).try_fold((ZERO, 0.0_f64), |(sum, largest), (instant, weight)| {
-            let own = at(instant * width)?;
-            Ok((add(sum, times(weight / width, own)), largest.max(size(own))))
+            let rate = at(instant * width)?;
+            Ok((add(sum, times(weight / width, rate)), largest.max(size(rate))))
         })
     };
     let ((wide, largest), (value, _)) = (slope(width)?, slope(width / 2.0)?);

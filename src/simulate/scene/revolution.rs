@@ -87,7 +87,7 @@ mod tests {
         let circle = Circle::steady(2.0, core::f64::consts::FRAC_PI_4, 10.0);
         assert!((circle.speed * circle.speed - 10.0 * circle.radius()).abs() < 1e-12, "{circle:?}");
         assert!((circle.pull(10.0) - 200.0_f64.sqrt()).abs() < 1e-12, "{circle:?}");
-        let same = Circle::with(2.0, 10.0, circle.speed, &|own| own.speed);
+        let same = Circle::with(2.0, 10.0, circle.speed, &|circle| circle.speed);
         assert!((same.angle - circle.angle).abs() < 1e-14, "{same:?}");
     }
 }

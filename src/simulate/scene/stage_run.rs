@@ -120,9 +120,9 @@ impl<'a> StageRun<'a> {
 
     /// Notes an angular impulse, unless the scene calls a moment of inertia by its name.
     pub(super) fn note_angular_impulse(&mut self, letter: &str, value: f64, scale: f64) {
-        let (own, values, taken) = (format!("I_M{letter}"), self.values, Cell::new(false));
+        let (unknown, values, taken) = (format!("I_M{letter}"), self.values, Cell::new(false));
         let read = |name: &str| {
-            taken.set(taken.get() || name == own);
+            taken.set(taken.get() || name == unknown);
             (values.value)(name)
         };
         let reading = Values { value: &read, ..*values };
@@ -130,7 +130,7 @@ impl<'a> StageRun<'a> {
             let _ = reading.term(inertia);
         }
         if !taken.get() {
-            self.note_here(&own, value, scale);
+            self.note_here(&unknown, value, scale);
         }
     }
 

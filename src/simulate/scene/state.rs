@@ -13,11 +13,11 @@ impl Values<'_> {
     pub(super) fn moving(&self, body: &str) -> Result<Vector, NothingToSimulate> {
         let mut velocity = ZERO;
         for axis in self.axes() {
-            let own = match self.velocity_before(body, axis) {
-                Ok(own) => own,
+            let component = match self.velocity_before(body, axis) {
+                Ok(component) => component,
                 Err(missing) => self.held(body, axis).ok_or(missing)?,
             };
-            velocity = add(velocity, times(own, unit(axis)));
+            velocity = add(velocity, times(component, unit(axis)));
         }
         Ok(velocity)
     }
@@ -36,7 +36,7 @@ impl Values<'_> {
 
     /// The direction in which a guide lets a body move, or something that it consists of.
     pub(super) fn guide(&self, body: &str) -> Option<Result<Vector, NothingToSimulate>> {
-        let guided = |own: &&str| self.scene.bodies.get(*own)?.guide.as_ref();
+        let guided = |body: &&str| self.scene.bodies.get(*body)?.guide.as_ref();
         let guide = self.scene.members(body).iter().find_map(guided)?;
         Some(self.direction(&guide.along.0))
     }
@@ -45,8 +45,8 @@ impl Values<'_> {
     pub(super) fn falling(&self) -> Result<Vector, NothingToSimulate> {
         let mut all = ZERO;
         for axis in self.axes() {
-            let own = self.gravity(axis)?;
-            all = add(all, times(own, unit(axis)));
+            let component = self.gravity(axis)?;
+            all = add(all, times(component, unit(axis)));
         }
         Ok(all)
     }

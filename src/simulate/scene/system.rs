@@ -30,8 +30,8 @@ impl<'a, const N: usize> System<'a, N> {
     /// Starts again where it ended.
     pub(super) fn go_on_from(&mut self, end: &End<N>) {
         self.start = end.time;
-        for (own, particle) in self.particles.iter_mut().enumerate() {
-            (particle.place, particle.velocity) = (place(&end.state, own), velocity(&end.state, own));
+        for (index, particle) in self.particles.iter_mut().enumerate() {
+            (particle.place, particle.velocity) = (place(&end.state, index), velocity(&end.state, index));
         }
     }
 
@@ -73,14 +73,14 @@ impl<'a, const N: usize> System<'a, N> {
     /// How the state would change without the constraint.
     fn free(&self, time: f64, state: &[f64; N]) -> [f64; N] {
         let mut slope = [0.0; N];
-        for (own, (part, particle)) in slope.chunks_exact_mut(6).zip(&self.particles).enumerate() {
-            part[..3].copy_from_slice(&velocity(state, own));
+        for (index, (part, particle)) in slope.chunks_exact_mut(6).zip(&self.particles).enumerate() {
+            part[..3].copy_from_slice(&velocity(state, index));
             part[3..].copy_from_slice(&particle.let_through(particle.falls));
         }
-        for (own, force) in self.forces.iter().enumerate() {
+        for (place_of_force, force) in self.forces.iter().enumerate() {
             let strength = force.strength(time, state);
             self.push(&mut slope, &force.on, strength);
-            if let Some(impulse) = slope.get_mut(6 * self.particles.len() + own) {
+            if let Some(impulse) = slope.get_mut(6 * self.particles.len() + place_of_force) {
                 *impulse = strength;
             }
         }
@@ -89,10 +89,10 @@ impl<'a, const N: usize> System<'a, N> {
 
     /// Adds the accelerations by a force.
     fn push(&self, slope: &mut [f64; N], on: &[(usize, Vector)], strength: f64) {
-        for (own, along) in on {
-            let (gained, _) = self.particles[*own].yields(times(strength, *along));
-            let changed = add(velocity(slope, *own), gained);
-            slope[6 * own + 3..6 * own + 6].copy_from_slice(&changed);
+        for (index, along) in on {
+            let (gained, _) = self.particles[*index].yields(times(strength, *along));
+            let changed = add(velocity(slope, *index), gained);
+            slope[6 * index + 3..6 * index + 6].copy_from_slice(&changed);
         }
     }
 
@@ -100,17 +100,17 @@ impl<'a, const N: usize> System<'a, N> {
     fn pull(&self, state: &[f64; N], free: &[f64; N]) -> Option<(SharedLines<'_>, f64)> {
         let (lines, mut missing) = self.constraint.as_ref()?.lines(state);
         let mut gained = 0.0;
-        for (own, along) in lines.iter() {
-            missing -= dot(*along, velocity(free, *own));
-            gained += dot(*along, self.particles[*own].yields(*along).0);
+        for (index, along) in lines.iter() {
+            missing -= dot(*along, velocity(free, *index));
+            gained += dot(*along, self.particles[*index].yields(*along).0);
         }
         Some((lines, missing / gained))
     }
 
     /// What is seen of it.
     pub(super) fn look(&self, time: f64, state: &[f64; N]) -> Look {
-        let now = |(own, particle): (usize, &Particle<'a>)| {
-            (Particle { place: place(state, own), velocity: velocity(state, own), ..*particle }, ZERO, 0.0)
+        let now = |(index, particle): (usize, &Particle<'a>)| {
+            (Particle { place: place(state, index), velocity: velocity(state, index), ..*particle }, ZERO, 0.0)
         };
         let mut look = self.frame.look(self.particles.iter().enumerate().map(now));
         let mut outside = ZERO;
@@ -129,7 +129,7 @@ impl<'a, const N: usize> System<'a, N> {
         if let Some((lines, pull)) = self.pull(state, &self.free(time, state)) {
             outside = add(outside, self.unbalanced(&lines, pull));
             // What keeps its length or its shape does no work.
-            if matches!(&self.constraint, Some(Constraint::Surface(own)) if own.changes != 0.0) {
+            if matches!(&self.constraint, Some(Constraint::Surface(surface)) if surface.changes != 0.0) {
                 look.power += pull * self.grows(&lines, state, true);
             }
         }
@@ -141,14 +141,14 @@ impl<'a, const N: usize> System<'a, N> {
 
     /// What a force comes to on all particles together: nothing where it acts between them, but for what guides take up.
     fn unbalanced(&self, on: &[(usize, Vector)], strength: f64) -> Vector {
-        let movable = on.iter().filter(|(own, _)| self.particles[*own].mass.is_some());
-        movable.fold(ZERO, |all, (own, along)| add(all, self.particles[*own].let_through(times(strength, *along))))
+        let movable = on.iter().filter(|(index, _)| self.particles[*index].mass.is_some());
+        movable.fold(ZERO, |all, (index, along)| add(all, self.particles[*index].let_through(times(strength, *along))))
     }
 
     /// How fast that gets longer which lies along lines, by the motion of what can be moved or of what cannot.
     fn grows(&self, on: &[(usize, Vector)], state: &[f64; N], movable: bool) -> f64 {
-        let of = on.iter().filter(|(own, _)| self.particles[*own].mass.is_some() == movable);
-        of.map(|(own, along)| dot(*along, velocity(state, *own))).sum()
+        let of = on.iter().filter(|(index, _)| self.particles[*index].mass.is_some() == movable);
+        of.map(|(index, along)| dot(*along, velocity(state, *index))).sum()
     }
 }
 
@@ -156,12 +156,12 @@ impl Frame {
     /// What is seen of particles, each with the force from outside on it besides its weight, and the power of all but its weight.
     pub(super) fn look<'a>(&self, all: impl Iterator<Item = (Particle<'a>, Vector, f64)>) -> Look {
         let (mut outside, mut look) = (ZERO, Look::default());
-        for (own, force, power) in all {
-            let Some(mass) = own.mass else { continue };
-            outside = add(outside, add(force, times(mass, own.let_through(own.falls))));
-            look.potential -= mass * dot(own.falls, own.place);
+        for (moving, force, power) in all {
+            let Some(mass) = moving.mass else { continue };
+            outside = add(outside, add(force, times(mass, moving.let_through(moving.falls))));
+            look.potential -= mass * dot(moving.falls, moving.place);
             look.power += power;
-            look.bodies.push(Seen { mass, place: self.split(own.place), velocity: self.split(own.velocity) });
+            look.bodies.push(Seen { mass, place: self.split(moving.place), velocity: self.split(moving.velocity) });
         }
         look.outside = self.split(outside);
         look

@@ -82,7 +82,7 @@ impl<'a> Touch<'a> {
         let releasing = if e > 0.0 { -end.state[IMPULSE] } else { 0.0 };
         let impulse = times(pressing + releasing, self.normal);
         let [first, second] =
-            [0, 1].map(|own| Pushed { after: velocity(&end.state, own), ..Pushed::new(self.parties[own]) });
+            [0, 1].map(|side| Pushed { after: velocity(&end.state, side), ..Pushed::new(self.parties[side]) });
         Ok(Parted {
             bodies: [Pushed { impulse: times(-1.0, impulse), ..first }, Pushed { impulse, ..second }],
             common: dot(velocity(&nearest.state, 0), self.normal),

@@ -54,7 +54,7 @@ impl Reader<'_> {
 
 impl Names for Reader<'_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
-        if let Some(place) = self.variables.iter().position(|own| own == name) {
+        if let Some(place) = self.variables.iter().position(|variable| variable == name) {
             let symbol = self.note(name, f64::NAN);
             self.places.insert(symbol, place);
             return Some(symbol);
@@ -158,15 +158,16 @@ impl Values<'_> {
         if let Some(StageMass::Burn { term, .. }) = self.scene.stage_mass(body, instant) {
             return self.term(term);
         }
-        let own = |member: &str| match (self.scene.mass_since(member, instant), self.scene.mass_term(member, instant)) {
-            (Some(since), _) => self.named(&format!("m_{member}{since}")),
-            (None, Some(term)) => self.term(term),
-            _ => self.named(&format!("m_{member}")).or_else(|missing| {
-                let weight = self.named(&format!("W_{member}")).map_err(|_| missing)?;
-                Ok(weight / self.named("g")?)
-            }),
-        };
-        let whole: f64 = self.scene.members(body).into_iter().map(own).sum::<Result<_, _>>()?;
+        let mass_of =
+            |member: &str| match (self.scene.mass_since(member, instant), self.scene.mass_term(member, instant)) {
+                (Some(since), _) => self.named(&format!("m_{member}{since}")),
+                (None, Some(term)) => self.term(term),
+                _ => self.named(&format!("m_{member}")).or_else(|missing| {
+                    let weight = self.named(&format!("W_{member}")).map_err(|_| missing)?;
+                    Ok(weight / self.named("g")?)
+                }),
+            };
+        let whole: f64 = self.scene.members(body).into_iter().map(mass_of).sum::<Result<_, _>>()?;
         // A mass that drops out of every equation is written as none.
         if whole > 0.0 { Ok(whole) } else { Err(NothingToSimulate::ValueMissing) }
     }
@@ -174,7 +175,7 @@ impl Values<'_> {
     /// The moment of inertia of what carries the particles of an arm; none of a light one.
     pub(super) fn inertia(&self, rotor: Option<&String>) -> Result<f64, NothingToSimulate> {
         let body = rotor.and_then(|rotor| self.scene.bodies.get(rotor));
-        body.and_then(|own| own.inertia.as_ref()).map_or(Ok(0.0), |term| self.term(term))
+        body.and_then(|body| body.inertia.as_ref()).map_or(Ok(0.0), |term| self.term(term))
     }
 
     /// The mass of a body whose motion does not depend on it: 1 kg where it is neither given nor solved.
@@ -213,15 +214,15 @@ impl Values<'_> {
         axes: [Axis; D],
     ) -> Result<[f64; D], NothingToSimulate> {
         let mut all = [0.0; D];
-        for (own, axis) in all.iter_mut().zip(axes) {
-            *own = self.velocity_before(body, axis)?;
+        for (component, axis) in all.iter_mut().zip(axes) {
+            *component = self.velocity_before(body, axis)?;
         }
         Ok(all)
     }
 
     /// The acceleration of free fall along an axis: with its sign, and 0 where weight has no part along it.
     pub(super) fn gravity(&self, axis: Axis) -> Result<f64, NothingToSimulate> {
-        let down = self.scene.axes.rectangular().into_iter().find(|(own, _)| *own == axis);
+        let down = self.scene.axes.rectangular().into_iter().find(|(listed, _)| *listed == axis);
         match down.map(|(_, senses)| senses.positive).as_deref() {
             Some("upwards") if self.scene.plane == Plane::Vertical => Ok(-self.named("g")?),
             Some("downwards") if self.scene.plane == Plane::Vertical => self.named("g"),
@@ -231,12 +232,12 @@ impl Values<'_> {
 
     /// The acceleration of a body that falls, along an axis: with its sign; along the string over a pulley on which it hangs later.
     pub(super) fn sinking(&self, body: &str, axis: Axis) -> Result<f64, NothingToSimulate> {
-        let own = self.gravity(axis)?;
+        let component = self.gravity(axis)?;
         let sinks = self.scene.sinks(self.index, body).filter(|_| self.axes().len() == 1);
         match sinks {
-            Some(1) if own == 0.0 => self.named("g"),
-            Some(_) if own == 0.0 => Ok(-self.named("g")?),
-            _ => Ok(own),
+            Some(1) if component == 0.0 => self.named("g"),
+            Some(_) if component == 0.0 => Ok(-self.named("g")?),
+            _ => Ok(component),
         }
     }
 

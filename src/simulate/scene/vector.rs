@@ -40,7 +40,7 @@ pub(super) fn less(one: Vector, other: Vector) -> Vector {
 }
 
 pub(super) fn times(factor: f64, vector: Vector) -> Vector {
-    vector.map(|own| factor * own)
+    vector.map(|component| factor * component)
 }
 
 pub(super) fn dot(one: Vector, other: Vector) -> f64 {

@@ -63,15 +63,15 @@ impl Watched<'_> {
     /// Where a body is when it has gone on for a time, seen from a point. Where only velocities are used, all may start
     /// at the same place.
     fn at(&self, body: &str, time: f64, from: Option<&str>) -> Option<Vector> {
-        let own = |body: &str| {
+        let velocity_of = |body: &str| {
             let start = place(self.values, body).unwrap_or(ZERO);
             Some(add(start, times(time, velocity(self.values, body).ok()?)))
         };
         let seen = match from {
-            Some(point) => centre(self.values, self.bodies, point, &own)?,
+            Some(point) => centre(self.values, self.bodies, point, &velocity_of)?,
             None => ZERO,
         };
-        Some(less(own(body)?, seen))
+        Some(less(velocity_of(body)?, seen))
     }
 
     /// How far it goes in a unit of time.

@@ -33,11 +33,11 @@ pub(super) fn predict<const D: usize>(
     horizon: f64,
 ) -> Option<Predicted<D>> {
     let (first, second) = world.parties(contact);
-    let own = uniform(&moving[second].motion);
+    let pulled = uniform(&moving[second].motion);
     let other = first.map_or(Some(Vector::zeros()), |first| uniform(&moving[first].motion));
-    let found = match (own, other) {
-        (Some(own), Some(other)) => {
-            let acceleration = own - other;
+    let found = match (pulled, other) {
+        (Some(pulled), Some(other)) => {
+            let acceleration = pulled - other;
             match contact {
                 Contact::Bodies(..) if D > 1 && acceleration.amax() == 0.0 => spheres(world, contact, state),
                 Contact::Bodies(..) | Contact::Cord(_) if D > 1 => {
@@ -133,8 +133,8 @@ fn polynomial<const D: usize>(
     if let Some(first) = first {
         let other = expansion(&moving[first].motion, elapsed(first));
         relative.resize(relative.len().max(other.len()), Vector::zeros());
-        for (own, other) in relative.iter_mut().zip(other) {
-            *own -= other;
+        for (coefficient, other) in relative.iter_mut().zip(other) {
+            *coefficient -= other;
         }
     }
     let gap = gap_polynomial(world, contact, state, &relative, 1.0);

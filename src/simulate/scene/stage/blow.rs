@@ -81,7 +81,7 @@ impl StageRun<'_> {
         };
         let tried = self.try_out(&struck(0.0, 1.0), integrator, &until)?.state;
         let mut whole = ZERO;
-        for (own, letter) in whole.iter_mut().zip(["r", "theta"]) {
+        for (component, letter) in whole.iter_mut().zip(["r", "theta"]) {
             let before = values.named(&format!("v_{body}{instant}.{letter}"))?;
             let impulse = values.named(&format!("J_{body}.{letter}{suffix}"));
             let strength = match (impulse, values.named(&format!("v_{body}{}.{letter}", instant + 1))) {
@@ -90,9 +90,9 @@ impl StageRun<'_> {
                 (Err(missing), Err(_)) => return Err(missing),
             };
             let reached = self.try_out(&struck(before, strength), integrator, &until)?.state;
-            *own = strength * reached[IMPULSE];
+            *component = strength * reached[IMPULSE];
             self.note(&format!("v_{body}{}.{letter}", instant + 1), velocity(&reached, 0)[0], before.abs());
-            self.note_here(&format!("J_{body}.{letter}"), *own, mass * before.abs());
+            self.note_here(&format!("J_{body}.{letter}"), *component, mass * before.abs());
         }
         self.note_here(&format!("J_{body}"), size(whole), size(whole));
         if let Some(time) = values.known(stage.duration.as_ref()) {

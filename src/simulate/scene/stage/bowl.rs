@@ -14,7 +14,7 @@ impl StageRun<'_> {
     pub(super) fn bowl(&mut self, stage: &Bowl) -> Result<(), NothingToSimulate> {
         let (body, first) = (stage.body.as_str(), self.values.index + 1);
         let named = |base: &str, instant: usize, part: &str| {
-            let since = (1..=instant).rev().map(|own| self.values.named(&format!("{base}_{body}{own}{part}")));
+            let since = (1..=instant).rev().map(|other| self.values.named(&format!("{base}_{body}{other}{part}")));
             since.into_iter().find(Result::is_ok).unwrap_or(Err(NothingToSimulate::ValueMissing))
         };
         let gravity = self.values.named("g")?;

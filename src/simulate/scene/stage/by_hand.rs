@@ -290,8 +290,8 @@ fn numbers(text: &str) -> Vec<(&str, f64)> {
 fn with<T>(axes: &str, stage: &str, told: &str, look: impl FnOnce(&Scene, &dyn Fn(&str) -> Option<f64>) -> T) -> T {
     let told = numbers(told);
     let value = |name: &str| {
-        let own = told.iter().find(|(own, _)| *own == name).map(|(_, value)| *value);
-        own.or(if name == "g" { Some(10.0) } else { None })
+        let told_value = told.iter().find(|(told_name, _)| *told_name == name).map(|(_, value)| *value);
+        told_value.or(if name == "g" { Some(10.0) } else { None })
     };
     look(&scene(axes, stage), &value)
 }
@@ -306,15 +306,15 @@ fn every_kind_of_stage_ends_as_it_does_by_hand() {
         let observed = run(axes, stage, told).unwrap_or_else(|reason| panic!("{stage}: {reason:?}"));
         for (name, expected) in numbers(expected) {
             let mut all = observed.found.iter().chain(&observed.terms);
-            let own = all.find(|own| own.name == name).unwrap_or_else(|| panic!("{stage}: no {name}"));
+            let reached = all.find(|reached| reached.name == name).unwrap_or_else(|| panic!("{stage}: no {name}"));
             let scale = 1.0 + expected.abs();
             // A rate is a quotient of differences, which says itself how far off it may be.
-            let allowed = if own.name.contains("rate") || own.name.starts_with("M_") {
-                own.error.min(1e-7 * scale)
+            let allowed = if reached.name.contains("rate") || reached.name.starts_with("M_") {
+                reached.error.min(1e-7 * scale)
             } else {
                 1e-9 * scale
             };
-            assert!((own.value - expected).abs() <= allowed, "{stage}: {own:?}, not {expected}");
+            assert!((reached.value - expected).abs() <= allowed, "{stage}: {reached:?}, not {expected}");
         }
     }
 }

@@ -44,7 +44,7 @@ impl<'a> Pair<'a> {
 
     /// Both at the start, the body on a circle that the other one carries.
     fn on(&self, circle: Surface, place: Vector) -> System<'a, 12> {
-        let free = |own: usize| Particle::free(self.names[own], self.masses[own], [self.speeds[own], 0.0, 0.0]);
+        let free = |side: usize| Particle::free(self.names[side], self.masses[side], [self.speeds[side], 0.0, 0.0]);
         let body = Particle { place, falls: [0.0, -self.gravity, 0.0], ..free(0) };
         let carrier = Particle { guide: Some(unit(Axis::X)), ..free(1) };
         let constraint = Some(Constraint::Surface(Surface { carrier: Some(1), ..circle }));
@@ -53,8 +53,8 @@ impl<'a> Pair<'a> {
 
     /// A tenth of the time in which a body on a circle of that radius swings, more quickly on a light carrier.
     fn soon(&self, radius: f64) -> f64 {
-        let [own, carrier] = self.masses;
-        0.1 * libm::sqrt(radius / self.gravity * carrier / (own + carrier))
+        let [carried, carrier] = self.masses;
+        0.1 * libm::sqrt(radius / self.gravity * carrier / (carried + carrier))
     }
 }
 
@@ -88,8 +88,8 @@ impl StageRun<'_> {
         let [from, to] = stage.places();
         let rises = from == Place::Lowest;
         let pair = self.both([body, on], stage.direction.as_ref(), !rises)?;
-        let own = format!("h_{body}{}", self.values.suffix());
-        let height = self.values.known(stage.height.as_ref()).or_else(|| (self.values.value)(&own));
+        let height_name = format!("h_{body}{}", self.values.suffix());
+        let height = self.values.known(stage.height.as_ref()).or_else(|| (self.values.value)(&height_name));
         let radius = match (self.values.known(stage.arm()), height) {
             (Some(length), _) => length,
             // Only heights are used, so that the length may be anything that reaches them.
@@ -109,7 +109,7 @@ impl StageRun<'_> {
         let Swung { ends, forces } = self.on_circle(&pair, radius, start)?;
         let [low, high] = if rises { [0, 1] } else { [1, 0] };
         let rise = seen(&ends[high])[1] - seen(&ends[low])[1];
-        self.note(&own, rise, radius);
+        self.note(&height_name, rise, radius);
         self.note_term(stage.height.as_ref(), rise, radius);
         if stage.arm().is_some() {
             if let Place::Angle(term) = to {
@@ -131,8 +131,8 @@ impl StageRun<'_> {
         together: bool,
     ) -> Result<Pair<'a>, NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
-        let [own, carrier] = names.map(|name| self.values.velocity_before(name, axis));
-        let speeds = if together { [own.or(carrier)?, carrier.or(own)?] } else { [own?, carrier?] };
+        let [carried, carrier] = names.map(|name| self.values.velocity_before(name, axis));
+        let speeds = if together { [carried.or(carrier)?, carrier.or(carried)?] } else { [carried?, carrier?] };
         for (name, speed) in names.into_iter().zip(speeds).filter(|_| together) {
             self.note(&self.values.start_name(name, axis), speed, 0.0);
         }
@@ -177,8 +177,8 @@ impl StageRun<'_> {
     fn note_both(&mut self, pair: &Pair<'_>, end: &State) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let scale = libm::sqrt(pair.gravity * place(end, 0)[1].abs()) + pair.speeds[0].abs() + pair.speeds[1].abs();
-        for (own, name) in pair.names.into_iter().enumerate() {
-            self.note_velocity(name, times(velocity(end, own)[0], unit(axis)), scale);
+        for (side, name) in pair.names.into_iter().enumerate() {
+            self.note_velocity(name, times(velocity(end, side)[0], unit(axis)), scale);
         }
         Ok(())
     }

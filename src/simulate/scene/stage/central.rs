@@ -144,7 +144,8 @@ impl StageRun<'_> {
         if let Ok(goal) = goal {
             let is_known = stage.spring.is_some() || told.is_some();
             // Along which way it comes there, where it comes there along one; at an apsis it just turns.
-            let arrives = named("v", first + 1, ".r").ok().filter(|own| is_known && own.abs() > APSIS * across.abs());
+            let arrives =
+                named("v", first + 1, ".r").ok().filter(|radial| is_known && radial.abs() > APSIS * across.abs());
             let (from, sense) = pull.before(start, goal, arrives.map(f64::signum))?;
             let left = |state: &State| sense * (goal - distance(state));
             let closing = |state: &State| sense * outwards(state);
@@ -162,7 +163,9 @@ impl StageRun<'_> {
             if let Some(spring) = &stage.spring {
                 let (stiffness, slack) =
                     (self.values.term(&spring.stiffness)?, self.values.or_zero(spring.unstretched.as_ref())?);
-                self.note_stored([length, distance(&end)].map(|own| own - slack), |own| stiffness * own);
+                self.note_stored([length, distance(&end)].map(|deformation| deformation - slack), |deformation| {
+                    stiffness * deformation
+                });
             }
             if is_known {
                 self.note(&format!("v_{body}{}.r", first + 1), outwards(&end), across);

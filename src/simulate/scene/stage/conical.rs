@@ -20,7 +20,7 @@ impl StageRun<'_> {
         let told = self.values.velocity_before(body, axis);
         let circle = match (self.values.named(&format!("angle_{body}{first}")), &told) {
             (Ok(angle), _) => Circle::steady(long, angle, gravity),
-            (Err(_), Ok(speed)) => Circle::with(long, gravity, speed.abs(), &|own| own.speed),
+            (Err(_), Ok(speed)) => Circle::with(long, gravity, speed.abs(), &|circle| circle.speed),
             (Err(missing), Err(_)) => return Err(missing),
         };
         let sense = told.map_or(1.0, f64::signum);
@@ -37,7 +37,7 @@ impl StageRun<'_> {
         self.about(vec![0.0; 3], true);
         self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Positions are measured from the pivot.");
         let swept = around(&end) * distance(&end);
-        let drawn_in = || Circle::with(short, gravity, swept, &|own| own.speed * own.radius());
+        let drawn_in = || Circle::with(short, gravity, swept, &|circle| circle.speed * circle.radius());
         let after = if drawn == 0.0 { circle } else { drawn_in() };
         for (instant, circle) in [(first, circle), (first + 1, after)] {
             self.note(&format!("angle_{body}{instant}"), circle.angle, 1.0);

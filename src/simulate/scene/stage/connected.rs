@@ -15,21 +15,22 @@ impl StageRun<'_> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
         let strands = [&stage.trailing, &stage.leading];
         // How fast the string runs.
-        let running = |own: &Strand| Ok(f64::from(own.strands()) * self.values.velocity_before(&own.body, axis)?);
+        let running =
+            |strand: &Strand| Ok(f64::from(strand.strands()) * self.values.velocity_before(&strand.body, axis)?);
         let speed = running(strands[0]).or_else(|_| running(strands[1]))?;
         let (ahead, gravity) = (unit(Axis::X), self.values.named("g")?);
         let mut system = System::<12>::new(Frame::line("s"), Vec::new());
         let (mut held, mut scale) = (Vec::new(), 0.0);
         // Weight draws the leading body on, and the trailing one back.
-        for (own, (strand, sense)) in strands.into_iter().zip([-1.0, 1.0]).enumerate() {
+        for (side, (strand, sense)) in strands.into_iter().zip([-1.0, 1.0]).enumerate() {
             let mass = self.values.mass(&strand.body)?;
             let (steep, pressed) = self.inclination(strand)?;
             let friction = self.values.or_zero(strand.friction.as_ref())? * mass * gravity * pressed;
             let (count, falls) = (f64::from(strand.strands()), times(sense * gravity * steep, ahead));
             let moves = times(speed / count, ahead);
             system.particles.push(Particle { falls, ..Particle::free(&strand.body, mass, moves) });
-            system.forces.push(Force::steady(own, times(-friction, ahead)));
-            held.push((own, times(-sense * count, ahead)));
+            system.forces.push(Force::steady(side, times(-friction, ahead)));
+            held.push((side, times(-sense * count, ahead)));
             scale += mass * gravity * steep.abs() + friction;
         }
         system.constraint = Some(Constraint::Length(held));
@@ -37,8 +38,8 @@ impl StageRun<'_> {
         let finish = self.values.finish(stage.until.is_some(), distance, stage.duration.as_ref())?;
         let end = self.go_along(&system, (1, ahead), finish)?;
         self.remark("s is measured along the string, towards the leading body, for both bodies.");
-        for (own, strand) in strands.into_iter().enumerate() {
-            let velocity = dot(velocity(&end.state, own), ahead);
+        for (side, strand) in strands.into_iter().enumerate() {
+            let velocity = dot(velocity(&end.state, side), ahead);
             self.note_velocity(&strand.body, times(velocity, unit(axis)), speed);
         }
         self.note_here("tension", system.tension(end.time, &end.state), scale);

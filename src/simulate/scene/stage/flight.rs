@@ -40,7 +40,7 @@ impl StageRun<'_> {
             falls[axis as usize] = fall;
         }
         let bodies: Vec<_> = stage.flying().map(|body| self.flying(body, falls)).collect();
-        if bodies.iter().any(|own| own.velocity.iter().any(|part| part.is_nan())) {
+        if bodies.iter().any(|body| body.velocity.iter().any(|part| part.is_nan())) {
             return Err(NothingToSimulate::ValueMissing);
         }
         if let (Some(resistance), [body]) = (&stage.resistance, &bodies[..]) {
@@ -56,7 +56,7 @@ impl StageRun<'_> {
             stages.filter_map(|stage| if let Stage::Impact(impact) = stage { impact.becomes.as_ref() } else { None });
         let mut bodies: Vec<_> = scene.bodies.keys().chain(unions).map(|body| self.flying(body, ZERO)).collect();
         let axes = self.values.axes();
-        bodies.retain(|own| !placed(&axes, &[*own], 0.0).is_empty());
+        bodies.retain(|body| !placed(&axes, &[*body], 0.0).is_empty());
         if bodies.is_empty() {
             return Err(NothingToSimulate::ValueMissing);
         }
@@ -65,12 +65,12 @@ impl StageRun<'_> {
 
     /// A body that flies freely; what is not known of it is not a number.
     fn flying<'s>(&self, name: &'s str, falls: Vector) -> Particle<'s> {
-        let mut own = Particle { falls, ..Particle::free(name, self.values.any_mass(name), ZERO) };
+        let mut particle = Particle { falls, ..Particle::free(name, self.values.any_mass(name), ZERO) };
         for axis in self.values.axes() {
-            own.place[axis as usize] = self.values.place_before(name, axis).unwrap_or(f64::NAN);
-            own.velocity[axis as usize] = self.values.velocity_before(name, axis).unwrap_or(f64::NAN);
+            particle.place[axis as usize] = self.values.place_before(name, axis).unwrap_or(f64::NAN);
+            particle.velocity[axis as usize] = self.values.velocity_before(name, axis).unwrap_or(f64::NAN);
         }
-        own
+        particle
     }
 
     fn fly(
@@ -84,10 +84,10 @@ impl StageRun<'_> {
             None => during.map_or_else(|| self.values.duration(), |term| self.values.term(term))?,
             Some("top") => {
                 // Over a slope weight acts along both axes, of which the second points away from it.
-                let own = bodies.last().ok_or(NothingToSimulate::NoStage)?;
-                let up = axes.iter().rfind(|axis| part(own.falls, **axis) != 0.0);
+                let body = bodies.last().ok_or(NothingToSimulate::NoStage)?;
+                let up = axes.iter().rfind(|axis| part(body.falls, **axis) != 0.0);
                 let up = *up.ok_or(NothingToSimulate::NothingChanges)?;
-                self.crosses(bodies, &|time| part(own.after(time).velocity, up))?
+                self.crosses(bodies, &|time| part(body.after(time).velocity, up))?
             }
             Some(text) => {
                 let apart = self.equation(bodies, text)?;
@@ -97,14 +97,14 @@ impl StageRun<'_> {
         };
         self.film_flights(bodies, time)?;
         let first = self.values.index + 1;
-        for (own, axis) in bodies.iter().flat_map(|own| axes.iter().map(move |axis| (own, *axis))) {
-            let [start, speed] = [own.place, own.velocity].map(|vector| part(vector, axis));
-            let end = own.after(time);
+        for (body, axis) in bodies.iter().flat_map(|body| axes.iter().map(move |axis| (body, *axis))) {
+            let [start, speed] = [body.place, body.velocity].map(|vector| part(vector, axis));
+            let end = body.after(time);
             if !speed.is_nan() {
-                self.note(&self.values.velocity_after(own.name, axis), part(end.velocity, axis), speed);
+                self.note(&self.values.velocity_after(body.name, axis), part(end.velocity, axis), speed);
             }
             if !part(end.place, axis).is_nan() {
-                let name = self.values.place_name(own.name, first + 1, axis);
+                let name = self.values.place_name(body.name, first + 1, axis);
                 self.note(&name, part(end.place, axis), start.abs().max((speed * time).abs()));
             }
         }
@@ -123,9 +123,9 @@ impl StageRun<'_> {
     ) -> Result<(), NothingToSimulate> {
         for (point, centre) in self.values.fixed_points() {
             let turns = rate(width, |later| {
-                let moments = bodies.iter().map(|own| {
-                    let Particle { place, velocity, .. } = own.after(time + later);
-                    times(self.values.mass(own.name).unwrap_or(f64::NAN), cross(less(place, centre), velocity))
+                let moments = bodies.iter().map(|body| {
+                    let Particle { place, velocity, .. } = body.after(time + later);
+                    times(self.values.mass(body.name).unwrap_or(f64::NAN), cross(less(place, centre), velocity))
                 });
                 Ok(moments.fold(ZERO, add))
             })?;
@@ -140,8 +140,8 @@ impl StageRun<'_> {
     fn film_flights(&mut self, bodies: &[Particle<'_>], end: f64) -> Result<(), NothingToSimulate> {
         let frame = self.values.frame();
         let look =
-            |time: f64, _: &[f64; 0]| frame.look(bodies.iter().map(|own| (own.or_nought().after(time), ZERO, 0.0)));
-        let names: Vec<&str> = bodies.iter().map(|own| own.name).collect();
+            |time: f64, _: &[f64; 0]| frame.look(bodies.iter().map(|body| (body.or_nought().after(time), ZERO, 0.0)));
+        let names: Vec<&str> = bodies.iter().map(|body| body.name).collect();
         let (start, components) = ((0.0, []), frame.components.clone());
         self.film(&Motion { names: &names, components, start, end, slope: &|_, _| [], look: &look })
     }
@@ -166,8 +166,8 @@ impl StageRun<'_> {
     fn crosses(&mut self, bodies: &[Particle<'_>], signed: &dyn Fn(f64) -> f64) -> Result<f64, NothingToSimulate> {
         let first = if signed(0.0) == 0.0 { signed(SOON) } else { signed(0.0) };
         // How long a place needs for a change of the order of itself.
-        let spans = bodies.iter().flat_map(|own| {
-            let Particle { place, velocity, falls, .. } = own.or_nought();
+        let spans = bodies.iter().flat_map(|body| {
+            let Particle { place, velocity, falls, .. } = body.or_nought();
             [0, 1, 2].map(|axis| {
                 let way = place[axis].abs() + 1.0;
                 way / (velocity[axis].abs() + libm::sqrt(way * falls[axis].abs())).max(f64::MIN_POSITIVE)
@@ -185,7 +185,7 @@ impl StageRun<'_> {
 
 /// The places along the axes that are known of bodies after a time.
 pub(super) fn placed<'s>(axes: &[Axis], bodies: &[Particle<'s>], time: f64) -> Vec<(&'s str, Axis, f64)> {
-    let ends = bodies.iter().map(|own| own.after(time));
-    let each = ends.flat_map(|own| axes.iter().map(move |axis| (own.name, *axis, part(own.place, *axis))));
+    let ends = bodies.iter().map(|body| body.after(time));
+    let each = ends.flat_map(|body| axes.iter().map(move |axis| (body.name, *axis, part(body.place, *axis))));
     each.filter(|(_, _, place)| !place.is_nan()).collect()
 }

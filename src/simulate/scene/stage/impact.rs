@@ -59,7 +59,7 @@ impl StageRun<'_> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = f64::midpoint(low, high);
-            let lost = start - energy(Touch { restitution: middle, ..*touch }.run(self)?.bodies.map(|own| own.after));
+            let lost = start - energy(Touch { restitution: middle, ..*touch }.run(self)?.bodies.map(|body| body.after));
             if (lost - loss).abs() <= CLOSE * start {
                 return Ok(middle);
             }
@@ -117,10 +117,10 @@ impl StageRun<'_> {
             if closing == 0.0 {
                 continue;
             }
-            let now = held.map(|own| Particle { velocity: own.after, ..own.body });
+            let now = held.map(|body| Particle { velocity: body.after, ..body.body });
             let touch = Touch { parties: now, normal: times(closing.signum(), along), restitution: 0.0 };
-            for (own, parted) in held.iter_mut().zip(touch.run(self)?.bodies) {
-                *own = Pushed { after: parted.after, impulse: add(own.impulse, parted.impulse), ..*own };
+            for (body, parted) in held.iter_mut().zip(touch.run(self)?.bodies) {
+                *body = Pushed { after: parted.after, impulse: add(body.impulse, parted.impulse), ..*body };
             }
         }
         self.note_pushed(&held, stage.duration.as_ref());
@@ -134,8 +134,8 @@ impl StageRun<'_> {
 
     fn note_parting(&mut self, stage: &Impact, touch: &Touch<'_>, parted: &Parted<'_>, bodies: &[Pushed<'_>]) {
         self.note_pushed(bodies, stage.duration.as_ref());
-        for own in bodies {
-            self.note_here(&format!("J_{}.n", own.body.name), dot(touch.normal, own.impulse), 0.0);
+        for body in bodies {
+            self.note_here(&format!("J_{}.n", body.body.name), dot(touch.normal, body.impulse), 0.0);
         }
         self.note_here("v_common", parted.common, 0.0);
         self.note_here("J_def", parted.phases[0], 0.0);

@@ -32,16 +32,16 @@ impl StageRun<'_> {
         let axes: Vec<Vector> = self.values.axes().into_iter().map(unit).collect();
         let placed: Result<Vec<Vector>, _> = bodies.iter().map(|body| measure::place(self.values, body)).collect();
         let mut particles = Vec::new();
-        for (own, body) in bodies.iter().enumerate() {
+        for (index, body) in bodies.iter().enumerate() {
             // Where no places are used, they stand in a row.
             #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
-            let place = placed.as_ref().map_or([own as f64, 0.0, 0.0], |placed| placed[own]);
+            let place = placed.as_ref().map_or([index as f64, 0.0, 0.0], |placed| placed[index]);
             let velocity = if stage.at_rest { ZERO } else { measure::velocity(self.values, body)? };
             let guide = self.values.guide(body).transpose()?;
             particles.push(Particle { place, guide, ..Particle::free(body, self.values.mass(body)?, velocity) });
         }
-        let wide = particles.iter().map(|own| size(less(own.place, particles[0].place))).fold(0.0, f64::max);
-        let fast = particles.iter().map(|own| size(own.velocity)).fold(0.0, f64::max);
+        let wide = particles.iter().map(|particle| size(less(particle.place, particles[0].place))).fold(0.0, f64::max);
+        let fast = particles.iter().map(|particle| size(particle.velocity)).fold(0.0, f64::max);
         if stage.at_rest || stage.during.is_some() {
             self.displaced(stage, &particles, placed.is_ok())?;
         }
@@ -49,8 +49,8 @@ impl StageRun<'_> {
             // Nothing is turned or carried along by bodies that stand still.
             return if stage.at_rest { Ok(()) } else { Err(NothingToSimulate::ValueMissing) };
         }
-        let guides: Vec<Vector> = particles.iter().filter_map(|own| own.guide).collect();
-        let masses: Vec<f64> = particles.iter().filter_map(|own| own.mass).collect();
+        let guides: Vec<Vector> = particles.iter().filter_map(|particle| particle.guide).collect();
+        let masses: Vec<f64> = particles.iter().filter_map(|particle| particle.mass).collect();
         let lightest = masses.iter().copied().fold(f64::INFINITY, f64::min);
         let stiffness = lightest * (fast / wide) * (fast / wide);
         let mut system = System::<{ 6 * MOST }>::new(self.values.frame(), particles);
@@ -63,9 +63,9 @@ impl StageRun<'_> {
         let end = self.go(&system, integrator, &Until::Time(time))?.state;
         self.remark("The forces between the bodies are not given: they are replaced by springs between all bodies.");
         let momenta: Vec<Vector> =
-            masses.iter().enumerate().map(|(own, mass)| times(*mass, velocity(&end, own))).collect();
+            masses.iter().enumerate().map(|(index, mass)| times(*mass, velocity(&end, index))).collect();
         let total = momenta.iter().copied().fold(ZERO, add);
-        let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);
+        let scale = momenta.iter().map(|momentum| size(*momentum)).fold(0.0, f64::max);
         let instant = self.values.index + 2;
         // Across a guide the sum is what the guide makes of it, which differs with the forces between the bodies.
         let is_free = |axis: &Axis| guides.iter().all(|along| (part(*along, *axis).abs() - 1.0).abs() < f64::EPSILON);
@@ -81,7 +81,7 @@ impl StageRun<'_> {
         for point in self.values.scene.points.keys() {
             let Some(seen) = centre(self.values, &bodies, point, &|_| None) else { continue };
             let moments =
-                momenta.iter().enumerate().map(|(own, momentum)| cross(less(place(&end, own), seen), *momentum));
+                momenta.iter().enumerate().map(|(index, momentum)| cross(less(place(&end, index), seen), *momentum));
             let all = moments.fold(ZERO, add);
             let letters: &[Option<&str>] = match self.values.axes().len() {
                 2 => &[None],
@@ -111,9 +111,9 @@ impl StageRun<'_> {
     ) -> Result<(), NothingToSimulate> {
         let time = stage.during.as_ref().map_or(Ok(1.0), |term| self.values.term(term))?;
         let mut system = System::<{ 6 * MOST }>::new(self.values.frame(), particles.to_vec());
-        let lightest = particles.iter().filter_map(|own| own.mass).fold(f64::INFINITY, f64::min);
+        let lightest = particles.iter().filter_map(|particle| particle.mass).fold(f64::INFINITY, f64::min);
         for (first, axis) in
-            (1..particles.len()).flat_map(|own| self.values.axes().into_iter().map(move |axis| (own, axis)))
+            (1..particles.len()).flat_map(|index| self.values.axes().into_iter().map(move |axis| (index, axis)))
         {
             let lines = vec![(first, unit(axis)), (first - 1, times(-1.0, unit(axis)))];
             #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
@@ -122,14 +122,14 @@ impl StageRun<'_> {
         }
         let integrator = self.integrator(time / 8.0);
         let end = self.try_out(&system, integrator, &Until::Time(time))?.state;
-        let whole: f64 = particles.iter().filter_map(|own| own.mass).sum();
+        let whole: f64 = particles.iter().filter_map(|particle| particle.mass).sum();
         let mean = |of: &dyn Fn(usize, &Particle<'_>) -> Vector| {
             let moved =
-                particles.iter().enumerate().filter_map(|(own, particle)| Some((own, particle, particle.mass?)));
-            moved.fold(ZERO, |all, (own, particle, mass)| add(all, times(mass / whole, of(own, particle))))
+                particles.iter().enumerate().filter_map(|(index, particle)| Some((index, particle, particle.mass?)));
+            moved.fold(ZERO, |all, (index, particle, mass)| add(all, times(mass / whole, of(index, particle))))
         };
-        let [from, to] = [mean(&|_, own| own.place), mean(&|own, _| place(&end, own))];
-        let wide = particles.iter().map(|own| size(own.place)).fold(size(less(to, from)), f64::max);
+        let [from, to] = [mean(&|_, particle| particle.place), mean(&|index, _| place(&end, index))];
+        let wide = particles.iter().map(|particle| size(particle.place)).fold(size(less(to, from)), f64::max);
         let inside: Vec<&str> = stage.between.iter().flat_map(|body| self.values.scene.members(body)).collect();
         let all = self.values.scene.bodies.keys().all(|body| inside.contains(&body.as_str()));
         for axis in self.values.axes() {

@@ -117,11 +117,11 @@ pub(super) fn same_place<'a>(stage: &'a Stage, body: &'a str) -> Option<&'a str>
             _ => Some(body),
         },
         Stage::Separate(separate) => {
-            let whole = separate.from.as_deref().filter(|_| separate.into.iter().any(|own| own == body));
+            let whole = separate.from.as_deref().filter(|_| separate.into.iter().any(|part| part == body));
             Some(whole.unwrap_or(body))
         }
         Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_) => Some(body),
-        Stage::Flight(flight) => flight.flying().all(|own| own != body).then_some(body),
+        Stage::Flight(flight) => flight.flying().all(|other| other != body).then_some(body),
         Stage::Fall(fall) => (fall.body != body).then_some(body),
         Stage::Push(_)
         | Stage::Slide(_)

@@ -71,7 +71,8 @@ impl StageRun<'_> {
                 self.note_energy(&start, &end);
                 continue;
             }
-            let [before, after] = [1, 2].map(|own| format!("H_{}{}{letter}", stage.about, self.values.index + own));
+            let [before, after] =
+                [1, 2].map(|offset| format!("H_{}{}{letter}", stage.about, self.values.index + offset));
             if let Ok(before) = self.values.named(&before) {
                 self.note(&after, before + gained, before);
             }

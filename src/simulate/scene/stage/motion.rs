@@ -67,8 +67,8 @@ impl GivenMotion {
         // How the path bends does not enter the first change of the velocity.
         let moving = self.velocity(time, at).value;
         let soon = |later: f64| self.velocity(time + later, add(at, times(later, moving)));
-        let own = sure(rate(self.width(time), |later| Ok(soon(later).value)));
-        Rate { off: own.off + 8.0 * soon(0.0).off / self.width(time).abs(), ..own }
+        let rate = sure(rate(self.width(time), |later| Ok(soon(later).value)));
+        Rate { off: rate.off + 8.0 * soon(0.0).off / self.width(time).abs(), ..rate }
     }
 }
 

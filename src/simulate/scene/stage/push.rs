@@ -167,8 +167,8 @@ impl StageRun<'_> {
                 }
                 continue;
             }
-            let (strength, own) = self.values.strength(value)?;
-            changes.extend(own);
+            let (strength, jumps) = self.values.strength(value)?;
+            changes.extend(jumps);
             all.push((self.values.towards(direction.as_ref())?, strength));
         }
         changes.sort_by(f64::total_cmp);
@@ -182,7 +182,8 @@ impl StageRun<'_> {
         system: &System<'_, 6>,
         resistance: &Resistance,
     ) -> Result<(), NothingToSimulate> {
-        let mass = system.particles.first().and_then(|own| own.mass).ok_or(NothingToSimulate::ValueMissing)?;
+        let mass =
+            system.particles.first().and_then(|particle| particle.mass).ok_or(NothingToSimulate::ValueMissing)?;
         let term = match resistance {
             Resistance::Linear(term) => term,
             Resistance::Quadratic(term) => {
@@ -217,7 +218,7 @@ impl StageRun<'_> {
         let slope = self.values.slope(stage.incline.as_ref())?;
         let needs_weight = friction.is_some() || stage.incline.is_some();
         let gravity = if needs_weight { self.values.named("g")? } else { 0.0 };
-        let at_rest = friction.and_then(|own| own.at_rest.as_ref());
+        let at_rest = friction.and_then(|friction| friction.at_rest.as_ref());
         let moves = match self.values.moving(body) {
             // What is not told to move rests on its floor.
             Err(NothingToSimulate::ValueMissing) if at_rest.is_some() => ZERO,
@@ -229,7 +230,7 @@ impl StageRun<'_> {
         let pressed = mass * gravity * slope.across;
         let lifted =
             move |(towards, strength): &(Vector, OfTime), time: f64| dot(*towards, across(along)) * strength(time);
-        let normal: OfTime = Arc::new(move |time| pressed - lifts.iter().map(|own| lifted(own, time)).sum::<f64>());
+        let normal: OfTime = Arc::new(move |time| pressed - lifts.iter().map(|lift| lifted(lift, time)).sum::<f64>());
         let span = self.during(stage.during.as_ref());
         let finish = match (stage.until, &span, self.values.known(stage.over.as_ref())) {
             (Some(_), ..) => self.fading(stage, body, &system)?.map_or(Finish::Rest, Finish::Time),
@@ -268,8 +269,8 @@ impl StageRun<'_> {
         }
         let ahead = times(sense.signum(), along);
         system.start = begins;
-        if let Some(own) = friction {
-            let grip = times(-self.values.term(&own.kinetic)?, ahead);
+        if let Some(friction) = friction {
+            let grip = times(-self.values.term(&friction.kinetic)?, ahead);
             system.forces.push(Acting::in_time(vec![(0, grip)], Arc::clone(&normal)));
         }
         if let Some(resistance) = &stage.resistance {

@@ -19,8 +19,8 @@ impl StageRun<'_> {
         for force in &stage.forces {
             let pull = match force {
                 Force::Pull(pull) => pull,
-                Force::Friction(own) => {
-                    grip = self.values.term(&own.friction.kinetic)?;
+                Force::Friction(friction) => {
+                    grip = self.values.term(&friction.friction.kinetic)?;
                     continue;
                 }
             };
@@ -38,8 +38,8 @@ impl StageRun<'_> {
         if before == 0.0 {
             ahead = self.values.sense(stage.direction.as_ref(), axis)?;
         }
-        let all = |own: &[(f64, OfSeveral)], place: f64| {
-            own.iter().map(|(towards, strength)| towards * strength(&[place])).sum::<f64>()
+        let all = |forces: &[(f64, OfSeveral)], place: f64| {
+            forces.iter().map(|(towards, strength)| towards * strength(&[place])).sum::<f64>()
         };
         let force = |place: f64| {
             let presses = mass * gravity * slope.across - all(&lifts, place);

@@ -121,7 +121,8 @@ impl StageRun<'_> {
 
     fn caught(&mut self, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
         let (droplet, axis) = (share * mass, self.values.towards(None)?);
-        let parts = [(mass, ZERO), (droplet, axis)].map(|(mass, own)| Pushed::new(Particle::free("", mass, own)));
+        let parts =
+            [(mass, ZERO), (droplet, axis)].map(|(mass, velocity)| Pushed::new(Particle::free("", mass, velocity)));
         let [caught, _] = self.searched(&parts, ZERO, &|[one, other]| less(one.after, other.after))?;
         Ok(mass * dot(caught.after, axis) / (droplet / flow))
     }

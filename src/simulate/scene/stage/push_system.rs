@@ -13,7 +13,7 @@ impl StageRun<'_> {
         let mut total = Some((ZERO, 0.0));
         for body in stage.pushed() {
             let impulse = self.push_freely(stage, body, rated)?;
-            total = total.zip(impulse).map(|((all, scale), own)| (add(all, own), scale + size(own)));
+            total = total.zip(impulse).map(|((all, scale), part)| (add(all, part), scale + size(part)));
         }
         if let Some((total, scale)) = total {
             self.note_vector_of("J", total, scale);
@@ -33,8 +33,8 @@ impl StageRun<'_> {
         let (mut rate, mut scale) = (ZERO, 0.0);
         for body in stage.pushed() {
             let system = self.pulled(stage, body, ZERO, ZERO)?;
-            let own = times(self.values.mass(body)?, velocity(&system.slope(time, &system.state()), 0));
-            (rate, scale) = (add(rate, own), scale + size(own));
+            let rate_of_body = times(self.values.mass(body)?, velocity(&system.slope(time, &system.state()), 0));
+            (rate, scale) = (add(rate, rate_of_body), scale + size(rate_of_body));
         }
         let masses = self.values.scene.bodies.keys().map(|body| self.values.mass(body));
         let whole = masses.sum::<Result<f64, _>>();

@@ -34,12 +34,12 @@ impl StageRun<'_> {
         for (point, seen) in &points {
             let mut found = Rate { value: ZERO, off: 0.0 };
             for (mass, system) in &pushed {
-                let own = rate(SOON, |time| -> Result<Vector, NothingToSimulate> {
+                let later = rate(SOON, |time| -> Result<Vector, NothingToSimulate> {
                     let end =
                         integrator.until(start, system.state(), start + time, &|at, state| system.slope(at, state))?;
                     Ok(times(*mass, cross(less(place(&end, 0), *seen), velocity(&end, 0))))
                 })?;
-                found = Rate { value: add(found.value, own.value), off: found.off + own.off };
+                found = Rate { value: add(found.value, later.value), off: found.off + later.off };
             }
             self.note_turning(point, instant, found);
         }

@@ -35,14 +35,14 @@ fn seen(held: &[Held<'_>], state: &[f64; 3], [rate, gain, power]: [f64; 3], [tim
     let (sin, cos) = (libm::sin(state[0]), libm::cos(state[0]));
     let pointed = |out: f64, round: f64| [out * cos - round * sin, out * sin + round * cos];
     let (mut bodies, mut outside) = (Vec::new(), vec![0.0; 2]);
-    for own in held {
-        let [radius, speed, gained] = own.radius(time / span);
+    for each in held {
+        let [radius, speed, gained] = each.radius(time / span);
         let (speed, gained) = (speed / span, gained / (span * span));
         let place = pointed(radius, 0.0).into();
-        bodies.push(Seen { mass: own.mass, place, velocity: pointed(speed, radius * rate).into() });
+        bodies.push(Seen { mass: each.mass, place, velocity: pointed(speed, radius * rate).into() });
         let acceleration = pointed(gained - radius * rate * rate, radius * gain + 2.0 * speed * rate);
         for (sum, part) in outside.iter_mut().zip(acceleration) {
-            *sum += own.mass * part;
+            *sum += each.mass * part;
         }
     }
     Look { bodies, outside, power, ..Look::default() }
@@ -53,15 +53,15 @@ impl StageRun<'_> {
     fn turned_by(&self, stage: &Rotate) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
         let (mut all, mut changes): (Vec<(f64, OfTime)>, Vec<f64>) = (Vec::new(), Vec::new());
         if let Some(moment) = &stage.moment {
-            let (strength, own) = self.values.strength(moment)?;
+            let (strength, jumps) = self.values.strength(moment)?;
             all.push((1.0, strength));
-            changes.extend(own);
+            changes.extend(jumps);
         }
         for (force, on) in stage.driving() {
             let (_, arm) = on.ok_or(NothingToSimulate::Unread)?;
-            let (strength, own) = self.values.strength(&force.value)?;
+            let (strength, jumps) = self.values.strength(&force.value)?;
             all.push((self.values.term(arm.ends()[0])?, strength));
-            changes.extend(own);
+            changes.extend(jumps);
         }
         changes.sort_by(f64::total_cmp);
         Ok((Arc::new(move |time| all.iter().map(|(arm, strength)| arm * strength(time)).sum()), changes))
@@ -78,16 +78,16 @@ impl StageRun<'_> {
             let mass = if lone { self.values.any_mass(body) } else { self.values.mass(body)? };
             held.push(Held { body, mass, ends: [self.values.term(from)?, self.values.term(to)?] });
         }
-        let weighed = held.iter().all(|own| self.values.mass(own.body).is_ok());
-        let turning = |own: &Held<'_>| Ok(self.values.velocity_before(own.body, axis)? / own.ends[0]);
-        let turning_of = held.first().filter(|_| !stage.is_arm()).map_or("", |own| own.body);
+        let weighed = held.iter().all(|held| self.values.mass(held.body).is_ok());
+        let turning = |held: &Held<'_>| Ok(self.values.velocity_before(held.body, axis)? / held.ends[0]);
+        let turning_of = held.first().filter(|_| !stage.is_arm()).map_or("", |held| held.body);
         // A period says nothing of the sense, so it comes last.
         let period = || Ok(TAU / self.values.named(&format!("period_{turning_of}{first}"))?);
         let started = self.values.named(&format!("omega_{turning_of}{first}"));
-        let before = held.iter().fold(started, |known, own| known.or_else(|_| turning(own))).or_else(|_| period())?;
+        let before = held.iter().fold(started, |known, held| known.or_else(|_| turning(held))).or_else(|_| period())?;
         // What carries the particles is one more, of so much mass that its moment of inertia is the same.
         if let Some(rotor) = &stage.rotor {
-            let arm = held.first().map_or(1.0, |own| own.ends[0]);
+            let arm = held.first().map_or(1.0, |held| held.ends[0]);
             let mass = self.values.inertia(Some(rotor))? / (arm * arm);
             held.push(Held { body: rotor, mass, ends: [arm, arm] });
         }
@@ -103,17 +103,17 @@ impl StageRun<'_> {
         let slope = |time: f64, state: &[f64; 3]| {
             let (mut resisting, mut driving, mut drawing) = (0.0, moment(time), 0.0);
             let rate = state[1];
-            for own in &held {
-                let [radius, speed, gained] = own.radius((time - start) / span);
+            for each in &held {
+                let [radius, speed, gained] = each.radius((time - start) / span);
                 let (speed, gained) = (speed / span, gained / (span * span));
-                resisting += own.mass * radius * radius;
-                driving -= 2.0 * own.mass * radius * speed * rate;
-                drawing += own.mass * (gained - radius * rate * rate) * speed;
+                resisting += each.mass * radius * radius;
+                driving -= 2.0 * each.mass * radius * speed * rate;
+                drawing += each.mass * (gained - radius * rate * rate) * speed;
             }
             [rate, driving / resisting, drawing + moment(time) * rate]
         };
         let integrator = self.integrator(span / 32.0);
-        let names: Vec<&str> = held.iter().map(|own| own.body).collect();
+        let names: Vec<&str> = held.iter().map(|held| held.body).collect();
         let (mut time, mut state, mut fastest) = (start, [0.0, before, 0.0], before.abs());
         for next in changes.into_iter().filter(|change| *change > start && *change < end).chain([end]) {
             let within = |at: f64, state: &[f64; 3]| slope(if at >= next { next.next_down() } else { at }, state);
@@ -133,7 +133,7 @@ impl StageRun<'_> {
             self.remark("What carries the particles is shown as a particle with the same moment of inertia.");
         }
         let [_, after, work] = state;
-        let resists = |side: usize| held.iter().map(|own| own.mass * own.ends[side] * own.ends[side]).sum::<f64>();
+        let resists = |side: usize| held.iter().map(|held| held.mass * held.ends[side] * held.ends[side]).sum::<f64>();
         let energy = resists(0) * before * before / 2.0;
         self.note_here("work", work, energy);
         if stage.is_driven() {
@@ -148,17 +148,17 @@ impl StageRun<'_> {
             }
             self.note(&format!("omega_{turning_of}{instant}"), rate, fastest);
             self.note(&format!("period_{turning_of}{instant}"), TAU / rate.abs(), TAU * fastest / (rate * rate));
-            for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
-                let [towards, scale] = [rate, fastest].map(|other| own.ends[side] * rate * other);
-                self.note(&format!("a_{}{instant}.n", own.body), towards, scale);
+            for each in held.iter().filter(|held| stage.rotor.as_deref() != Some(held.body)) {
+                let [towards, scale] = [rate, fastest].map(|other| each.ends[side] * rate * other);
+                self.note(&format!("a_{}{instant}.n", each.body), towards, scale);
                 if weighed {
-                    self.note(&format!("tension_{}{instant}", own.body), own.mass * towards, own.mass * scale);
+                    self.note(&format!("tension_{}{instant}", each.body), each.mass * towards, each.mass * scale);
                 }
             }
         }
-        for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
-            self.note(&self.values.start_name(own.body, axis), own.ends[0] * before, 0.0);
-            self.note_velocity(own.body, times(own.ends[1] * after, unit(axis)), own.ends[1] * fastest);
+        for each in held.iter().filter(|held| stage.rotor.as_deref() != Some(held.body)) {
+            self.note(&self.values.start_name(each.body, axis), each.ends[0] * before, 0.0);
+            self.note_velocity(each.body, times(each.ends[1] * after, unit(axis)), each.ends[1] * fastest);
         }
         Ok(())
     }

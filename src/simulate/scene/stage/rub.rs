@@ -22,9 +22,10 @@ impl StageRun<'_> {
             particles.push(Particle::free(body, self.values.mass(body)?, moves));
         }
         let masses = [self.values.mass(upper)?, self.values.mass(lower)?];
-        let moved: Vec<(f64, Vector)> = masses.into_iter().zip(particles.iter().map(|own| own.velocity)).collect();
+        let moved: Vec<(f64, Vector)> =
+            masses.into_iter().zip(particles.iter().map(|particle| particle.velocity)).collect();
         let seen = less(particles[0].velocity, particles[1].velocity);
-        let scale: f64 = particles.iter().map(|own| size(own.velocity)).sum();
+        let scale: f64 = particles.iter().map(|particle| size(particle.velocity)).sum();
         let normal = masses[0] * self.values.named("g")?;
         let force = self.values.term(friction)? * normal;
         let ahead = times(dot(along, seen).signum(), along);
@@ -44,11 +45,11 @@ impl StageRun<'_> {
             }
         };
         self.remark("Each position is measured from the starting point of its body.");
-        let ends = [0, 1].map(|own| velocity(&end.state, own));
-        for (own, body) in bodies.into_iter().enumerate() {
-            self.note_velocity(body, ends[own], scale);
-            self.note_impulse(body, times(masses[own], less(ends[own], moved[own].1)), None);
-            let way = dot(along, place(&end.state, own));
+        let ends = [0, 1].map(|side| velocity(&end.state, side));
+        for (index, body) in bodies.into_iter().enumerate() {
+            self.note_velocity(body, ends[index], scale);
+            self.note_impulse(body, times(masses[index], less(ends[index], moved[index].1)), None);
+            let way = dot(along, place(&end.state, index));
             self.note_here(&format!("s_{body}"), way, scale * end.time);
             let letter = self.values.letter(*axis);
             let [from, to] = [1, 2].map(|side| format!("r_{body}{}{letter}", self.values.index + side));

@@ -51,7 +51,7 @@ impl StageRun<'_> {
     fn sprung<'a>(&mut self, pair: &Pair<'a>, energy: f64) -> Result<Pair<'a>, NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::NoMethod) };
         let along = unit(axis);
-        let stiffness = pair.iter().filter_map(|own| own.body.mass).fold(f64::INFINITY, f64::min);
+        let stiffness = pair.iter().filter_map(|body| body.body.mass).fold(f64::INFINITY, f64::min);
         let pressed = libm::sqrt(2.0 * energy / stiffness);
         let spring = Force::spring(vec![(0, along), (1, times(-1.0, along))], stiffness, pressed);
         let left = |state: &[f64; 13]| pressed + dot(along, less(place(state, 0), place(state, 1)));
@@ -88,8 +88,8 @@ impl StageRun<'_> {
         let rest = told.iter().position(Option::is_none).or(told.len().checked_sub(1)).ok_or(missing)?;
         let [before @ .., last] = pieces else { return Err(missing) };
         told.swap(rest, before.len());
-        if let Some(own) = before.get_mut(rest) {
-            std::mem::swap(own, last);
+        if let Some(whole_or_part) = before.get_mut(rest) {
+            std::mem::swap(whole_or_part, last);
         }
         for (piece, wanted) in before.iter_mut().zip(told) {
             [*piece, *last] = self.searched(&[*piece, *last], wanted.ok_or(missing)?, &|pair| pair[0].after)?;
@@ -135,7 +135,7 @@ impl StageRun<'_> {
         along: Vector,
         until: &Until<'_, 13>,
     ) -> Result<Pair<'a>, NothingToSimulate> {
-        let particles = pair.iter().map(|own| Particle { velocity: own.after, ..own.body }).collect();
+        let particles = pair.iter().map(|body| Particle { velocity: body.after, ..body.body }).collect();
         let system = System { forces: vec![force], ..System::new(self.values.frame(), particles) };
         let integrator = self.integrator(LONGEST);
         let end = self.try_out(&system, integrator, until)?.state;
@@ -191,9 +191,9 @@ impl StageRun<'_> {
             }
         }
         let energy = |of: fn(&Pushed<'_>) -> Vector| -> f64 {
-            pieces.iter().filter_map(|own| Some(kinetic(own.body.mass?, of(own)))).sum()
+            pieces.iter().filter_map(|body| Some(kinetic(body.body.mass?, of(body)))).sum()
         };
-        let (start, end) = (energy(|own| own.body.velocity), energy(|own| own.after));
+        let (start, end) = (energy(|body| body.body.velocity), energy(|body| body.after));
         self.note_term(stage.energy.as_ref(), end - start, start + end);
     }
 }

@@ -39,8 +39,8 @@ impl StageRun<'_> {
         let end = self.go(&system, integrator, &Until::Event(&left))?;
         self.remark("Each position is measured from the starting point of its body.");
         let scale = libm::sqrt(gravity * height);
-        for (own, name) in names.into_iter().enumerate() {
-            self.note_velocity(name, velocity(&end.state, own), scale);
+        for (side, name) in names.into_iter().enumerate() {
+            self.note_velocity(name, velocity(&end.state, side), scale);
             for axis in self.values.axes() {
                 self.note(&self.values.start_name(name, axis), 0.0, 0.0);
             }

@@ -65,7 +65,7 @@ impl StageRun<'_> {
         // What is pressed gets shorter until somebody says it is short enough; what is let go, until it is relaxed.
         let travel = self.values.known(stage.travel.as_ref()).map(|travel| from + travel);
         let to = travel.or_else(|| self.values.known(stage.to.as_ref())).or(stage.releases().then_some(0.0));
-        let lightest = system.particles.iter().filter_map(|own| own.mass).fold(f64::INFINITY, f64::min);
+        let lightest = system.particles.iter().filter_map(|particle| particle.mass).fold(f64::INFINITY, f64::min);
         let period = libm::sqrt(lightest / self.values.term(&stage.stiffness)?);
         let integrator = self.integrator(0.1 * period);
         let goes = |state: &[f64; N]| sense * deforms(state);
@@ -77,9 +77,9 @@ impl StageRun<'_> {
             }
             None => self.go(system, integrator, &Until::Event(&goes))?,
         };
-        let scale = system.particles.iter().map(|own| size(own.velocity)).sum();
-        for (own, particle) in system.particles.iter().enumerate() {
-            self.note_velocity(particle.name, velocity(&end.state, own), scale);
+        let scale = system.particles.iter().map(|particle| size(particle.velocity)).sum();
+        for (index, particle) in system.particles.iter().enumerate() {
+            self.note_velocity(particle.name, velocity(&end.state, index), scale);
         }
         let to = deformed(&end.state);
         let stiffness = self.values.term(&stage.stiffness)?;

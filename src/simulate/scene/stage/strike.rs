@@ -39,7 +39,9 @@ impl StageRun<'_> {
                 let told = self.values.named(&format!("I_M{}", self.values.suffix()));
                 let impulse = told.map_err(|_| NothingToSimulate::NoRestitution)? / distance;
                 let restitution = impulse * (1.0 / mass + 1.0 / resists) / meets - 1.0;
-                Some(restitution).filter(|own| (0.0..=1.0).contains(own)).ok_or(NothingToSimulate::NoRestitution)?
+                Some(restitution)
+                    .filter(|coefficient| (0.0..=1.0).contains(coefficient))
+                    .ok_or(NothingToSimulate::NoRestitution)?
             }
         };
         let sense = meets.signum();
@@ -49,12 +51,12 @@ impl StageRun<'_> {
         self.remark(
             "The arm is shown as the point that is struck, with its effective mass there; its momentum is the angular momentum divided by the distance.",
         );
-        let [after, struck] = parted.bodies.map(|own| dot(own.after, along));
+        let [after, struck] = parted.bodies.map(|body| dot(body.after, along));
         let (mut ends, fast) = ([Vec::new(), Vec::new()], speed.abs() + (turning * distance).abs());
-        for (side, (own, turning)) in [(speed, turning), (after, struck / distance)].into_iter().enumerate() {
-            let mut moment = mass * distance * own;
+        for (side, (speed_here, turning)) in [(speed, turning), (after, struck / distance)].into_iter().enumerate() {
+            let mut moment = mass * distance * speed_here;
             let mut size = moment.abs();
-            ends[side].push((mass, times(own, along)));
+            ends[side].push((mass, times(speed_here, along)));
             // What turns has the energy of its effective mass at the place that is struck.
             ends[side].push((inertia / (distance * distance), times(turning * distance, along)));
             moment += inertia * turning;

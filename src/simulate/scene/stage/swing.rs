@@ -22,8 +22,8 @@ impl StageRun<'_> {
         }
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, gravity) = (stage.body.as_str(), self.values.named("g")?);
-        let own = |base: &str| (self.values.value)(&format!("{base}_{body}{}", self.values.suffix()));
-        let height = self.values.known(stage.height.as_ref()).or_else(|| own("h"));
+        let by_name = |base: &str| (self.values.value)(&format!("{base}_{body}{}", self.values.suffix()));
+        let height = self.values.known(stage.height.as_ref()).or_else(|| by_name("h"));
         let sense = self.values.sense(stage.direction.as_ref(), axis)?;
         let before = self.values.velocity_before(body, axis);
         let [from, to] = stage.places();
@@ -68,13 +68,13 @@ impl StageRun<'_> {
         let system = System::<6> { constraint: Some(cord), ..System::new(Frame::plane(true), vec![bob]) };
         // Counted on from where it starts, past the top as well.
         let angle = |state: &[f64; 6]| {
-            let own = libm::atan2(sense * state[0], length - state[1]);
-            if own < start - 1.0 {
-                own + 2.0 * PI
-            } else if own > start - 1.0 + 2.0 * PI {
-                own - 2.0 * PI
+            let angle = libm::atan2(sense * state[0], length - state[1]);
+            if angle < start - 1.0 {
+                angle + 2.0 * PI
+            } else if angle > start - 1.0 + 2.0 * PI {
+                angle - 2.0 * PI
             } else {
-                own
+                angle
             }
         };
         let swings = |state: &[f64; 6]| sense * cross(less(place(state, 0), pivot), velocity(state, 0))[2];

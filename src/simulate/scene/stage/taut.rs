@@ -56,12 +56,12 @@ impl StageRun<'_> {
         let mut system = System::<ROOM>::new(self.values.frame(), bodies.clone());
         // Each string by itself would take about a second.
         let reduced = |line: &Lines| {
-            1.0 / line.iter().map(|(own, _)| bodies[*own].mass.map_or(0.0, |mass| 1.0 / mass)).sum::<f64>()
+            1.0 / line.iter().map(|(index, _)| bodies[*index].mass.map_or(0.0, |mass| 1.0 / mass)).sum::<f64>()
         };
         let cord = |line: &Lines| Force::damper(line.clone(), reduced(line) * self.shorter);
         system.forces = lines.iter().map(cord).collect();
         let stretches = |state: &[f64; ROOM], line: &Lines| {
-            line.iter().map(|(own, along)| dot(*along, velocity(state, *own))).sum::<f64>()
+            line.iter().map(|(index, along)| dot(*along, velocity(state, *index))).sum::<f64>()
         };
         let left = |state: &[f64; ROOM]| {
             let most = lines.iter().map(|line| stretches(state, line).abs()).fold(0.0, f64::max);
@@ -77,18 +77,22 @@ impl StageRun<'_> {
         let last = self.try_out(&system, integrator, &Until::Event(&left))?.time;
         let end = self.go(&system, integrator, &Until::Time((last * self.shorter).ceil() / self.shorter))?;
         self.remark("The duration of the jerk is not given: it is drawn as seconds. Each position is measured from where the jerk begins.");
-        let impulses: Vec<f64> = (0..lines.len()).map(|own| end.state[6 * names.len() + own]).collect();
+        let impulses: Vec<f64> = (0..lines.len()).map(|line| end.state[6 * names.len() + line]).collect();
         for (string, impulse) in stage.strings.iter().zip(&impulses) {
             self.note_here(&format!("J_{}", string.ends().concat()), -impulse, 0.0);
         }
-        let on = |own: usize| {
+        let on = |particle: usize| {
             let pulls = lines.iter().zip(&impulses).flat_map(|(line, impulse)| {
-                line.iter().filter(|(body, _)| *body == own).map(|(_, along)| times(*impulse, *along))
+                line.iter().filter(|(body, _)| *body == particle).map(|(_, along)| times(*impulse, *along))
             });
             pulls.fold([0.0; 3], add)
         };
         let pushed: Vec<Pushed<'_>> = (bodies.iter().enumerate())
-            .map(|(own, body)| Pushed { after: velocity(&end.state, own), impulse: on(own), ..Pushed::new(*body) })
+            .map(|(index, body)| Pushed {
+                after: velocity(&end.state, index),
+                impulse: on(index),
+                ..Pushed::new(*body)
+            })
             .collect();
         self.note_velocities(&pushed);
         self.note_pushed(&pushed, stage.duration.as_ref());
@@ -98,7 +102,7 @@ impl StageRun<'_> {
     /// How much faster a string is stretched for each metre per second of its ends.
     fn stretching(&self, string: &JerkedString, names: &[&str]) -> Result<Lines, NothingToSimulate> {
         let along = self.along_string(string.along.as_ref())?;
-        let place = |body: &str| names.iter().position(|own| *own == body).ok_or(NothingToSimulate::Unread);
+        let place = |body: &str| names.iter().position(|other| *other == body).ok_or(NothingToSimulate::Unread);
         let [behind, ahead] = string.ends();
         Ok(vec![(place(ahead)?, along), (place(behind)?, times(-1.0, along))])
     }

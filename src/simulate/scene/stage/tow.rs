@@ -20,12 +20,12 @@ impl StageRun<'_> {
                 falls => Slope { along: falls.signum(), across: 0.0 },
             },
         };
-        let bodies = stage.both().map(|own| own.body.as_str());
+        let bodies = stage.both().map(|towed| towed.body.as_str());
         let start = bodies.iter().find_map(|body| self.values.velocity_before(body, axis).ok());
         let start = start.ok_or(NothingToSimulate::ValueMissing)?;
         let mut system = System::<12>::new(self.values.frame(), Vec::new());
         let mut scale = 0.0;
-        for (own, towed) in stage.both().into_iter().enumerate() {
+        for (side, towed) in stage.both().into_iter().enumerate() {
             let (mass, gravity) = (self.values.mass(&towed.body)?, self.values.named("g"));
             // Weight need not be known where it has no part in anything.
             let weight = |share: f64| if share == 0.0 { Ok(0.0) } else { Ok(share * mass * gravity?) };
@@ -33,7 +33,7 @@ impl StageRun<'_> {
             let driven = self.values.or_zero(towed.force.as_ref())? - friction;
             let falls = times(weight(slope.along)? / mass, along);
             system.particles.push(Particle { falls, ..Particle::free(&towed.body, mass, times(start, along)) });
-            system.forces.push(Force::steady(own, times(driven, along)));
+            system.forces.push(Force::steady(side, times(driven, along)));
             scale += (mass * size(falls)).abs() + driven.abs();
         }
         system.constraint = Some(Constraint::Length(vec![(0, times(-1.0, along)), (1, along)]));
@@ -41,8 +41,8 @@ impl StageRun<'_> {
         let finish = self.values.finish(stage.until.is_some(), distance, stage.duration.as_ref())?;
         let end = self.go_along(&system, (0, along), finish)?;
         self.remark("Each position is measured from the starting point of its body.");
-        for (own, body) in bodies.into_iter().enumerate() {
-            self.note_velocity(body, velocity(&end.state, own), start);
+        for (side, body) in bodies.into_iter().enumerate() {
+            self.note_velocity(body, velocity(&end.state, side), start);
         }
         self.note_here("tension", system.tension(end.time, &end.state), scale);
         self.note_term(stage.distance.as_ref(), dot(place(&end.state, 0), along), 0.0);

@@ -36,7 +36,7 @@ impl StageRun<'_> {
         self.remark(
             "The duration is not given: one second is assumed. Each position is measured from the starting point of its body.",
         );
-        let [ahead, back] = [0, 1].map(|own| dot(along, place(&end, own)));
+        let [ahead, back] = [0, 1].map(|side| dot(along, place(&end, side)));
         for (name, way) in names.into_iter().zip([ahead, back]) {
             self.note_here(&format!("s_{name}"), way, 0.0);
             self.note_place(name, times(way, along));
