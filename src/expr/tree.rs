@@ -253,7 +253,9 @@ impl Expr {
             Self::Number(_) | Self::Pi | Self::Symbol(_) => (&[][..], None, &[][..]),
             Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => (parts.as_ref(), None, &[][..]),
             Self::Power(pair) => (std::slice::from_ref(&pair.0), Some(&pair.1), &[][..]),
-            Self::Piecewise(own) => (std::slice::from_ref(&own.variable), None, own.pieces.as_slice()),
+            Self::Piecewise(piecewise) => {
+                (std::slice::from_ref(&piecewise.variable), None, piecewise.pieces.as_slice())
+            }
         };
         let pieces = pieces.iter().flat_map(|(until, value)| until.iter().chain([value]));
         parts.iter().chain(last).chain(pieces)
@@ -313,7 +315,7 @@ impl Expr {
     /// Whether `symbol` occurs.
     #[must_use]
     pub fn contains(&self, symbol: Symbol) -> bool {
-        !self.all_symbols(&|own| own != symbol)
+        !self.all_symbols(&|part| part != symbol)
     }
 
     /// The term with every symbol for which `value` has a term replaced by it.

@@ -112,29 +112,30 @@ impl Arm {
         let all = || arms.iter().flat_map(|arm| &arm.particles);
         // An arm that reaches to both sides is as wide as both.
         let spans = arms.iter().flat_map(|arm| {
-            let ends = || arm.particles.iter().map(|own| Point::polar(own.distance.abs(), own.angle));
+            let ends = || arm.particles.iter().map(|particle| Point::polar(particle.distance.abs(), particle.angle));
             ends().flat_map(move |one| ends().chain([Point::ORIGIN]).map(move |other| one - other))
         });
         let spans: Vec<Point> = spans.filter(|span| span.x.is_finite() && span.y.is_finite()).collect();
         // What is nearer than something else has to be seen to be so.
         let usual = Scale::fitting(spans.iter().copied(), LONGEST_ARM);
-        let is_crowded = |arm: &&Self| arm.particles.iter().any(|own| arm.is_drawn_farther(own, usual));
-        let differ = all().any(|own| all().any(|other| own.distance.abs() < other.distance.abs()));
+        let is_crowded = |arm: &&Self| arm.particles.iter().any(|particle| arm.is_drawn_farther(particle, usual));
+        let differ = all().any(|nearer| all().any(|other| nearer.distance.abs() < other.distance.abs()));
         let longest = if differ && arms.iter().any(is_crowded) { FARTHEST_ARM } else { LONGEST_ARM };
-        (Scale::fitting(spans, longest), Scales::of(all().map(|own| &own.body), LONGEST_ARROW))
+        (Scale::fitting(spans, longest), Scales::of(all().map(|particle| &particle.body), LONGEST_ARROW))
     }
 
     fn draw_with(&self, canvas: &mut Canvas, (distances, scales): &(Scale, Scales)) {
-        let placed: Vec<(Point, Body)> = self.particles.iter().map(|own| self.place(own, *distances)).collect();
-        for (own, (foot, body)) in self.particles.iter().zip(&placed) {
+        let placed: Vec<(Point, Body)> =
+            self.particles.iter().map(|particle| self.place(particle, *distances)).collect();
+        for (particle, (foot, body)) in self.particles.iter().zip(&placed) {
             body.draw(canvas);
-            let unit = Point::polar(1.0, own.angle);
-            if own.beside == 0.0 {
+            let unit = Point::polar(1.0, particle.angle);
+            if particle.beside == 0.0 {
                 canvas.line([Point::ORIGIN, *foot - unit * body.reach(-unit)], Role::Length, false);
                 continue;
             }
             // The arm goes on beyond what it carries in that direction.
-            let carried = self.particles.iter().zip(&placed).filter(|(other, _)| other.is_on_arm_at(own.angle));
+            let carried = self.particles.iter().zip(&placed).filter(|(other, _)| other.is_on_arm_at(particle.angle));
             let from = carried.map(|(_, (at, body))| at.length() + body.reach(unit)).fold(0.0, f64::max);
             // An arm that carries nothing there ends beyond what strikes it.
             let end = if from > 0.0 || self.disc.is_some() { *foot } else { *foot + unit * OVERHANG };
@@ -143,7 +144,7 @@ impl Arm {
             }
         }
         self.draw_disc(canvas, &placed, *distances);
-        let away = self.particles.first().map_or(0.0, |own| own.angle + FRAC_PI_2 / 2.0);
+        let away = self.particles.first().map_or(0.0, |particle| particle.angle + FRAC_PI_2 / 2.0);
         // Where there is no arm, its name stands where the arcs are open.
         let clear_of = if self.particles.is_empty() { away + PI } else { away };
         draw_centre(canvas, Point::ORIGIN, &self.centre, clear_of);
@@ -157,23 +158,24 @@ impl Arm {
         // What lies beside the arm has the label of its distance on its own side; both come before those of the vectors, which
         // find a place elsewhere.
         let (beside, on_arm): (Vec<_>, Vec<_>) =
-            self.particles.iter().zip(&placed).partition(|(own, _)| own.beside != 0.0);
-        for (own, (foot, _)) in beside.into_iter().chain(on_arm) {
-            let Some(label) = &own.label else { continue };
-            let side = own.angle + FRAC_PI_2.copysign(own.beside);
-            let anchor = if own.beside == 0.0 {
+            self.particles.iter().zip(&placed).partition(|(particle, _)| particle.beside != 0.0);
+        for (particle, (foot, _)) in beside.into_iter().chain(on_arm) {
+            let Some(label) = &particle.label else { continue };
+            let side = particle.angle + FRAC_PI_2.copysign(particle.beside);
+            let anchor = if particle.beside == 0.0 {
                 Anchor::Along { from: Point::ORIGIN, to: *foot }
             } else {
                 Anchor::Around { at: *foot * 0.5, radius: 0.0, prefer: side }
             };
             canvas.label(label, Role::Length, anchor);
         }
-        for (own, (foot, body)) in self.particles.iter().zip(&placed) {
+        for (particle, (foot, body)) in self.particles.iter().zip(&placed) {
             let mut body = body.clone();
-            let normal = Point::polar(1.0, own.angle + FRAC_PI_2);
+            let normal = Point::polar(1.0, particle.angle + FRAC_PI_2);
             // What comes to the arm is drawn on its way there; what is carried is drawn away from what touches it.
-            let blocked = if own.beside == 0.0 { -self.touching((own, *foot), &placed) } else { own.beside };
-            for moving in &own.body.vectors {
+            let blocked =
+                if particle.beside == 0.0 { -self.touching((particle, *foot), &placed) } else { particle.beside };
+            for moving in &particle.body.vectors {
                 let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) * blocked < 0.0);
                 let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
                 draw_vector(canvas, &mut body, moving, scales, attach);
@@ -190,8 +192,8 @@ impl Arm {
         let Some(radius) = self.disc.filter(|radius| radius.is_finite()) else { return };
         let far = placed.iter().map(|(foot, _)| foot.length()).fold(self.clear(), f64::max);
         // Alone, it has no scale.
-        let own = distances.arrow(Point::new(radius, 0.0)).filter(|_| !placed.is_empty());
-        let radius = own.map_or(0.0, |own| own.x).max(far);
+        let tip = distances.arrow(Point::new(radius, 0.0)).filter(|_| !placed.is_empty());
+        let radius = tip.map_or(0.0, |tip| tip.x).max(far);
         let on_rim = placed.iter().filter_map(|(foot, body)| {
             let half = body.reach(Point::polar(1.0, foot.turned().angle()));
             ((foot.length() - radius).abs() < half).then(|| (foot.angle().rem_euclid(TAU), half / radius))
@@ -209,11 +211,11 @@ impl Arm {
     }
 
     /// On which side something touches the arm at a particle that it carries there; 0 where nothing does.
-    fn touching(&self, (own, at): (&OnArm, Point), placed: &[(Point, Body)]) -> f64 {
+    fn touching(&self, (particle, at): (&OnArm, Point), placed: &[(Point, Body)]) -> f64 {
         let right = Point::new(1.0, 0.0);
         let strikes = |(other, (foot, body)): &(&OnArm, &(Point, Body))| {
-            let room = own.body.outline().reach(right) + body.reach(right);
-            other.beside != 0.0 && (other.angle - own.angle).abs() < SAME_ANGLE && (*foot - at).length() < room
+            let room = particle.body.outline().reach(right) + body.reach(right);
+            other.beside != 0.0 && (other.angle - particle.angle).abs() < SAME_ANGLE && (*foot - at).length() < room
         };
         self.particles.iter().zip(placed).find(strikes).map_or(0.0, |(other, _)| other.beside)
     }
@@ -225,31 +227,31 @@ impl Arm {
     }
 
     /// Whether a particle is drawn farther out than its distance says.
-    fn is_drawn_farther(&self, own: &OnArm, distances: Scale) -> bool {
-        let unit = Point::polar(1.0, if own.angle.is_finite() { own.angle } else { 0.0 });
-        drawn(own, distances) < own.body.outline().reach(unit) + self.clear()
+    fn is_drawn_farther(&self, particle: &OnArm, distances: Scale) -> bool {
+        let unit = Point::polar(1.0, if particle.angle.is_finite() { particle.angle } else { 0.0 });
+        drawn(particle, distances) < particle.body.outline().reach(unit) + self.clear()
     }
 
     /// The place of a particle on the arm, and its outline there.
-    fn place(&self, own: &OnArm, distances: Scale) -> (Point, Body) {
-        let (body, angle) = (own.body.outline(), if own.angle.is_finite() { own.angle } else { 0.0 });
+    fn place(&self, particle: &OnArm, distances: Scale) -> (Point, Body) {
+        let (body, angle) = (particle.body.outline(), if particle.angle.is_finite() { particle.angle } else { 0.0 });
         let unit = Point::polar(1.0, angle);
         let reach = body.reach(unit);
-        let foot = unit * drawn(own, distances).max(reach + self.clear());
-        if own.beside == 0.0 {
+        let foot = unit * drawn(particle, distances).max(reach + self.clear());
+        if particle.beside == 0.0 {
             return (foot, body.moved(foot));
         }
         // What touches the arm where it carries something touches that.
-        let near = self.particles.iter().filter(|other| other.is_on_arm_at(own.angle));
+        let near = self.particles.iter().filter(|other| other.is_on_arm_at(particle.angle));
         let carried = near.map(|other| (drawn(other, distances), other.body.outline().reach(unit)));
-        let blocked = carried.filter(|(at, other)| (at - drawn(own, distances)).abs() < other + reach);
+        let blocked = carried.filter(|(at, other)| (at - drawn(particle, distances)).abs() < other + reach);
         let height = reach + BESIDE + blocked.map(|(_, other)| other).fold(0.0, f64::max);
-        let at = foot + unit.turned() * (height * own.beside.signum());
+        let at = foot + unit.turned() * (height * particle.beside.signum());
         (foot, body.moved(at))
     }
 }
 
 /// The length of the arm of a particle to scale.
-fn drawn(own: &OnArm, distances: Scale) -> f64 {
-    distances.arrow(Point::new(own.distance.abs(), 0.0)).map_or(0.0, |own| own.x)
+fn drawn(particle: &OnArm, distances: Scale) -> f64 {
+    distances.arrow(Point::new(particle.distance.abs(), 0.0)).map_or(0.0, |arrow| arrow.x)
 }

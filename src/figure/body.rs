@@ -102,11 +102,11 @@ impl Body {
 
     /// A block of that size at least.
     pub(super) fn plank(name: &Math, size: Point) -> Self {
-        let mut own = Self::new(name, Form::Block, Point::ORIGIN);
-        if let Outline::Block(least) = own.outline {
-            own.outline = Outline::Block(Point::new(least.x.max(size.x), least.y.max(size.y)));
+        let mut body = Self::new(name, Form::Block, Point::ORIGIN);
+        if let Outline::Block(least) = body.outline {
+            body.outline = Outline::Block(Point::new(least.x.max(size.x), least.y.max(size.y)));
         }
-        own
+        body
     }
 
     /// A block of that size at least, on which others stand.
@@ -125,7 +125,7 @@ impl Body {
             let (sine, cosine) = (libm::sin(angle).abs(), libm::cos(angle).abs());
             let height = name.above + name.below;
             let needed = Point::new(name.width * cosine + height * sine, name.width * sine + height * cosine);
-            let padded = |needed: f64, own: f64| own.max(needed + PADDING);
+            let padded = |needed: f64, least: f64| least.max(needed + PADDING);
             self.outline = Outline::Block(Point::new(padded(needed.x, size.x), padded(needed.y, size.y)));
             self.angle = angle;
         }
@@ -146,9 +146,9 @@ impl Body {
         match self.outline {
             Outline::Disc(radius) => radius,
             Outline::Block(size) => {
-                let own = direction.rotated(-self.angle);
+                let turned = direction.rotated(-self.angle);
                 let reach = |half: f64, part: f64| if part.abs() > 1e-9 { half / part.abs() } else { f64::INFINITY };
-                reach(size.x / 2.0, own.x).min(reach(size.y / 2.0, own.y)) * direction.length()
+                reach(size.x / 2.0, turned.x).min(reach(size.y / 2.0, turned.y)) * direction.length()
             }
         }
     }
@@ -158,8 +158,8 @@ impl Body {
         match self.outline {
             Outline::Disc(radius) => radius,
             Outline::Block(size) => {
-                let own = normal.rotated(-self.angle);
-                Point::new(own.x.abs(), own.y.abs()).dot(size * 0.5)
+                let turned = normal.rotated(-self.angle);
+                Point::new(turned.x.abs(), turned.y.abs()).dot(size * 0.5)
             }
         }
     }

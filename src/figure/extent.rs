@@ -39,7 +39,7 @@ impl Extent {
     /// The box around points; of none, the empty box at the origin.
     #[must_use]
     pub fn around(points: impl IntoIterator<Item = Point>) -> Self {
-        let join = |own: Self, point: Point| own.joined(Self { low: point, high: point });
+        let join = |extent: Self, point: Point| extent.joined(Self { low: point, high: point });
         let single = |point| Self { low: point, high: point };
         let mut points = points.into_iter();
         let first = single(points.next().unwrap_or_default());
@@ -152,8 +152,8 @@ impl Extent {
             }
             Shape::Rectangle { centre, size, angle, .. } => {
                 let within = |corner: &Point| {
-                    let own = (*corner - *centre).rotated(-angle);
-                    own.x.abs() <= size.x / 2.0 && own.y.abs() <= size.y / 2.0
+                    let turned = (*corner - *centre).rotated(-angle);
+                    turned.x.abs() <= size.x / 2.0 && turned.y.abs() <= size.y / 2.0
                 };
                 if self.corners().iter().all(within) {
                     return Contact::Inside;

@@ -55,19 +55,19 @@ struct Frame {
 impl Frame {
     fn around(points: &[Point]) -> Self {
         let start = Self { low: Point::ORIGIN, high: Point::ORIGIN };
-        let mut own = points.iter().fold(start, |own, point| Self {
-            low: Point::new(own.low.x.min(point.x), own.low.y.min(point.y)),
-            high: Point::new(own.high.x.max(point.x), own.high.y.max(point.y)),
+        let mut plot = points.iter().fold(start, |frame, point| Self {
+            low: Point::new(frame.low.x.min(point.x), frame.low.y.min(point.y)),
+            high: Point::new(frame.high.x.max(point.x), frame.high.y.max(point.y)),
         });
-        own.low.y *= HEADROOM;
-        own.high.y *= HEADROOM;
-        if own.high.x <= own.low.x {
-            own.high.x = own.low.x + 1.0;
+        plot.low.y *= HEADROOM;
+        plot.high.y *= HEADROOM;
+        if plot.high.x <= plot.low.x {
+            plot.high.x = plot.low.x + 1.0;
         }
-        if own.high.y <= own.low.y {
-            own.high.y = own.low.y + 1.0;
+        if plot.high.y <= plot.low.y {
+            plot.high.y = plot.low.y + 1.0;
         }
-        own
+        plot
     }
 
     fn place(&self, point: Point) -> Point {
@@ -293,7 +293,7 @@ fn lobe(curve: &[Point], zero: f64, side: f64) -> (f64, Point) {
     let strips = (0..STRIPS).map(|strip| (f64::from(strip) + 0.5) * width);
     strips.fold((0.0, Point::ORIGIN), |(area, moment), x| {
         let height = (side * (height_at(curve, x).unwrap_or(zero) - zero)).max(0.0);
-        let own = height * width;
-        (area + own, moment + Point::new(x, zero + side * height / 2.0) * own)
+        let piece = height * width;
+        (area + piece, moment + Point::new(x, zero + side * height / 2.0) * piece)
     })
 }

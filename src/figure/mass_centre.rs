@@ -87,12 +87,13 @@ impl MassCentre {
             moved.filter(|_| self.arrows == Travel::Displacement)
         };
         let spread = Extent::around(all().map(PlacedParticle::place).chain(ends()));
-        let own = enlargement(spread);
+        let factor_alone = enlargement(spread);
         let with_origin = spread.joined(Extent::default());
         let least = nearest(&self.particles);
-        let is_far = least * enlargement(with_origin) < NEAREST.min(SMALLER * least * own);
+        let is_far = least * enlargement(with_origin) < NEAREST.min(SMALLER * least * factor_alone);
         let has_origin = self.origin.is_some() && !is_far;
-        let (spread, factor) = if has_origin { (with_origin, enlargement(with_origin)) } else { (spread, own) };
+        let (spread, factor) =
+            if has_origin { (with_origin, enlargement(with_origin)) } else { (spread, factor_alone) };
         let placed = |particle: &PlacedParticle| (particle.place() - spread.low) * factor;
         let longest = match self.arrows {
             Travel::Velocity => longest_arrow(&all().map(placed).collect::<Vec<_>>()),
@@ -109,13 +110,16 @@ impl MassCentre {
             Travel::Velocity => Scale::sketching(vectors, longest),
             Travel::Displacement => Scale::fitting(vectors, longest),
         };
-        let forces = Scale::sketching(all().flat_map(|own| &own.forces).filter_map(LabelledVector::vector), longest);
+        let forces = Scale::sketching(
+            all().flat_map(|placed_particle| &placed_particle.forces).filter_map(LabelledVector::vector),
+            longest,
+        );
         let mut canvas = Canvas::default();
         if let Some(origin) = &self.origin {
             let at = (Point::ORIGIN - spread.low) * factor;
             if !has_origin {
                 canvas.tell(FAR_ORIGIN);
-            } else if all().all(|own| (placed(own) - at).length() > PARTICLE) {
+            } else if all().all(|particle| (placed(particle) - at).length() > PARTICLE) {
                 draw_centre(&mut canvas, at, origin, FRAC_PI_4);
             }
         }

@@ -62,16 +62,16 @@ pub(super) fn draw_axes(canvas: &mut Canvas, axes: &[AxisMark]) {
     if axes.is_empty() {
         return;
     }
-    let mut own = Canvas::default();
+    let mut inset = Canvas::default();
     for axis in axes.iter().filter(|axis| axis.angle.is_finite()) {
         let tip = Point::polar(AXIS_LENGTH * axis.length, axis.angle);
-        own.arrow(Point::ORIGIN, tip, Role::Axis);
-        own.label(&axis.name, Role::Axis, Anchor::Around { at: tip, radius: 0.0, prefer: axis.angle });
+        inset.arrow(Point::ORIGIN, tip, Role::Axis);
+        inset.label(&axis.name, Role::Axis, Anchor::Around { at: tip, radius: 0.0, prefer: axis.angle });
     }
-    let own = own.settled();
-    let (taken, frame) = (canvas.frame(), own.frame());
+    let inset = inset.settled();
+    let (taken, frame) = (canvas.frame(), inset.frame());
     let shift = Point::new(taken.low.x - frame.low.x, taken.low.y - AXES_GAP - frame.high.y);
-    canvas.draw_moved(own, shift);
+    canvas.draw_moved(inset, shift);
 }
 
 /// Widths that hold the headings, and in each row the panels with those frames.

@@ -144,13 +144,13 @@ impl Canvas {
             })
         });
         let is_free = |at: &Point| {
-            let own = label.moved(*at).grown(CLEARANCE);
-            !self.near(own).any(|shape| is_blocked(own, shape))
+            let extent = label.moved(*at).grown(CLEARANCE);
+            !self.near(extent).any(|shape| is_blocked(extent, shape))
         };
         let foreign = self.foreign(anchor);
         let is_clear = |at: &Point, distance: f64| {
-            let own = label.moved(*at).grown(distance);
-            is_free(at) && foreign.iter().all(|shape| own.contact(shape) == Contact::Clear)
+            let extent = label.moved(*at).grown(distance);
+            is_free(at) && foreign.iter().all(|shape| extent.contact(shape) == Contact::Clear)
         };
         // Beside a short slanting arrow a wide label lies far off; about its end it does not.
         let short = is_short(anchor, label.size());
@@ -164,9 +164,9 @@ impl Canvas {
     }
 
     /// The shapes whose boxes meet this one: no other can touch what lies in it.
-    fn near(&self, own: Extent) -> impl Iterator<Item = &Shape> {
+    fn near(&self, extent: Extent) -> impl Iterator<Item = &Shape> {
         let both = self.shapes.iter().zip(&self.frames);
-        both.filter(move |(_, frame)| own.meets(**frame)).map(|(shape, _)| shape)
+        both.filter(move |(_, frame)| extent.meets(**frame)).map(|(shape, _)| shape)
     }
 
     /// Other arrows so near to an arrow that its label could be taken for theirs.
@@ -182,8 +182,8 @@ impl Canvas {
     }
 }
 
-fn is_blocked(own: Extent, shape: &Shape) -> bool {
-    match own.contact(shape) {
+fn is_blocked(extent: Extent, shape: &Shape) -> bool {
+    match extent.contact(shape) {
         Contact::Clear => false,
         Contact::Inside => shape.is_body(),
         Contact::Crosses => true,
@@ -280,11 +280,11 @@ pub fn overlaps(drawing: &Drawing) -> Vec<Overlap> {
     let mut found = Vec::new();
     for (index, label) in drawing.shapes.iter().enumerate() {
         let Shape::Label { at, text, .. } = label else { continue };
-        let own = label_extent(*at, text);
+        let extent = label_extent(*at, text);
         // Two labels meet once, not twice.
         let others = drawing.shapes.iter().enumerate().filter(|(other, shape)| !is_label(shape) || *other > index);
         for (_, other) in others {
-            if own.contact(other) == Contact::Crosses {
+            if extent.contact(other) == Contact::Crosses {
                 found.push(Overlap { label: label.clone(), other: other.clone() });
             }
         }

@@ -129,6 +129,6 @@ pub fn energy(released: &Expr, before: &[Expr], after: &[Expr]) -> Sides {
 
 /// `v_A - v_B = u`.
 #[must_use]
-pub fn relative(own: &Expr, other: &Expr, relative: &Expr) -> Sides {
-    (own.clone() - other.clone(), relative.clone())
+pub fn relative(one: &Expr, other: &Expr, relative: &Expr) -> Sides {
+    (one.clone() - other.clone(), relative.clone())
 }

@@ -79,8 +79,8 @@ impl Unit {
     /// The exponents of frequencies and of angles.
     fn kind_of_turning(&self) -> (i8, i8) {
         let total = |is_one: fn(&Symbol) -> bool| {
-            let own = self.powers().iter().filter(|power| is_one(&power.symbol));
-            own.fold(0_i8, |sum, power| sum.saturating_add(power.exponent))
+            let ones = self.powers().iter().filter(|power| is_one(&power.symbol));
+            ones.fold(0_i8, |sum, power| sum.saturating_add(power.exponent))
         };
         (total(Symbol::is_frequency), total(Symbol::is_angle))
     }
@@ -109,10 +109,10 @@ fn in_other_case_asked(text: &str, asked: Dimension) -> Option<Unit> {
 fn readings(text: &str, choices: usize) -> Vec<Unit> {
     match Unit::parse(text) {
         Ok(unit) => vec![unit],
-        Err(UnitFault { kind: UnitFaultKind::Ambiguous { readings: own, .. }, span }) if choices > 0 => {
+        Err(UnitFault { kind: UnitFaultKind::Ambiguous { readings: several, .. }, span }) if choices > 0 => {
             let (before, behind) = (text.get(..span.start), text.get(span.end..));
             let (Some(before), Some(behind)) = (before, behind) else { return Vec::new() };
-            own.iter().flat_map(|one| readings(&format!("{before}({one}){behind}"), choices - 1)).collect()
+            several.iter().flat_map(|one| readings(&format!("{before}({one}){behind}"), choices - 1)).collect()
         }
         Err(_) => Vec::new(),
     }

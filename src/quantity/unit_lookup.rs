@@ -63,7 +63,7 @@ pub(super) fn in_other_case(word: &str) -> Vec<String> {
         let is_meant = move |row: &&'static UnitRow| {
             let mut symbols = [prefix.symbol].into_iter().chain(prefix.aliases.iter().copied());
             let mut spoken = [row.singular, row.plural].into_iter();
-            row.prefixes && (symbols.any(|own| named(own, row.symbol)) || spoken.any(|own| named(prefix.name, own)))
+            row.prefixes && (symbols.any(|text| named(text, row.symbol)) || spoken.any(|word| named(prefix.name, word)))
         };
         UNITS.iter().filter(is_meant).map(move |row| Symbol { prefix: Some(prefix), row })
     });

@@ -79,16 +79,16 @@ enum Raised {
 fn raised_word(word: &str, span: Span, powers: Powers, exponent: i32, depth: usize) -> Raised {
     if find_symbol(word).is_none() && powers.len() > 1 {
         let mut last = powers.clone();
-        let Some((_, own)) = last.last_mut() else { return Raised::Plain(powers) };
-        match (own.signum(), exponent.signum()) {
+        let Some((_, power)) = last.last_mut() else { return Raised::Plain(powers) };
+        match (power.signum(), exponent.signum()) {
             // `kmh^-1`: km/h, and so is `kmh`.
-            (-1, -1) => *own = exponent,
-            (-1, _) if word.contains('p') => *own = -exponent,
+            (-1, -1) => *power = exponent,
+            (-1, _) if word.contains('p') => *power = -exponent,
             (-1, _) => {
-                *own = exponent;
+                *power = exponent;
                 return Raised::Either([last, raise(powers, exponent)]);
             }
-            _ => *own *= exponent,
+            _ => *power *= exponent,
         }
         return Raised::Plain(last);
     }
@@ -103,7 +103,7 @@ fn raised_word(word: &str, span: Span, powers: Powers, exponent: i32, depth: usi
 }
 
 fn raise(powers: Powers, exponent: i32) -> Powers {
-    powers.into_iter().map(|(symbol, own)| (symbol, own * exponent)).collect()
+    powers.into_iter().map(|(symbol, power)| (symbol, power * exponent)).collect()
 }
 
 fn print(powers: Powers) -> String {

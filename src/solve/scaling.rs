@@ -60,11 +60,11 @@ struct Power {
 impl Power {
     fn plus(mut self, factor: &Rational, other: &Self) -> Self {
         self.number += factor * &other.number;
-        for (symbol, own) in &other.unknown {
+        for (symbol, coefficient) in &other.unknown {
             let sum = self.unknown.entry(*symbol).or_default();
-            *sum += factor * own;
+            *sum += factor * coefficient;
         }
-        self.unknown.retain(|_, own| !own.is_zero());
+        self.unknown.retain(|_, coefficient| !coefficient.is_zero());
         self
     }
 }
@@ -104,9 +104,9 @@ impl Powers<'_> {
         };
         let mut row = Power::default().plus(&(-Rational::ONE / &factor), &rest);
         row.unknown.remove(&pivot);
-        for own in self.rows.values_mut() {
-            if let Some(share) = own.unknown.remove(&pivot) {
-                *own = std::mem::take(own).plus(&share, &row);
+        for relation in self.rows.values_mut() {
+            if let Some(share) = relation.unknown.remove(&pivot) {
+                *relation = std::mem::take(relation).plus(&share, &row);
             }
         }
         self.rows.insert(pivot, row);
@@ -175,10 +175,10 @@ impl Powers<'_> {
                 }
                 Some(Power::default())
             }
-            Expr::Piecewise(own) => {
-                let ends = own.pieces.iter().filter_map(|(until, _)| until.as_ref());
-                self.common(ends.chain([&own.variable]))?;
-                self.common(own.pieces.iter().map(|(_, value)| value))?
+            Expr::Piecewise(piecewise) => {
+                let ends = piecewise.pieces.iter().filter_map(|(until, _)| until.as_ref());
+                self.common(ends.chain([&piecewise.variable]))?;
+                self.common(piecewise.pieces.iter().map(|(_, value)| value))?
             }
         })
     }

@@ -48,10 +48,10 @@ impl Residues {
     fn of(polynomial: &Polynomial, atoms: &[&Atom]) -> Option<Self> {
         let mut values = Vec::with_capacity(polynomial.len());
         let mut exponents = vec![0; polynomial.len() * atoms.len()];
-        for ((monomial, value), own) in polynomial.terms().zip(exponents.chunks_exact_mut(atoms.len().max(1))) {
+        for ((monomial, value), row) in polynomial.terms().zip(exponents.chunks_exact_mut(atoms.len().max(1))) {
             for (atom, power) in monomial.powers() {
                 let place = atoms.iter().position(|other| *other == atom)?;
-                *own.get_mut(place)? = usize::try_from(power).ok().filter(|power| *power <= HIGHEST)?;
+                *row.get_mut(place)? = usize::try_from(power).ok().filter(|power| *power <= HIGHEST)?;
             }
             values.push(residue(value.numerator()).filter(|_| value.is_int())?);
         }
@@ -77,8 +77,8 @@ impl Residues {
             let value = others.fold(*value, |value, (_, (power, point))| {
                 (0..*power).fold(value, |product, _| times(product, *point))
             });
-            let own = image.get_mut(*exponents.get(place)?)?;
-            *own = (*own + value) % PRIME;
+            let term = image.get_mut(*exponents.get(place)?)?;
+            *term = (*term + value) % PRIME;
         }
         Some(image)
     }
@@ -89,13 +89,13 @@ fn is_coprime_image(mut left: Vec<u64>, mut right: Vec<u64>) -> bool {
     trim(&mut left);
     trim(&mut right);
     while let Some(lead) = right.last().copied() {
-        while let Some(own) = left.last().copied().filter(|_| left.len() >= right.len()) {
+        while let Some(leading) = left.last().copied().filter(|_| left.len() >= right.len()) {
             let shift = left.len() - right.len();
             for value in &mut left {
                 *value = times(*value, lead);
             }
             for (value, other) in left.iter_mut().skip(shift).zip(&right) {
-                *value = (*value + PRIME - times(own, *other)) % PRIME;
+                *value = (*value + PRIME - times(leading, *other)) % PRIME;
             }
             trim(&mut left);
         }

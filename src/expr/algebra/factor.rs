@@ -25,7 +25,7 @@ fn split(polynomial: &Polynomial, found: &mut Vec<(Polynomial, u32)>, work: &mut
         split(&second, found, work);
         return;
     }
-    match found.iter_mut().find(|(own, _)| own == polynomial) {
+    match found.iter_mut().find(|(known, _)| known == polynomial) {
         Some((_, multiplicity)) => *multiplicity += 1,
         None => found.push((polynomial.clone(), 1)),
     }

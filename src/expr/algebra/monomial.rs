@@ -41,7 +41,7 @@ impl Monomial {
 
     /// The exponent of an atom, 0 where it does not occur.
     pub(crate) fn exponent(&self, atom: &Atom) -> i32 {
-        self.powers().find(|(own, _)| *own == atom).map_or(0, |(_, exponent)| exponent)
+        self.powers().find(|(base, _)| *base == atom).map_or(0, |(_, exponent)| exponent)
     }
 
     /// The sum of all exponents.

@@ -103,21 +103,21 @@ impl Polynomial {
     /// Adds another.
     pub(crate) fn add(&mut self, other: Self) {
         let mut sum = Vec::with_capacity(self.len() + other.len());
-        let mut own = std::mem::take(&mut self.0).into_iter().peekable();
+        let mut terms = std::mem::take(&mut self.0).into_iter().peekable();
         let mut more = other.0.into_iter().peekable();
         loop {
-            let order = match (own.peek(), more.peek()) {
+            let order = match (terms.peek(), more.peek()) {
                 (None, None) => break,
                 (Some(_), None) => Ordering::Less,
                 (None, Some(_)) => Ordering::Greater,
-                (Some((own, _)), Some((more, _))) => own.cmp(more),
+                (Some((monomial, _)), Some((more, _))) => monomial.cmp(more),
             };
             match order {
-                Ordering::Less => sum.extend(own.next()),
+                Ordering::Less => sum.extend(terms.next()),
                 Ordering::Greater => sum.extend(more.next()),
                 Ordering::Equal => {
                     let both =
-                        own.next().zip(more.next()).map(|((monomial, value), (_, other))| (monomial, value + other));
+                        terms.next().zip(more.next()).map(|((monomial, value), (_, other))| (monomial, value + other));
                     sum.extend(both.filter(|(_, value)| !value.is_zero()));
                 }
             }
@@ -131,14 +131,14 @@ impl Polynomial {
             return Self::default();
         }
         if by.is_one() {
-            return Self(self.terms().map(|(own, value)| (own.clone(), product(value, factor))).collect());
+            return Self(self.terms().map(|(monomial, value)| (monomial.clone(), product(value, factor))).collect());
         }
-        Self(self.terms().map(|(own, value)| (own.times(by), product(value, factor))).collect())
+        Self(self.terms().map(|(monomial, value)| (monomial.times(by), product(value, factor))).collect())
     }
 
     /// The negative.
     pub(super) fn negated(&self) -> Self {
-        Self(self.terms().map(|(own, value)| (own.clone(), -value.clone())).collect())
+        Self(self.terms().map(|(monomial, value)| (monomial.clone(), -value.clone())).collect())
     }
 
     /// The product; `None` where it would be too large.
@@ -150,8 +150,8 @@ impl Polynomial {
             ([(monomial, coefficient)], _) => other.scaled(coefficient, monomial),
             (_, [(monomial, coefficient)]) => self.scaled(coefficient, monomial),
             (terms, others) => {
-                let pairs = terms.iter().flat_map(|own| others.iter().map(move |other| (own, other)));
-                Self::sum(pairs.map(|(own, other)| (own.0.times(&other.0), product(&own.1, &other.1))).collect())
+                let pairs = terms.iter().flat_map(|term| others.iter().map(move |other| (term, other)));
+                Self::sum(pairs.map(|(term, other)| (term.0.times(&other.0), product(&term.1, &other.1))).collect())
             }
         };
         (product.len() <= MAX_TERMS).then_some(product)
@@ -180,7 +180,7 @@ impl Polynomial {
     pub(crate) fn coefficients(&self, atom: &Atom) -> BTreeMap<i32, Self> {
         let mut found: BTreeMap<i32, Self> = BTreeMap::new();
         for (monomial, coefficient) in self.terms() {
-            let (_, rest) = monomial.partition(|own| own == atom);
+            let (_, rest) = monomial.partition(|base| base == atom);
             found.entry(monomial.exponent(atom)).or_default().0.push((rest, coefficient.clone()));
         }
         found
@@ -236,7 +236,7 @@ impl Polynomial {
             return self.clone();
         }
         let value = |value: &Rational| if number.is_one() { value.clone() } else { value / number };
-        Self(self.terms().map(|(own, own_value)| (own.over(by), value(own_value))).collect())
+        Self(self.terms().map(|(monomial, coefficient)| (monomial.over(by), value(coefficient))).collect())
     }
 
     /// Content and primitive part; the sign stays with the latter.

@@ -150,17 +150,17 @@ fn common_group(polynomial: &Polynomial) -> Option<Monomial> {
     for (index, (first, _)) in terms.iter().enumerate() {
         for (second, _) in terms.iter().skip(index + 1) {
             let common: Vec<i32> = first.iter().zip(second).map(|(a, b)| *a.min(b)).collect();
-            let own = degree(&common);
+            let common_degree = degree(&common);
             // At most all others share it, too.
-            let most = own.saturating_mul(i32::try_from(terms.len() - 1).unwrap_or(i32::MAX));
+            let most = common_degree.saturating_mul(i32::try_from(terms.len() - 1).unwrap_or(i32::MAX));
             if most < best.as_ref().map_or(2, |(worth, _)| worth[0]) {
                 continue;
             }
-            let shares = |exponents: &[i32]| exponents.iter().zip(&common).all(|(own, common)| own >= common);
+            let shares = |exponents: &[i32]| exponents.iter().zip(&common).all(|(power, common)| power >= common);
             let members = || terms.iter().filter(|(exponents, _)| shares(exponents));
             let others = i32::try_from(members().count()).unwrap_or(i32::MAX) - 1;
             let degrees = members().map(|(_, degree)| *degree).fold(0, i32::saturating_add);
-            let worth = [own.saturating_mul(others), own, degrees];
+            let worth = [common_degree.saturating_mul(others), common_degree, degrees];
             if worth[0] >= 2 && best.as_ref().is_none_or(|(most, _)| worth > *most) {
                 best = Some((worth, common));
             }

@@ -42,11 +42,11 @@ impl Expr {
     #[must_use]
     pub fn collect(&self, symbol: Symbol) -> Option<(Vec<Self>, Self)> {
         let form = readable_form(self, &none_positive)?;
-        let own = Self::Symbol(symbol);
-        if form.numerator.atoms().into_iter().any(|atom| *atom != own && atom.contains(symbol)) {
+        let base = Self::Symbol(symbol);
+        if form.numerator.atoms().into_iter().any(|atom| *atom != base && atom.contains(symbol)) {
             return None;
         }
-        let found = form.numerator.coefficients(&own);
+        let found = form.numerator.coefficients(&base);
         let degree = found.last_key_value().map_or(0, |(power, _)| *power);
         let read = |power| found.get(&power).map_or_else(Self::zero, |sum| Quotient::from(sum.clone()).to_expr());
         let coefficients = (0..=degree).map(read).collect();
@@ -98,8 +98,8 @@ fn as_written(expr: &Expr, symbols: &[Symbol]) -> Option<Linear> {
         return Some((parts, vec![expr.clone()]));
     }
     match expr {
-        Expr::Symbol(own) => {
-            let place = symbols.iter().position(|symbol| symbol == own)?;
+        Expr::Symbol(written) => {
+            let place = symbols.iter().position(|symbol| symbol == written)?;
             parts.get_mut(place)?.push(Expr::one());
             Some((parts, Vec::new()))
         }
@@ -121,7 +121,7 @@ fn as_written(expr: &Expr, symbols: &[Symbol]) -> Option<Linear> {
             let (found, rest) = as_written(factor, symbols)?;
             let with = |inner: Expr| {
                 let others = factors.iter().enumerate();
-                Expr::product(others.map(|(index, own)| if index == place { inner.clone() } else { own.clone() }))
+                Expr::product(others.map(|(index, factor)| if index == place { inner.clone() } else { factor.clone() }))
             };
             let scale = |terms: Vec<Expr>| terms.into_iter().map(with).collect::<Vec<_>>();
             Some((found.into_iter().map(scale).collect(), scale(rest)))
@@ -139,11 +139,11 @@ fn after_algebra(expr: &Expr, symbols: &[Symbol]) -> Option<Linear> {
     }
     let mut sums = vec![super::polynomial::Polynomial::default(); symbols.len() + 1];
     for (monomial, value) in form.numerator.terms() {
-        let (own, others) = monomial.partition(involved);
-        let mut powers = own.powers();
+        let (involving, others) = monomial.partition(involved);
+        let mut powers = involving.powers();
         let place = match (powers.next(), powers.next()) {
             (None, _) => symbols.len(),
-            (Some((Expr::Symbol(own), 1)), None) => symbols.iter().position(|symbol| symbol == own)?,
+            (Some((Expr::Symbol(written), 1)), None) => symbols.iter().position(|symbol| symbol == written)?,
             _ => return None,
         };
         let sum = sums.get_mut(place)?;
@@ -208,7 +208,7 @@ mod tests {
             ("sqrt(x^2)", "abs(x)"),
         ] {
             let (term, expected) = (names.term(text), names.term(expected));
-            assert_eq!(term.simplify_where(&|own| own == b), expected, "{text}");
+            assert_eq!(term.simplify_where(&|symbol| symbol == b), expected, "{text}");
         }
         for (left, right, always) in [
             ("sqrt(b^2)", "b", false),
@@ -231,7 +231,7 @@ mod tests {
             let (left, right) = (names.term(left), names.term(right));
             assert_eq!(equal(&left, &right), always, "{}", left.text(&names.0));
             assert!(
-                super::super::super::equal_where(&left, &right, &|own| own == b || own.index() == 1),
+                super::super::super::equal_where(&left, &right, &|symbol| symbol == b || symbol.index() == 1),
                 "{}",
                 left.text(&names.0)
             );

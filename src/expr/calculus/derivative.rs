@@ -21,7 +21,7 @@ impl Expr {
         }
         match self {
             Self::Number(_) | Self::Pi => Self::zero(),
-            Self::Symbol(own) => Self::integer(i64::from(*own == symbol)),
+            Self::Symbol(written) => Self::integer(i64::from(*written == symbol)),
             Self::Sum(terms) => Self::sum(terms.iter().map(|term| term.differentiate(symbol))),
             Self::Product(factors) => {
                 let one_changed = |changed: usize| {
@@ -62,9 +62,9 @@ fn power(base: &Expr, exponent: &Expr, symbol: Symbol) -> Expr {
 impl Function {
     /// The derivative of a function of one argument, at that argument.
     fn slope(self, argument: &Expr) -> Expr {
-        let own = argument.clone();
-        let other = |function| Expr::apply(function, own.clone());
-        let arc = || (Expr::one() - own.clone().powi(2)).power(Expr::ratio(-1, 2));
+        let inner = argument.clone();
+        let other = |function| Expr::apply(function, inner.clone());
+        let arc = || (Expr::one() - inner.clone().powi(2)).power(Expr::ratio(-1, 2));
         match self {
             Self::Sin => other(Self::Cos),
             Self::Cos => -other(Self::Sin),
@@ -72,8 +72,8 @@ impl Function {
             Self::Asin => arc(),
             Self::Acos => -arc(),
             Self::Exp => other(Self::Exp),
-            Self::Ln => own.powi(-1),
-            Self::Abs => own.clone() / other(Self::Abs),
+            Self::Ln => inner.powi(-1),
+            Self::Abs => inner.clone() / other(Self::Abs),
             Self::Atan2 => Expr::zero(),
         }
     }

@@ -127,7 +127,7 @@ fn with_polynomial(polynomial: &Expr, factor: &Expr, symbol: Symbol, steps: &mut
             let (offset, slope) = linear(&pair.0)?;
             // in u = offset + slope x: x = (u - offset)/slope, dx = du/slope
             let inverse = (Expr::Symbol(symbol) - offset) / slope.clone();
-            let substituted = polynomial.substitute(&|own| (own == symbol).then(|| inverse.clone()));
+            let substituted = polynomial.substitute(&|inner| (inner == symbol).then(|| inverse.clone()));
             let coefficients = polynomial_in(&substituted, symbol)?;
             Some(scaled(&power_rule(&coefficients, &pair.0, shift), &slope.powi(-1)))
         }

@@ -73,7 +73,7 @@ fn logarithm(term: &Expr) -> Option<(Expr, Expr)> {
 
 /// The term with the symbol replaced, known values of functions put in, and a piece chosen where that is certain.
 fn at(term: &Expr, symbol: Symbol, value: &Expr) -> Expr {
-    folded(&term.substitute(&|own| (own == symbol).then(|| value.clone())))
+    folded(&term.substitute(&|inner| (inner == symbol).then(|| value.clone())))
 }
 
 fn folded(term: &Expr) -> Expr {
@@ -119,16 +119,16 @@ pub(super) fn integrate_pieces(piecewise: &Piecewise, symbol: Symbol, steps: &mu
     let mut start: Option<Expr> = None;
     let mut pieces = Vec::new();
     for (until, value) in &piecewise.pieces {
-        let own = integrate(value, symbol, steps)?;
-        let own = match &start {
-            None => own,
-            Some(start) => gathered.clone() + own.clone() - at(&own, symbol, start),
+        let antiderivative = integrate(value, symbol, steps)?;
+        let piece = match &start {
+            None => antiderivative,
+            Some(start) => gathered.clone() + antiderivative.clone() - at(&antiderivative, symbol, start),
         };
         if let Some(until) = until {
-            gathered = at(&own, symbol, until);
+            gathered = at(&piece, symbol, until);
             start = Some(until.clone());
         }
-        pieces.push((until.clone(), own));
+        pieces.push((until.clone(), piece));
     }
     Some(Expr::Piecewise(Arc::new(Piecewise { variable: piecewise.variable.clone(), pieces })))
 }
@@ -164,7 +164,7 @@ mod tests {
             let found = force.definite(t, &Expr::zero(), &end.into()).unwrap_or(Expr::integer(404));
             assert!(equal(&found, &expected), "{} is {}", force.text(&names.0), found.text(&names.0));
             let back = found.differentiate(end);
-            let force_at_end = force.substitute(&|own| (own == t).then(|| end.into()));
+            let force_at_end = force.substitute(&|symbol| (symbol == t).then(|| end.into()));
             assert!(equal(&back, &force_at_end), "{}", back.text(&names.0));
         }
     }

@@ -105,7 +105,7 @@ mod tests {
             let value = |symbol: Symbol| [1.3, 0.7, 2.1, 1.7].get(symbol.index()).copied().unwrap_or(1.1);
             for symbol in term.symbols() {
                 let mut slope = 0.0;
-                term.slopes(&value, 1.0, &mut |own, part| slope += if own == symbol { part } else { 0.0 });
+                term.slopes(&value, 1.0, &mut |of_symbol, part| slope += if of_symbol == symbol { part } else { 0.0 });
                 let expected = term.differentiate(symbol).evaluate(&value);
                 assert!((slope - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{text}: {slope} not {expected}");
             }

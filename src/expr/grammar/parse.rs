@@ -210,13 +210,13 @@ impl<'a> Parser<'a> {
     }
 
     fn is_operator(&self, at: usize, operator: char) -> bool {
-        matches!(self.tokens.get(at), Some(Token { kind: Kind::Operator(own), .. }) if *own == operator)
+        matches!(self.tokens.get(at), Some(Token { kind: Kind::Operator(written), .. }) if *written == operator)
     }
 
     fn name(&mut self, token: &Token) -> Result<Expr, ParseFault> {
         let name = token.written;
         let open = self.peek().filter(|token| token.kind == Kind::Open);
-        let function = FUNCTIONS.iter().find(|(own, ..)| *own == name);
+        let function = FUNCTIONS.iter().find(|(known, ..)| *known == name);
         match (name, function, open) {
             ("pi", _, None) => Ok(Expr::Pi),
             ("sqrt", _, Some(open)) => Ok(self.arguments(token, &open, 1)?.swap_remove(0).sqrt()),
@@ -258,21 +258,21 @@ impl<'a> Parser<'a> {
 
     /// A name with names in brackets is a name: `angle(v_A2, v_B2)`.
     fn call(&mut self, name: &Token, open: &Token) -> Result<Expr, ParseFault> {
-        let own = name.written;
-        if self.names.symbol(own).is_some() {
-            let help = format!("write `{own}*(...)`");
-            return Self::fault(open, format!("an operator is missing between `{own}` and the bracket"), Some(help));
+        let called = name.written;
+        if self.names.symbol(called).is_some() {
+            let help = format!("write `{called}*(...)`");
+            return Self::fault(open, format!("an operator is missing between `{called}` and the bracket"), Some(help));
         }
         let inside = self.tokens.iter().skip(self.next + 1);
         let count = inside.take_while(|token| matches!(token.kind, Kind::Name | Kind::Comma)).count();
         let end = self.next + 1 + count;
         let Some(last) = self.tokens.get(end).filter(|token| token.kind == Kind::Close).cloned() else {
             let help = "functions are sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ln and abs";
-            return Self::fault(name, format!("`{own}` is not a function"), Some(help.to_owned()));
+            return Self::fault(name, format!("`{called}` is not a function"), Some(help.to_owned()));
         };
         let parts: Vec<_> =
             self.tokens.iter().skip(self.next + 1).take(count).filter(|token| token.kind == Kind::Name).collect();
-        let whole = format!("{own}({})", parts.iter().map(|part| part.written).collect::<Vec<_>>().join(", "));
+        let whole = format!("{called}({})", parts.iter().map(|part| part.written).collect::<Vec<_>>().join(", "));
         let place = Token { end: last.end, ..name.clone() };
         self.next = end + 1;
         self.symbol(&place, &whole)

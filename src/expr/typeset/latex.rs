@@ -220,7 +220,7 @@ impl Math {
 fn write_identifier(text: &str, out: &mut String) {
     let mut letters = text.chars();
     match (letters.next(), letters.next()) {
-        (Some(single), None) => match NAMED.iter().find(|(own, _)| !single.is_ascii() && *own == single) {
+        (Some(single), None) => match NAMED.iter().find(|(sign, _)| !single.is_ascii() && *sign == single) {
             Some((_, command)) => out.push_str(command),
             None => write_escaped(text, out),
         },
@@ -270,7 +270,7 @@ fn write_power<'a>(text: &'a str, out: &mut String) -> &'a str {
 fn write_sign<'a>(text: &'a str, out: &mut String) -> &'a str {
     let mut letters = text.chars();
     if let Some(letter) = letters.next() {
-        match IN_TEXT.iter().find(|(own, _)| *own == letter) {
+        match IN_TEXT.iter().find(|(escaped, _)| *escaped == letter) {
             Some((_, replacement)) => out.push_str(replacement),
             None => out.push(letter),
         }

@@ -118,23 +118,23 @@ impl Math {
 impl PartialEq for Math {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (own, other) if std::ptr::eq(own, other) => true,
-            (Self::Row(own), Self::Row(other)) => own == other,
-            (Self::Number(own), Self::Number(other))
-            | (Self::Identifier(own), Self::Identifier(other))
-            | (Self::Text(own), Self::Text(other))
-            | (Self::Function(own), Self::Function(other))
-            | (Self::Vector(own), Self::Vector(other)) => own == other,
-            (Self::Operator(own), Self::Operator(other)) => own == other,
+            (one, other) if std::ptr::eq(one, other) => true,
+            (Self::Row(one), Self::Row(other)) => one == other,
+            (Self::Number(one), Self::Number(other))
+            | (Self::Identifier(one), Self::Identifier(other))
+            | (Self::Text(one), Self::Text(other))
+            | (Self::Function(one), Self::Function(other))
+            | (Self::Vector(one), Self::Vector(other)) => one == other,
+            (Self::Operator(one), Self::Operator(other)) => one == other,
             (Self::Fraction(a, b), Self::Fraction(c, d))
             | (Self::Sub(a, b), Self::Sub(c, d))
             | (Self::Sup(a, b), Self::Sup(c, d)) => (a, b) == (c, d),
             (Self::SubSup(a, b, c), Self::SubSup(d, e, f)) => (a, b, c) == (d, e, f),
-            (Self::Root(own), Self::Root(other))
-            | (Self::Bracketed(own), Self::Bracketed(other))
-            | (Self::Squared(own), Self::Squared(other))
-            | (Self::Bars(own), Self::Bars(other)) => own == other,
-            (Self::Cases(own), Self::Cases(other)) => own == other,
+            (Self::Root(one), Self::Root(other))
+            | (Self::Bracketed(one), Self::Bracketed(other))
+            | (Self::Squared(one), Self::Squared(other))
+            | (Self::Bars(one), Self::Bars(other)) => one == other,
+            (Self::Cases(one), Self::Cases(other)) => one == other,
             (Self::Integral(a, b, c, d), Self::Integral(e, f, g, h)) => (a, b, c, d) == (e, f, g, h),
             _ => false,
         }

@@ -106,7 +106,7 @@ pub fn name_math(name: &str) -> Math {
 
 /// `dt` is a difference; its subscript, if any, belongs to the whole of it.
 fn base_math(base: &str) -> Math {
-    if let Some((_, letter)) = LETTERS.iter().find(|(own, _)| *own == base) {
+    if let Some((_, letter)) = LETTERS.iter().find(|(spelt, _)| *spelt == base) {
         return Math::Identifier((*letter).to_owned());
     }
     match base {

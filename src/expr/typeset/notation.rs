@@ -23,7 +23,7 @@ impl Notation {
     /// A notation with these letters, each beside the usual one for which it stands.
     #[must_use]
     pub fn new<'a>(letters: impl IntoIterator<Item = (&'static str, &'a str)>) -> Self {
-        Self { letters: letters.into_iter().map(|(usual, own)| (usual, own.to_owned())).collect() }
+        Self { letters: letters.into_iter().map(|(usual, letter)| (usual, letter.to_owned())).collect() }
     }
 
     /// Whether it is the usual one.
@@ -38,7 +38,7 @@ impl Notation {
         let (front, rest) = name.strip_prefix("angle_").map_or(("", name), |rest| ("angle_", rest));
         let (base, behind) = rest.split_at(rest.find('_').unwrap_or(rest.len()));
         match self.letters.iter().find(|(usual, _)| *usual == base && !behind.is_empty()) {
-            Some((_, own)) => format!("{front}{own}{behind}"),
+            Some((_, letter)) => format!("{front}{letter}{behind}"),
             None => name.to_owned(),
         }
     }

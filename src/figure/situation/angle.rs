@@ -72,7 +72,7 @@ impl Vertex {
         let strokes = reference.chain(arc_points(self.at, self.radius(), from, from + turn));
         let mut boxes = strokes.map(|point| Extent::around([point]).grown(CLEARANCE));
         let bodies: Vec<&Shape> = canvas.shapes().iter().filter(|shape| shape.is_body()).collect();
-        boxes.all(|own| bodies.iter().all(|body| own.contact(body) == Contact::Clear))
+        boxes.all(|extent| bodies.iter().all(|body| extent.contact(body) == Contact::Clear))
     }
 }
 
@@ -130,9 +130,9 @@ fn covers(shape: &Shape, [start, end]: [Point; 2]) -> bool {
     let along = *to - *from;
     let unit = along * (1.0 / along.length().max(1e-9));
     [start, end].into_iter().all(|point| {
-        let own = point - *from;
-        let part = own.dot(unit);
-        (own - unit * part).length() < 1.0 && part > -REFERENCE && part < along.length() + REFERENCE
+        let apart_from = point - *from;
+        let part = apart_from.dot(unit);
+        (apart_from - unit * part).length() < 1.0 && part > -REFERENCE && part < along.length() + REFERENCE
     })
 }
 

@@ -92,11 +92,11 @@ impl Bowl {
         let top = 0.86 * height;
         // In a flat cone both levels lie within little height.
         let apart = APART.min(top / 2.0);
-        let own = if rise > 0.0 { (top / (1.0 + rise)).clamp(apart, top - apart) } else { top };
-        let other = if rise > 0.0 { top } else { (own * (1.0 + rise)).clamp(apart, top - apart) };
+        let depth = if rise > 0.0 { (top / (1.0 + rise)).clamp(apart, top - apart) } else { top };
+        let other = if rise > 0.0 { top } else { (depth * (1.0 + rise)).clamp(apart, top - apart) };
         let level = self.rise.as_ref().map(|_| other);
         let inwards = Point::polar(1.0, PI - angle);
-        self.draw_levels(canvas, [Point::new(own * tangent, own), inwards], level, &|y| y * tangent);
+        self.draw_levels(canvas, [Point::new(depth * tangent, depth), inwards], level, &|y| y * tangent);
         if let Some(label) = label {
             let mark = AngleMark { from: FRAC_PI_2, label: label.clone() };
             draw_angle(canvas, &[Vertex::open(Point::ORIGIN, ARC_ROOM)], Point::polar(1.0, FRAC_PI_2 + angle), &mark);

@@ -83,17 +83,17 @@ impl Carried {
         let raised = self.ends.iter().position(|end| end.angle != 0.0);
         let mut left = 0.0;
         for (number, end) in self.ends.iter().enumerate() {
-            let mut own = Canvas::default();
+            let mut inset = Canvas::default();
             let height = self.height.as_ref().filter(|_| raised == Some(number));
             match &self.by {
                 CarriedBy::Face { rightwards, brow, step } => {
-                    draw_on_face(&mut own, end, [*rightwards, *brow, *step], height, &scales);
+                    draw_on_face(&mut inset, end, [*rightwards, *brow, *step], height, &scales);
                 }
-                CarriedBy::Cord(length) => draw_on_cord(&mut own, end, length.as_ref(), height, &scales),
+                CarriedBy::Cord(length) => draw_on_cord(&mut inset, end, length.as_ref(), height, &scales),
             }
-            let own = own.settled();
-            let frame = own.frame();
-            canvas.draw_moved(own, Point::new(left - frame.low.x, 0.0));
+            let inset = inset.settled();
+            let frame = inset.frame();
+            canvas.draw_moved(inset, Point::new(left - frame.low.x, 0.0));
             left += frame.size().x + GAP;
         }
     }

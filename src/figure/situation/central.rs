@@ -107,7 +107,7 @@ impl Central {
             let hidden = 1.1 * body.support(outward.turned()) / RADIUS;
             for (from, to) in [(-path.reach(), -hidden), (hidden, path.reach())] {
                 let parts = (0..=12).map(|part| from + (to - from) * f64::from(part) / 12.0);
-                canvas.line(parts.map(|own| Point::polar(path.radius(own), angle + own)), Role::Path, true);
+                canvas.line(parts.map(|part| Point::polar(path.radius(part), angle + part)), Role::Path, true);
             }
         }
         for moving in &self.body.vectors {

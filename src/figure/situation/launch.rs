@@ -111,7 +111,7 @@ impl Launch {
         match &self.target {
             Target::Top => {}
             Target::Ground(depth) => {
-                let is_true = self.resisted.is_some_and(|own| own.end.is_some());
+                let is_true = self.resisted.is_some_and(|resisted| resisted.end.is_some());
                 let drawn = if is_true { -end.y } else { depth.drawn() };
                 draw_ground(canvas, (depth, drawn), radius, [0.0, end.x]);
             }

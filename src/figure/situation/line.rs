@@ -169,7 +169,7 @@ impl Line {
     }
 
     fn lies(&self, place: LineSpring) -> bool {
-        self.spring.as_ref().is_some_and(|(own, _)| *own == place)
+        self.spring.as_ref().is_some_and(|(stretched, _)| *stretched == place)
     }
 
     fn draw_spring(&self, canvas: &mut Canvas, placed: &[(usize, Body)], frame: &Frame, floor: f64) {

@@ -149,8 +149,8 @@ impl Scales {
     pub(crate) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
         let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
         let of = |is_own: &dyn Fn(Role) -> bool| -> Vec<Point> {
-            let own = vectors.iter().filter(|moving| is_own(moving.role) && !moving.asked);
-            own.filter_map(|moving| moving.vector.vector()).collect()
+            let drawn = vectors.iter().filter(|moving| is_own(moving.role) && !moving.asked);
+            drawn.filter_map(|moving| moving.vector.vector()).collect()
         };
         Self {
             velocity: Scale::sketching(of(&|role| role == Role::Velocity), longest),

@@ -79,11 +79,11 @@ impl Swing {
             angles.iter().map(|angle| self.outline(*angle).moved(Point::polar(CORD, *angle - FRAC_PI_2))).collect();
         if self.on_track() {
             // All stand on one track, however high they are.
-            let outward = |own: &Body| Point::polar(1.0, own.centre().angle());
-            let depth = outlines.iter().map(|own| own.support(outward(own))).fold(0.0, f64::max);
-            let lowered = outlines.iter().map(|own| outward(own) * (CORD + depth - own.support(outward(own))));
+            let outward = |body: &Body| Point::polar(1.0, body.centre().angle());
+            let depth = outlines.iter().map(|body| body.support(outward(body))).fold(0.0, f64::max);
+            let lowered = outlines.iter().map(|body| outward(body) * (CORD + depth - body.support(outward(body))));
             let lowered: Vec<Point> = lowered.collect();
-            outlines = outlines.into_iter().zip(lowered).map(|(own, at)| own.moved(at)).collect();
+            outlines = outlines.into_iter().zip(lowered).map(|(body, at)| body.moved(at)).collect();
             self.draw_track(canvas, &angles, &outlines, depth);
         } else {
             draw_pivot(canvas, &angles);

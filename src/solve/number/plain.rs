@@ -96,8 +96,8 @@ mod tests {
     fn what_has_no_value_is_not_real() {
         let nothing =
             [1.0.div(&0.0), Real::sqrt(&-1.0), 0.0.atan2(&-0.0), 2.0.apply(Function::Acos), (-1.0).raise(&0.5)];
-        assert!(nothing.iter().all(|own| !own.is_real()), "{nothing:?}");
-        assert_eq!([2.0, -0.5, 0.0].map(|own: f64| own.sign()), [Sign::Positive, Sign::Negative, Sign::Zero]);
+        assert!(nothing.iter().all(|number| !number.is_real()), "{nothing:?}");
+        assert_eq!([2.0, -0.5, 0.0].map(|number: f64| number.sign()), [Sign::Positive, Sign::Negative, Sign::Zero]);
     }
 
     #[test]

@@ -67,7 +67,7 @@ impl Precise {
 
     fn balls(&self, other: &Self, combine: impl FnOnce(Ball, Ball) -> Self) -> Self {
         match (self.ball(), other.ball()) {
-            (Some(own), Some(other)) => combine(own, other),
+            (Some(ball), Some(other)) => combine(ball, other),
             _ => self.lost(other),
         }
     }
@@ -167,11 +167,11 @@ impl Real for Precise {
 
     fn add(&self, other: &Self) -> Self {
         match (self, other) {
-            (Self::Rational(own), Self::Rational(other)) => Self::rational(own + other),
-            (Self::Angle(own), Self::Angle(other)) => Self::angle(own + other),
+            (Self::Rational(one), Self::Rational(other)) => Self::rational(one + other),
+            (Self::Angle(one), Self::Angle(other)) => Self::angle(one + other),
             (Self::Rational(zero), other) | (other, Self::Rational(zero)) if zero.is_zero() => other.clone(),
-            _ => self.balls(other, |own, other| {
-                Self::Ball(Ball::rounded(own.middle + other.middle, own.radius + other.radius))
+            _ => self.balls(other, |ball, other| {
+                Self::Ball(Ball::rounded(ball.middle + other.middle, ball.radius + other.radius))
             }),
         }
     }
@@ -182,13 +182,13 @@ impl Real for Precise {
 
     fn mul(&self, other: &Self) -> Self {
         match (self, other) {
-            (Self::Rational(own), Self::Rational(other)) => Self::rational(own * other),
+            (Self::Rational(one), Self::Rational(other)) => Self::rational(one * other),
             (Self::Rational(factor), Self::Angle(angle)) | (Self::Angle(angle), Self::Rational(factor)) => {
                 Self::angle(factor * angle)
             }
-            (zero @ Self::Rational(own), Self::Ball(_)) if own.is_zero() => zero.clone(),
+            (zero @ Self::Rational(number), Self::Ball(_)) if number.is_zero() => zero.clone(),
             (Self::Ball(_), zero @ Self::Rational(other)) if other.is_zero() => zero.clone(),
-            _ => self.balls(other, |own, other| Self::Ball(own.times(other))),
+            _ => self.balls(other, |ball, other| Self::Ball(ball.times(other))),
         }
     }
 
@@ -196,20 +196,22 @@ impl Real for Precise {
         match (self, other) {
             (Self::NotReal, _) => Self::NotReal,
             (_, Self::Rational(other)) if other.is_zero() => Self::NotReal,
-            (Self::Rational(own), Self::Rational(other)) | (Self::Angle(own), Self::Angle(other)) => {
-                Self::rational(own / other)
+            (Self::Rational(one), Self::Rational(other)) | (Self::Angle(one), Self::Angle(other)) => {
+                Self::rational(one / other)
             }
             (Self::Angle(angle), Self::Rational(other)) => Self::angle(angle / other),
-            (zero @ Self::Rational(own), Self::Angle(_)) if own.is_zero() => zero.clone(),
-            (zero @ Self::Rational(own), Self::Ball(ball)) if own.is_zero() && !ball.reaches_zero() => zero.clone(),
-            _ => self.balls(other, |own, other| {
+            (zero @ Self::Rational(number), Self::Angle(_)) if number.is_zero() => zero.clone(),
+            (zero @ Self::Rational(number), Self::Ball(ball)) if number.is_zero() && !ball.reaches_zero() => {
+                zero.clone()
+            }
+            _ => self.balls(other, |ball, other| {
                 if other.reaches_zero() {
                     return Self::Unbounded;
                 }
                 let least = divisor(other.least());
-                let value = own.middle / other.middle;
+                let value = ball.middle / other.middle;
                 // The quotient's own rounding joins the radius after; twice the spread covers it here.
-                let spread = (own.radius + radius_of(&value) * other.radius * small(2)) / least;
+                let spread = (ball.radius + radius_of(&value) * other.radius * small(2)) / least;
                 Self::Ball(Ball::rounded(value, spread))
             }),
         }
@@ -294,10 +296,10 @@ impl Real for Precise {
     }
 
     fn hull(&self, other: &Self) -> Self {
-        self.balls(other, |own, other| {
-            let middle = (own.middle.clone() + other.middle.clone()) / float(2);
-            let apart = radius_of(&((own.middle - other.middle) / float(2)));
-            let radius = if own.radius > other.radius { own.radius } else { other.radius };
+        self.balls(other, |ball, other| {
+            let middle = (ball.middle.clone() + other.middle.clone()) / float(2);
+            let apart = radius_of(&((ball.middle - other.middle) / float(2)));
+            let radius = if ball.radius > other.radius { ball.radius } else { other.radius };
             Self::Ball(Ball::rounded(middle, apart + radius))
         })
     }

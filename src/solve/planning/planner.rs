@@ -64,8 +64,8 @@ impl Planner {
     /// [`Stuck`], where no set of equations determines what is wanted, or none can be closed.
     pub fn plan(&mut self, system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
         let first = planned(system, known, wanted, self);
-        let is_open = |own: &Result<Plan, Stuck>| {
-            matches!(own, Err(Stuck { reason: Reason::Underdetermined { .. }, .. }))
+        let is_open = |plan: &Result<Plan, Stuck>| {
+            matches!(plan, Err(Stuck { reason: Reason::Underdetermined { .. }, .. }))
                 && is_counted(system, known, wanted)
         };
         if !is_open(&first) {

@@ -160,13 +160,13 @@ impl<'a> Search<'a> {
             self.widen(estimate, Within { columns, without, narrower });
             return;
         }
-        let own = self.estimate(&columns);
+        let estimate_here = self.estimate(&columns);
         let wider = |row: usize| {
             let mut new = unknowns(row).clone();
             new.subtract(&columns);
             let mut more = columns.clone();
             more.join(&new);
-            (own + self.at_least(free, &new, &more), row, more)
+            (estimate_here + self.at_least(free, &new, &more), row, more)
         };
         let mut next: Vec<(u64, usize, Bits)> = next.iter().map(wider).collect();
         // The dearest first, so that those that are looked at first are without most others.

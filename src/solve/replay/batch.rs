@@ -130,9 +130,9 @@ impl BatchValues<'_> {
         let member = self.batch.members.get(place)?;
         let at = |register: Register| self.workspace.registers.get(register as usize);
         let can_be = |(register, positive): &(Register, bool)| {
-            at(*register).is_some_and(|own| own.is_real() && !(*positive && *own < -ROUNDED))
+            at(*register).is_some_and(|number| number.is_real() && !(*positive && *number < -ROUNDED))
         };
-        let (_, register) = member.wanted.iter().find(|(own, _)| *own == symbol)?;
+        let (_, register) = member.wanted.iter().find(|(wanted, _)| *wanted == symbol)?;
         let value = *at(*register)?;
         // Few values are wanted, so that is asked first.
         (value.is_finite() && is_wanted(value) && member.unknowns.iter().all(can_be)).then_some(value)

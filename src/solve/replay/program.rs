@@ -137,7 +137,7 @@ impl Program {
 
     /// The register of a symbol that the program finds or is given.
     pub(crate) fn register(&self, symbol: Symbol) -> Option<Register> {
-        let place = self.symbols.binary_search_by_key(&symbol, |(own, _)| *own).ok()?;
+        let place = self.symbols.binary_search_by_key(&symbol, |(known, _)| *known).ok()?;
         self.symbols.get(place).map(|(_, register)| *register)
     }
 }
@@ -189,21 +189,23 @@ fn stage(
 fn write_root(writer: &mut Writer, root: &Root, registers: Option<&[(Symbol, Register)]>) -> Option<Vec<Work>> {
     let mut work = Vec::new();
     for (symbol, value) in &root.values {
-        let own = registers.and_then(|registers| registers.iter().find(|(own, _)| own == symbol)).map(|(_, own)| *own);
+        let wanted = registers
+            .and_then(|registers| registers.iter().find(|(known, _)| known == symbol))
+            .map(|(_, register)| *register);
         match value {
             Closed::Formula(expr) => {
                 let (code, register) = writer.stretch(|writer| {
                     let found = writer.expr(expr)?;
-                    if let Some(own) = own {
-                        writer.copy(found, own);
+                    if let Some(wanted) = wanted {
+                        writer.copy(found, wanted);
                     }
-                    Some(own.unwrap_or(found))
+                    Some(wanted.unwrap_or(found))
                 });
                 writer.symbols.insert(*symbol, register?);
                 work.push(Work::Run(code));
             }
             Closed::FirstInteger { from, left, relation, right } => {
-                let variable = own.unwrap_or_else(|| writer.register());
+                let variable = wanted.unwrap_or_else(|| writer.register());
                 writer.symbols.insert(*symbol, variable);
                 let mark = writer.mark();
                 let (code, difference) = writer.stretch(|writer| writer.difference(left, right));
@@ -211,7 +213,7 @@ fn write_root(writer: &mut Writer, root: &Root, registers: Option<&[(Symbol, Reg
                 work.push(Work::Count { variable, from: *from, code, difference: difference?, relation: *relation });
             }
             Closed::BracketedRoot { residual, index } => {
-                let variable = own.unwrap_or_else(|| writer.register());
+                let variable = wanted.unwrap_or_else(|| writer.register());
                 writer.symbols.insert(*symbol, variable);
                 let mark = writer.mark();
                 let (code, residual) = writer.stretch(|writer| writer.expr(residual));

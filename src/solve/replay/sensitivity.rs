@@ -76,7 +76,7 @@ impl Sensitivity {
         let mut writer = Writer::default();
         let symbols: Vec<Symbol> = symbols.into_iter().collect();
         let registers = symbols.iter().map(|symbol| writer.input(*symbol)).collect();
-        let place = |symbol: &Symbol| symbols.partition_point(|own| own < symbol);
+        let place = |symbol: &Symbol| symbols.partition_point(|smaller| smaller < symbol);
         let mut made = |(unknown, closed): &(Symbol, Closed)| {
             // What formulas share is computed for each: a slope that one of them has not would spoil the others'.
             let before = writer.mark();
@@ -89,7 +89,7 @@ impl Sensitivity {
         };
         let steps = steps.iter().map(|step| {
             let root = |values: &Vec<_>| values.iter().map(&mut made).collect();
-            step.roots.iter().map(|own| &own.values).map(root).collect()
+            step.roots.iter().map(|root| &root.values).map(root).collect()
         });
         let steps = steps.collect();
         Self { steps, constants: Constants::new(&writer), registers, tape: writer.tape, symbols }

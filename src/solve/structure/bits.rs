@@ -22,16 +22,16 @@ impl Bits {
     /// The set whose words are made of those of both.
     #[inline]
     fn zip(&mut self, other: &Self, word: impl Fn(u64, u64) -> u64) {
-        self.near.iter_mut().zip(&other.near).for_each(|(own, other)| *own = word(*own, *other));
+        self.near.iter_mut().zip(&other.near).for_each(|(bits, other)| *bits = word(*bits, *other));
         if let (Some(far), Some(other)) = (&mut self.far, &other.far) {
-            far.iter_mut().zip(other).for_each(|(own, other)| *own = word(*own, *other));
+            far.iter_mut().zip(other).for_each(|(bits, other)| *bits = word(*bits, *other));
         }
     }
 
     /// Whether some word of this set and that of the other pass the test.
     #[inline]
     fn any(&self, other: &Self, test: impl Fn(u64, u64) -> bool) -> bool {
-        let pass = |(own, other): (&u64, &u64)| test(*own, *other);
+        let pass = |(bits, other): (&u64, &u64)| test(*bits, *other);
         let far = || self.far.iter().flatten().zip(other.far.iter().flatten()).any(pass);
         self.near.iter().zip(&other.near).any(pass) || self.far.is_some() && far()
     }
@@ -84,31 +84,31 @@ impl Bits {
     /// Everything of the other set is put in.
     #[inline]
     pub(crate) fn join(&mut self, other: &Self) {
-        self.zip(other, |own, other| own | other);
+        self.zip(other, |bits, other| bits | other);
     }
 
     /// Everything of the other set is taken out.
     #[inline]
     pub(crate) fn subtract(&mut self, other: &Self) {
-        self.zip(other, |own, other| own & !other);
+        self.zip(other, |bits, other| bits & !other);
     }
 
     /// Everything that is not in the other set is taken out.
     #[inline]
     pub(crate) fn keep(&mut self, other: &Self) {
-        self.zip(other, |own, other| own & other);
+        self.zip(other, |bits, other| bits & other);
     }
 
     /// Whether the sets share an index.
     #[inline]
     pub(crate) fn meets(&self, other: &Self) -> bool {
-        self.any(other, |own, other| own & other != 0)
+        self.any(other, |bits, other| bits & other != 0)
     }
 
     /// Whether everything of the other set is in this one.
     #[inline]
     pub(crate) fn covers(&self, other: &Self) -> bool {
-        !self.any(other, |own, other| other & !own != 0)
+        !self.any(other, |bits, other| other & !bits != 0)
     }
 
     /// Whether nothing is in the set.

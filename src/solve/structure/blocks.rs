@@ -40,9 +40,9 @@ impl Tarjan<'_> {
     /// `None` where a column has no finder. Recursion is at most as deep as
     /// there are rows.
     fn visit(&mut self, row: usize) -> Option<()> {
-        let own = self.index.iter().flatten().count();
-        self.index[row] = Some(own);
-        self.low[row] = Some(own);
+        let position = self.index.iter().flatten().count();
+        self.index[row] = Some(position);
+        self.low[row] = Some(position);
         self.stack.push(row);
         for column in self.structure.rows[row].unknowns.iter() {
             let next = self.matching.finder(column)?;

@@ -74,7 +74,7 @@ impl Residuals {
     /// How far off zero each residual is; none where one has no value.
     pub(super) fn off(&self, values: &Values) -> Option<DVector<f64>> {
         let off = DVector::from_iterator(self.zeros.len(), self.zeros.iter().map(|zero| values.get(zero.register)));
-        off.iter().all(|own| own.is_finite()).then_some(off)
+        off.iter().all(|residual| residual.is_finite()).then_some(off)
     }
 
     /// The derivatives of each residual, a column, in the free symbols: by one backward run of the tape for each.
@@ -110,7 +110,13 @@ impl Zero {
             }
             serves.then_some(place)
         };
-        let made_by = writer.tape.iter().enumerate().rev().skip_while(|(_, own)| own.to != register).filter_map(serves);
+        let made_by = writer
+            .tape
+            .iter()
+            .enumerate()
+            .rev()
+            .skip_while(|(_, instruction)| instruction.to != register)
+            .filter_map(serves);
         let made_by = made_by.collect();
         Self { register, made_by }
     }

@@ -54,7 +54,7 @@ impl Samples {
     /// The place for the rows of a system.
     pub(super) fn of(&mut self, system: &System, structure: &Structure) -> Sample {
         let stated = stated(system, structure);
-        let known = self.found.iter().find(|(own, _)| own.iter().eq(stated.iter().map(AsRef::as_ref)));
+        let known = self.found.iter().find(|(sampled, _)| sampled.iter().eq(stated.iter().map(AsRef::as_ref)));
         if let Some((_, sample)) = known {
             return sample.clone();
         }
@@ -73,7 +73,7 @@ impl Sample {
     /// equations that contradict each other, values in no relation to each other.
     fn of(system: &System, stated: &[Cow<Statement>], starts: u32) -> Self {
         let residuals = Residuals::of(&stated.iter().map(AsRef::as_ref).collect::<Vec<_>>());
-        let told = stated.iter().filter(|own| is_zero(own)).count();
+        let told = stated.iter().filter(|statement| is_zero(statement)).count();
         let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
         let start = |salt| residuals.free.iter().map(|symbol| begin(system, *symbol, salt)).collect();
         let positive: Vec<bool> = residuals.free.iter().map(|symbol| system.positive.contains(symbol)).collect();
@@ -88,8 +88,14 @@ impl Sample {
                 break;
             }
         }
-        let generic =
-            || Self::read(stated.iter().flat_map(|own| symbols(own)).map(|own| (own, generic(own.index(), 0))));
+        let generic = || {
+            Self::read(
+                stated
+                    .iter()
+                    .flat_map(|statement| symbols(statement))
+                    .map(|symbol| (symbol, generic(symbol.index(), 0))),
+            )
+        };
         fewest.unwrap_or_else(generic)
     }
 
@@ -155,8 +161,8 @@ fn settled(residuals: &Residuals, positive: &[bool], start: Vec<f64>) -> Option<
         });
         let step = &slopes * products.cholesky()?.solve(&off);
         let moved = DVector::from_fn(place.len(), |row, _| {
-            let (own, step) = (place[row], step[row]);
-            if positive[row] { own * libm::exp(-step.clamp(-FARTHEST, FARTHEST)) } else { own - step }
+            let (value, step) = (place[row], step[row]);
+            if positive[row] { value * libm::exp(-step.clamp(-FARTHEST, FARTHEST)) } else { value - step }
         });
         let there = residuals.at(moved.as_slice());
         match residuals.off(&there).filter(|after| after.norm_squared() < off.norm_squared()) {
@@ -243,13 +249,13 @@ mod tests {
         let polar = system(&[["x", "v*cos(a)"], ["y", "v*sin(a)"], ["v^2", "x^2 + y^2"]]);
         let sample = sample(&polar);
         let mut basis = Basis::default();
-        let gradient = |own: &Equation| {
+        let gradient = |equation: &Equation| {
             let mut gradient = vec![0.0; 4];
-            let stated = sample.slopes(&own.statement, &mut |symbol, slope| gradient[symbol.index()] += slope);
+            let stated = sample.slopes(&equation.statement, &mut |symbol, slope| gradient[symbol.index()] += slope);
             assert_eq!(stated, Some(()));
             gradient
         };
-        let new: Vec<bool> = polar.equations.iter().map(|own| basis.add(&gradient(own))).collect();
+        let new: Vec<bool> = polar.equations.iter().map(|equation| basis.add(&gradient(equation))).collect();
         assert_eq!(new, [true, true, false]);
     }
 
@@ -263,7 +269,7 @@ mod tests {
     #[test]
     fn what_is_positive_stays_so() {
         let mut fall = system(&[["v", "g*t"], ["h", "g*t^2/2"], ["w", "-2*v"]]);
-        fall.positive = fall.equations.iter().take(2).flat_map(|own| symbols(&own.statement)).collect();
+        fall.positive = fall.equations.iter().take(2).flat_map(|equation| symbols(&equation.statement)).collect();
         let sample = sample(&fall);
         assert!(fall.positive.iter().all(|symbol| sample.value(*symbol) > NOTHING), "{sample:?}");
         assert!(sample.0.iter().any(|value| *value < 0.0), "{sample:?}");

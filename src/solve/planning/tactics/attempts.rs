@@ -31,7 +31,7 @@ impl Attempts {
         let stated = stated.map(|equation| &equation.statement);
         let made = self.0.entry((tactic, block.equations.clone(), block.unknowns.clone())).or_default();
         // What stands at a position can differ from system to system.
-        if let Some((_, outcome)) = made.iter().find(|(own, _)| own.iter().eq(stated.clone())) {
+        if let Some((_, outcome)) = made.iter().find(|(tried, _)| tried.iter().eq(stated.clone())) {
             return outcome.clone();
         }
         let outcome = attempt();

@@ -130,11 +130,11 @@ fn plainness(coefficient: &Expr) -> usize {
 impl Row {
     /// Adds a multiple of another row, from which the unknown of `column` drops out.
     fn add(&mut self, other: &Self, factor: &Expr, column: usize) {
-        for (place, (own, more)) in self.coefficients.iter_mut().zip(&other.coefficients).enumerate() {
+        for (place, (coefficient, more)) in self.coefficients.iter_mut().zip(&other.coefficients).enumerate() {
             if place == column {
-                *own = Expr::zero();
+                *coefficient = Expr::zero();
             } else if !more.is_zero() {
-                *own = collected(cancelled(Expr::sum([own.clone(), product(factor, more)])));
+                *coefficient = collected(cancelled(Expr::sum([coefficient.clone(), product(factor, more)])));
             }
         }
         if !other.rest.is_zero() {

@@ -12,7 +12,7 @@ use super::tidy::{negative, over};
 pub(super) fn undo(side: &Expr, value: Expr, unknown: Symbol, positive: &dyn Fn(Symbol) -> bool) -> Option<Vec<Expr>> {
     let sure = |part: &Expr| matches!(part, Expr::Symbol(symbol) if positive(*symbol));
     let (part, values) = match side {
-        Expr::Symbol(own) => return (*own == unknown).then(|| vec![value]),
+        Expr::Symbol(written) => return (*written == unknown).then(|| vec![value]),
         Expr::Sum(parts) => {
             let (inner, others) = apart(parts, unknown)?;
             (inner, vec![Expr::sum([value, negative(&Expr::sum(others))])])

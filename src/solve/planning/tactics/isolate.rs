@@ -120,9 +120,9 @@ fn as_power(term: &Expr, unknown: Symbol) -> Option<(Rational, Expr)> {
         term if !term.contains(unknown) => Some((Rational::ZERO, term.clone())),
         Expr::Symbol(_) => Some((Rational::ONE, Expr::one())),
         Expr::Product(factors) => {
-            let parts: Option<Vec<(Rational, Expr)>> = factors.iter().map(|own| as_power(own, unknown)).collect();
+            let parts: Option<Vec<(Rational, Expr)>> = factors.iter().map(|factor| as_power(factor, unknown)).collect();
             let (powers, coefficients): (Vec<Rational>, Vec<Expr>) = parts?.into_iter().unzip();
-            Some((powers.into_iter().fold(Rational::ZERO, |sum, own| sum + own), Expr::product(coefficients)))
+            Some((powers.into_iter().fold(Rational::ZERO, |sum, power| sum + power), Expr::product(coefficients)))
         }
         Expr::Power(pair) => {
             let exponent = pair.1.as_number()?;

@@ -53,11 +53,11 @@ impl Components {
                 continue;
             }
             let involved = |factor: &&Expr| factor.contains(magnitude) || factor.contains(angle);
-            let mut own: Vec<&Expr> = factors(term).iter().filter(involved).collect();
-            own.sort();
+            let mut involving: Vec<&Expr> = factors(term).iter().filter(involved).collect();
+            involving.sort();
             let coefficient = Expr::product(factors(term).iter().filter(|factor| !involved(factor)).cloned());
             let sum = |function, sum: &mut Vec<Expr>| {
-                let found = own == [&Expr::Symbol(magnitude), &part(function)];
+                let found = involving == [&Expr::Symbol(magnitude), &part(function)];
                 if found {
                     sum.push(coefficient.clone());
                 }

@@ -123,5 +123,5 @@ fn squared(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Opti
 }
 
 fn put(expr: &Expr, values: &[(Symbol, Expr)]) -> Expr {
-    expr.substitute(&|symbol| values.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.clone()))
+    expr.substitute(&|symbol| values.iter().find(|(known, _)| *known == symbol).map(|(_, value)| value.clone()))
 }

@@ -67,7 +67,7 @@ fn divide_term(term: &Expr, divisor: &Expr) -> Expr {
     let mut above: Vec<Expr> = factors(term).to_vec();
     let mut below = Vec::new();
     for factor in factors(divisor) {
-        match above.iter().position(|own| own == factor) {
+        match above.iter().position(|other| other == factor) {
             Some(place) if !factor.is_zero() => drop(above.remove(place)),
             _ => below.push(factor.clone().powi(-1)),
         }
@@ -91,7 +91,9 @@ pub(super) fn gathered(expr: &Expr) -> Expr {
     Expr::sum(terms(expr).iter().map(|term| {
         let mut powers: Vec<(&Expr, i64)> = Vec::new();
         for factor in factors(term) {
-            match powers.iter_mut().find(|(own, _)| matches!(own, Expr::Symbol(_) | Expr::Apply(..)) && *own == factor)
+            match powers
+                .iter_mut()
+                .find(|(base, _)| matches!(base, Expr::Symbol(_) | Expr::Apply(..)) && *base == factor)
             {
                 Some((_, times)) => *times += 1,
                 None => powers.push((factor, 1)),
@@ -141,7 +143,7 @@ pub(super) fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
 /// How often a symbol is written in a term.
 pub(super) fn occurrences(expr: &Expr, symbol: Symbol) -> usize {
     match expr {
-        Expr::Symbol(own) => usize::from(*own == symbol),
+        Expr::Symbol(written) => usize::from(*written == symbol),
         other => other.children().map(|part| occurrences(part, symbol)).sum(),
     }
 }
