@@ -63,8 +63,9 @@ fn changed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Strin
     };
     let mut question = question.clone();
     let mut faults = Vec::new();
-    let own = loaded.with(&question.given);
-    let mut given: Vec<(String, Given)> = own.given.iter().map(|(name, own)| (name.to_owned(), own.clone())).collect();
+    let loaded_for_question = loaded.with(&question.given);
+    let mut given: Vec<(String, Given)> =
+        loaded_for_question.given.iter().map(|(name, given)| (name.to_owned(), given.clone())).collect();
     question.given = Entries::default();
     for (index, (name, text)) in set.iter().enumerate() {
         if set.iter().take(index).any(|(earlier, _)| earlier == name) {
@@ -86,8 +87,8 @@ fn changed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Strin
                 continue;
             }
         };
-        match given.iter_mut().find(|(own, _)| own == name) {
-            Some((_, own)) => *own = literal,
+        match given.iter_mut().find(|(listed, _)| listed == name) {
+            Some((_, value)) => *value = literal,
             None => given.push((name.clone(), literal)),
         }
     }
@@ -99,7 +100,7 @@ fn changed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Strin
         question.ask = find.iter().map(|name| asked(&question.ask, name)).collect();
         question.path = Path::root();
     }
-    let told = |name: &String| set.iter().any(|(own, _)| own == name);
+    let told = |name: &String| set.iter().any(|(listed, _)| listed == name);
     question.reveal.retain(|name| !told(name) && !find.contains(name));
     question.elsewhere.retain(|name| !told(name));
     changed.given = given.into_iter().collect::<Entries<Given>>();
@@ -109,9 +110,9 @@ fn changed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Strin
 
 /// The file's own way of asking for a quantity, or a plain one.
 fn asked(parts: &[Ask], name: &str) -> Ask {
-    let own = parts.iter().find(|part| matches!(part, Ask::Find(find) if find.name() == name));
-    own.cloned().unwrap_or_else(|| {
-        let is_direction = Name::parse(name).is_some_and(|own| matches!(own.kind, QuantityKind::Direction(_)));
+    let asked = parts.iter().find(|part| matches!(part, Ask::Find(find) if find.name() == name));
+    asked.cloned().unwrap_or_else(|| {
+        let is_direction = Name::parse(name).is_some_and(|name| matches!(name.kind, QuantityKind::Direction(_)));
         Ask::Find(Find {
             id: None,
             find: name.to_owned(),

@@ -107,8 +107,9 @@ pub(crate) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Optio
 pub(crate) fn by_formula(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let symbols = loaded.given.iter().filter_map(|(name, _)| model.symbol_of(name));
     // A value with its unit stands in no formula, nor does what the sheet does not tell.
-    let is_letter = |own| form.told.contains(&own) && model.literals.iter().all(|(literal, _)| *literal != own);
-    let in_letters = |symbol: &Symbol| model.stated(*symbol).is_some_and(|own| own.all_symbols(&is_letter));
+    let is_letter =
+        |symbol| form.told.contains(&symbol) && model.literals.iter().all(|(literal, _)| *literal != symbol);
+    let in_letters = |symbol: &Symbol| model.stated(*symbol).is_some_and(|stated| stated.all_symbols(&is_letter));
     symbols.filter(in_letters).filter(|symbol| behind(model, form, *symbol).is_some()).collect()
 }
 
@@ -131,8 +132,8 @@ impl Proof<'_> {
         let Self { form, leaf, zeros, sources } = self;
         let needed: Vec<Symbol> = [symbol].into_iter().chain(unit).collect();
         let alike = [(symbol, unit)];
-        let grows = |own: Symbol| {
-            is_positive(leaf, zeros, &form.known, own) && may_grow(&leaf.system, &form.told, zeros, own, &alike)
+        let grows = |symbol: Symbol| {
+            is_positive(leaf, zeros, &form.known, symbol) && may_grow(&leaf.system, &form.told, zeros, symbol, &alike)
         };
         let mut open: Vec<&Known> = free.to_vec();
         open.retain(|known| !sources.never_use(leaf, &needed, known.symbol) && !grows(known.symbol));
@@ -152,32 +153,35 @@ impl Proof<'_> {
 /// What is zero in every variant.
 fn zeros(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
     let given = known.iter().filter(|known| matches!(&known.origin, Origin::Fixed(value) if value.is_zero()));
-    let written = model.literals.iter().filter(|(_, own)| own.value.is_zero());
+    let written = model.literals.iter().filter(|(_, quantity)| quantity.value.is_zero());
     given.map(|known| known.symbol).chain(written.map(|(symbol, _)| *symbol)).collect()
 }
 
 /// Whether a quantity is positive by its meaning, because the problem requires it, or because a positive quantity is a positive
 /// multiple of it: `m` where a mass is `2*m`.
 fn is_positive(leaf: &Leaf, zeros: &BTreeSet<Symbol>, known: &[Known], symbol: Symbol) -> bool {
-    let is_zero = |side: &Expr| side.is_zero() || matches!(side, Expr::Symbol(own) if zeros.contains(own));
-    let requires =
-        |own: &Condition| own.relation == Relation::Greater && own.left == Expr::from(symbol) && is_zero(&own.right);
-    let drawn = |own: Symbol| {
-        known.iter().any(|known| known.symbol == own && known.origin.is_drawn() && known.origin.limits()[0] > 0.0)
+    let is_zero = |side: &Expr| side.is_zero() || matches!(side, Expr::Symbol(symbol) if zeros.contains(symbol));
+    let requires = |condition: &Condition| {
+        condition.relation == Relation::Greater && condition.left == Expr::from(symbol) && is_zero(&condition.right)
+    };
+    let drawn = |symbol: Symbol| {
+        known.iter().any(|known| known.symbol == symbol && known.origin.is_drawn() && known.origin.limits()[0] > 0.0)
     };
     let is_factor = |factor: &Expr| match factor {
         Expr::Number(number) => *number > Rational::ZERO,
-        Expr::Symbol(own) => *own == symbol || leaf.system.positive.contains(own) || drawn(*own),
+        Expr::Symbol(letter) => *letter == symbol || leaf.system.positive.contains(letter) || drawn(*letter),
         _ => false,
     };
     let is_multiple = |term: &Expr| match term {
         Expr::Product(factors) => {
-            factors.iter().filter(|own| **own == Expr::from(symbol)).count() == 1 && factors.iter().all(is_factor)
+            factors.iter().filter(|factor| **factor == Expr::from(symbol)).count() == 1 && factors.iter().all(is_factor)
         }
         term => *term == Expr::from(symbol),
     };
     let follows = |equation: &Equation| match &equation.statement {
-        Statement::Equal { left: Expr::Symbol(own), right } => leaf.system.positive.contains(own) && is_multiple(right),
+        Statement::Equal { left: Expr::Symbol(symbol), right } => {
+            leaf.system.positive.contains(symbol) && is_multiple(right)
+        }
         _ => false,
     };
     leaf.system.positive.contains(&symbol)
@@ -199,25 +203,26 @@ struct Sources(BTreeMap<Symbol, BTreeSet<Symbol>>);
 
 impl Sources {
     fn of(leaf: &Leaf) -> Self {
-        let mut own = Self(BTreeMap::new());
+        let mut dependence = Self(BTreeMap::new());
         for root in leaf.audit.plan.steps.iter().flat_map(|step| &step.roots) {
             for (unknown, closed) in &root.values {
                 let symbols = closed.symbols();
-                let further = symbols.iter().filter_map(|source| own.0.get(source)).flatten().copied();
+                let further = symbols.iter().filter_map(|source| dependence.0.get(source)).flatten().copied();
                 let all: BTreeSet<Symbol> = further.collect::<Vec<_>>().into_iter().chain(symbols).collect();
-                own.0.entry(*unknown).or_default().extend(all);
+                dependence.0.entry(*unknown).or_default().extend(all);
             }
         }
-        own
+        dependence
     }
 
     /// Whether none of these is computed from a given, and no choice among roots looks at it: a proof without algebra.
     fn never_use(&self, leaf: &Leaf, needed: &[Symbol], given: Symbol) -> bool {
-        let uses = |own: &Symbol| *own == given || self.0.get(own).is_some_and(|from| from.contains(&given));
-        let conditions = leaf.system.conditions.iter().flat_map(|own| [own.left.symbols(), own.right.symbols()]);
+        let uses = |symbol: &Symbol| *symbol == given || self.0.get(symbol).is_some_and(|from| from.contains(&given));
+        let conditions =
+            leaf.system.conditions.iter().flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]);
         let looked_at: BTreeSet<Symbol> = conditions.flatten().chain(leaf.system.positive.iter().copied()).collect();
         let one_root = leaf.audit.plan.steps.iter().all(|step| step.roots.len() == 1);
-        !needed.iter().any(uses) && (one_root || !looked_at.iter().filter(|own| **own != given).any(uses))
+        !needed.iter().any(uses) && (one_root || !looked_at.iter().filter(|symbol| **symbol != given).any(uses))
     }
 }
 
@@ -237,7 +242,7 @@ fn written_in_givens(leaf: &Leaf, symbol: Symbol, written: &mut BTreeMap<Symbol,
             let [root] = &step.roots[..] else { continue };
             for (unknown, closed) in &root.values {
                 if let Closed::Formula(formula) = closed {
-                    let term = formula.substitute(&|own| written.get(&own).cloned()).simplify();
+                    let term = formula.substitute(&|symbol| written.get(&symbol).cloned()).simplify();
                     written.insert(*unknown, term);
                 }
             }

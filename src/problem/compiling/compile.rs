@@ -88,7 +88,7 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
                 let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
                 let example = sampler
                     .between_solutions()
-                    .map_or_else(|| ", under `where`".to_owned(), |own| format!(": `where: [{own}]`"));
+                    .map_or_else(|| ", under `where`".to_owned(), |between| format!(": `where: [{between}]`"));
                 let help = format!(
                     "say which is meant by a condition that the other one breaks{example}; or ask for every one: `roots: all`"
                 );
@@ -195,8 +195,10 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
 /// A letter for a quantity that may be anything is positive where the file requires so, or where something positive is given by it alone.
 fn positive_letters(loaded: &Loaded, known: &[Known], require: &[Condition], builder: &mut Builder<'_>) {
     for letter in known.iter().filter(|known| matches!(known.origin, Origin::Any)) {
-        let is_required = require.iter().any(|own| {
-            own.left == letter.symbol.into() && own.relation == Relation::Greater && builder.is_nothing(&own.right)
+        let is_required = require.iter().any(|condition| {
+            condition.left == letter.symbol.into()
+                && condition.relation == Relation::Greater
+                && builder.is_nothing(&condition.right)
         });
         let is_given = |(name, given): (&str, &Given)| {
             let is_own = matches!(given, Given::Expression(text) if text.trim() == letter.name);
@@ -227,7 +229,10 @@ fn assign_streams(in_forms: &mut [Vec<Known>]) -> Vec<usize> {
 
 /// The values that are the same in every variant of every form.
 fn beforehand(model: &Model, in_forms: &[Vec<Known>]) -> BTreeMap<Symbol, Expr> {
-    let written = model.literals.iter().map(|(symbol, own)| (*symbol, Some(Expr::measured(&own.value, &own.unit))));
+    let written = model
+        .literals
+        .iter()
+        .map(|(symbol, quantity)| (*symbol, Some(Expr::measured(&quantity.value, &quantity.unit))));
     let mut values: BTreeMap<Symbol, Option<Expr>> = written.collect();
     for known in in_forms.iter().flatten() {
         let value = match &known.origin {
@@ -236,7 +241,7 @@ fn beforehand(model: &Model, in_forms: &[Vec<Known>]) -> BTreeMap<Symbol, Expr> 
         };
         values
             .entry(known.symbol)
-            .and_modify(|own| *own = own.take().filter(|own| value.as_ref() == Some(own)))
+            .and_modify(|known| *known = known.take().filter(|known| value.as_ref() == Some(known)))
             .or_insert(value);
     }
     values.into_iter().filter_map(|(symbol, value)| Some((symbol, value?))).collect()
@@ -345,11 +350,11 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             },
             Given::Expression(text) => {
                 // `10/3 kg` is a third of ten kilograms where that is what the quantity is measured in.
-                let own = builder.mention(name).map(|symbol| builder.symbols().entry(symbol).dimension);
-                let fraction =
-                    Fraction::read(text.trim()).filter(|read| own.is_none_or(|own| own == read.unit.dimension()));
+                let expected = builder.mention(name).map(|symbol| builder.symbols().entry(symbol).dimension);
+                let fraction = Fraction::read(text.trim())
+                    .filter(|read| expected.is_none_or(|expected| expected == read.unit.dimension()));
                 if let Some(exact) = fraction.as_ref().and_then(Fraction::decimal)
-                    && let (Some(_), Some(fraction)) = (own, &fraction)
+                    && let (Some(_), Some(fraction)) = (expected, &fraction)
                 {
                     add(builder, name, Origin::Fixed(exact), &fraction.unit);
                     continue;

@@ -49,12 +49,12 @@ pub(super) struct FormDraft {
 
 impl FormDraft {
     pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
-        let own;
+        let changed;
         let loaded = if question.given.is_empty() {
             loaded
         } else {
-            own = loaded.with(&question.given);
-            &own
+            changed = loaded.with(&question.given);
+            &changed
         };
         let read = parts::read(loaded, question, builder);
         let figures = loaded.draft.significant_figures();

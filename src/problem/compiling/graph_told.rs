@@ -39,9 +39,9 @@ pub(super) fn check(model: &Model, form: &Form, graph: &PrintedGraph) -> Vec<Fau
 
 /// The unit in which a form tells a quantity.
 fn unit_of(model: &Model, form: &Form, symbol: Symbol) -> Option<Unit> {
-    let known = form.known.iter().filter(|own| form.told.contains(&own.symbol));
-    let known = known.map(|own| (own.symbol, &own.unit));
-    let revealed = form.reveal.iter().map(|own| (own.symbol, &own.unit));
-    let literals = model.literals.iter().map(|(own, value)| (*own, &value.unit));
-    known.chain(revealed).chain(literals).find(|(own, _)| *own == symbol).map(|(_, unit)| unit.clone())
+    let known = form.known.iter().filter(|known| form.told.contains(&known.symbol));
+    let known = known.map(|known| (known.symbol, &known.unit));
+    let revealed = form.reveal.iter().map(|reveal| (reveal.symbol, &reveal.unit));
+    let literals = model.literals.iter().map(|(symbol, value)| (*symbol, &value.unit));
+    known.chain(revealed).chain(literals).find(|(told_symbol, _)| *told_symbol == symbol).map(|(_, unit)| unit.clone())
 }

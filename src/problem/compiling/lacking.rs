@@ -65,12 +65,13 @@ impl Lacking<'_> {
         match &self.stuck.reason {
             Reason::Underdetermined { enough, .. } => {
                 let also = self.also(planner, enough);
-                let is_fixed =
-                    || self.stuck.remaining.iter().all(|own| planner.is_fixed(self.system, &self.stuck.known, *own));
+                let is_fixed = || {
+                    self.stuck.remaining.iter().all(|symbol| planner.is_fixed(self.system, &self.stuck.known, *symbol))
+                };
                 let alone = also.iter().filter_map(|set| if let [only] = set[..] { Some(only) } else { None });
                 let alone: Vec<Symbol> = if is_fixed() { alone.collect() } else { Vec::new() };
                 // Of quantities none of which matters, one may be the easiest to prove it of.
-                let open = alone.into_iter().find(|own| self.does_not_matter(planner, *own));
+                let open = alone.into_iter().find(|symbol| self.does_not_matter(planner, *symbol));
                 Ways { also, open, ..Ways::default() }
             }
             Reason::NoTactic { equations, unknowns } => match self.open_scale(planner, equations, unknowns) {
@@ -98,7 +99,8 @@ impl Lacking<'_> {
 
     /// Sets of quantities with which there is a plan: those that are enough by counting, with what else they turn out to need.
     fn also(&self, planner: &mut Planner, enough: &[Vec<Symbol>]) -> Vec<Vec<Symbol>> {
-        let can_be_said = |set: &&Vec<Symbol>| set.iter().all(|own| !self.model.symbols.entry(*own).name.contains(' '));
+        let can_be_said =
+            |set: &&Vec<Symbol>| set.iter().all(|symbol| !self.model.symbols.entry(*symbol).name.contains(' '));
         let mut ways: Vec<Vec<Symbol>> = Vec::new();
         for set in enough.iter().filter(can_be_said) {
             if ways.len() == MOST_WAYS {
@@ -121,8 +123,8 @@ impl Lacking<'_> {
             let next = match self.plans_with(planner, &all).err()?.reason {
                 Reason::Underdetermined { enough, .. } => enough.into_iter().next()?,
                 Reason::NoTactic { unknowns, .. } => {
-                    let open = unknowns.into_iter().filter(|own| !self.wanted.contains(own));
-                    let mut trials = open.map(|own| [&all[..], &[own]].concat());
+                    let open = unknowns.into_iter().filter(|symbol| !self.wanted.contains(symbol));
+                    let mut trials = open.map(|symbol| [&all[..], &[symbol]].concat());
                     return trials.find(|trial| self.plans_with(planner, trial).is_ok());
                 }
                 Reason::Contradiction { .. } => return None,
@@ -157,7 +159,7 @@ impl Lacking<'_> {
         let within =
             equations.iter().filter_map(|position| system.equations.get(*position)).flat_map(Equation::symbols);
         let can_be_left_out = |symbol: &Symbol| {
-            let is_number = model.literals.iter().any(|(own, _)| own == symbol);
+            let is_number = model.literals.iter().any(|(literal, _)| literal == symbol);
             stuck.known.contains(symbol) && !is_number && model.name(*symbol).kind != QuantityKind::Gravity
         };
         let givens: BTreeSet<Symbol> = within.filter(can_be_left_out).collect();
@@ -167,7 +169,7 @@ impl Lacking<'_> {
             let mut givens = givens.iter().rev().copied().take_while(|_| trials.get() < MOST_TRIALS);
             let given = givens.find(|given| {
                 trials.set(trials.get() + 1);
-                let known = stuck.known.iter().copied().filter(|own| own != given).chain([*symbol]).collect();
+                let known = stuck.known.iter().copied().filter(|symbol| symbol != given).chain([*symbol]).collect();
                 planner.plan(system, &known, self.wanted).is_ok()
             })?;
             Some((*symbol, given))
@@ -226,8 +228,9 @@ impl Lacking<'_> {
                     }
                     (None, []) => "describe the scene by other quantities, or ask for another".to_owned(),
                     (None, ways) => {
-                        let way =
-                            |(own, given): &(Symbol, Symbol)| format!("{} in place of {}", name(own), name(given));
+                        let way = |(symbol, given): &(Symbol, Symbol)| {
+                            format!("{} in place of {}", name(symbol), name(given))
+                        };
                         format!("give {}", ways.iter().map(way).collect::<Vec<_>>().join(", or "))
                     }
                 };

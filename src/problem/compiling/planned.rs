@@ -149,7 +149,7 @@ impl Form {
     fn speaks_of(&self, symbol: Symbol) -> bool {
         let finds = |leaf: &Leaf| leaf.answer_steps().iter().any(|step| step.unknowns.contains(&symbol));
         self.on_sheet.contains(&symbol)
-            || self.wanted().any(|own| own == symbol)
+            || self.wanted().any(|other| other == symbol)
             || self.solver.leaves().iter().any(finds)
     }
 
@@ -286,15 +286,15 @@ impl Problem {
 
     /// The stage of a quantity that has to be told apart from the same one of another stage: some form speaks of both.
     fn stage_shown(&self, symbol: Symbol) -> Option<&str> {
-        let own = self.model.name(symbol);
-        let stage = own.stage.as_deref()?;
+        let name_of_symbol = self.model.name(symbol);
+        let stage = name_of_symbol.stage.as_deref()?;
         // These show their stages anyway; a named instant stands in the same place.
-        let is_told_apart = matches!(own.kind, QuantityKind::Duration | QuantityKind::TerminalSpeed)
-            || matches!(own.instant, Some(Instant::Named(_)));
-        let bare = Name { stage: None, ..own.clone() };
+        let is_told_apart = matches!(name_of_symbol.kind, QuantityKind::Duration | QuantityKind::TerminalSpeed)
+            || matches!(name_of_symbol.instant, Some(Instant::Named(_)));
+        let bare = Name { stage: None, ..name_of_symbol.clone() };
         let alike = |other: &Symbol| {
             let name = self.model.name(*other);
-            name.stage.is_some() && name.stage != own.stage && Name { stage: None, ..name.clone() } == bare
+            name.stage.is_some() && name.stage != name_of_symbol.stage && Name { stage: None, ..name.clone() } == bare
         };
         let others: Vec<Symbol> = self.model.symbols.iter().map(|(other, _)| other).filter(alike).collect();
         let both = |form: &Form| form.speaks_of(symbol) && others.iter().any(|other| form.speaks_of(*other));
@@ -382,7 +382,7 @@ impl Problem {
     pub fn unit_given(&self, symbol: Symbol) -> Option<Unit> {
         let known = self.known.iter().find(|known| known.symbol == symbol).map(|known| known.unit.clone());
         let literal =
-            || self.model.literals.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.unit.clone());
+            || self.model.literals.iter().find(|(literal, _)| *literal == symbol).map(|(_, value)| value.unit.clone());
         known.or_else(literal)
     }
 }

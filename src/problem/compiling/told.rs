@@ -74,7 +74,7 @@ pub(crate) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
     }
     faults.extend(form.parts.iter().enumerate().filter_map(|(index, part)| {
         let PartKind::Choice(ChoicePart::Offered(offer)) = &part.kind else { return None };
-        let open = |own| without_a_value("an option", model, form, own);
+        let open = |placeholder| without_a_value("an option", model, form, placeholder);
         let fault = offer.texts().flat_map(Text::placeholders).find_map(open)?;
         Some(fault.at_path(form.question.path.key("ask").index(index).key("options")))
     }));
@@ -120,7 +120,7 @@ fn untold_expressions<'a>(
     let bare = |text: &str| text.split_whitespace().collect::<String>();
     let said = bare(prose);
     let is_constant = |symbol: Symbol| {
-        let literals: BTreeSet<Symbol> = model.literals.iter().map(|(own, _)| *own).collect();
+        let literals: BTreeSet<Symbol> = model.literals.iter().map(|(symbol, _)| *symbol).collect();
         model.stated(symbol).is_some_and(|value| value.symbols().is_subset(&literals))
     };
     let is_used = |symbol: Symbol| {
@@ -164,12 +164,14 @@ fn without_a_value(
 
 /// The fault of a hint that prints what the form neither tells nor finds.
 fn lost(model: &Model, form: &Form, path: &Path, hint: &Text) -> Option<Fault> {
-    let open = |own: &Placeholder| Some((own.span, without_a_value("a hint", model, form, own)?));
+    let open =
+        |placeholder: &Placeholder| Some((placeholder.span, without_a_value("a hint", model, form, placeholder)?));
     if let Some((span, fault)) = hint.placeholders().find_map(open) {
         return Some(fault.at_path(path.clone()).within(span));
     }
-    let is_lost =
-        |own: &&Placeholder| own.filter.needs_value() && !model.symbol_of(&own.name).is_some_and(|own| form.finds(own));
+    let is_lost = |placeholder: &&Placeholder| {
+        placeholder.filter.needs_value() && !model.symbol_of(&placeholder.name).is_some_and(|symbol| form.finds(symbol))
+    };
     let placeholder = hint.placeholders().find(is_lost)?;
     let message = format!("a hint prints `{}`, which does not follow from what is given", placeholder.name);
     let help = "a hint may print what the form gives, what it asks for, and what is found on the way";
@@ -236,8 +238,9 @@ fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
         _ => false,
     };
     let is_law = |equation: &&Equation| {
-        model.instances.get(equation.tag).is_some_and(|own| {
-            asked.iter().all(|law| law.id != own.law.id) && !(own.law.id == geometry::RELATION.id && defines(equation))
+        model.instances.get(equation.tag).is_some_and(|instance| {
+            asked.iter().all(|law| law.id != instance.law.id)
+                && !(instance.law.id == geometry::RELATION.id && defines(equation))
         })
     };
     let equations = form.solver.leaves().iter().flat_map(|leaf| {

@@ -78,7 +78,7 @@ impl Candidate<'_> {
     /// The formulas, in what is given and the earlier quantities, that have this value.
     #[must_use]
     pub fn formulas(&self) -> Vec<Expr> {
-        let value = |symbol: Symbol| (self.input)(symbol).map_or(f64::NAN, |own| own.value);
+        let value = |symbol: Symbol| (self.input)(symbol).map_or(f64::NAN, |number| number.value);
         let mut formulas = self.worked.every_formula(&self.way.solver.plan, self.asked);
         formulas.retain(|formula| (formula.evaluate(&value) - self.value).abs() <= SAME * self.value.abs());
         formulas
@@ -143,7 +143,7 @@ impl Following {
     /// What is impossible about the values, as a clause.
     fn unphysical(&self, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Option<String> {
         let (program, reasons) = self.judge.as_ref()?;
-        let inputs: Vec<Bounded> = self.solver.inputs().iter().map(|own| input(*own)).collect::<Option<_>>()?;
+        let inputs: Vec<Bounded> = self.solver.inputs().iter().map(|symbol| input(*symbol)).collect::<Option<_>>()?;
         let mut memory = Workspace::default();
         let outcome = program.run(&inputs, &mut memory);
         if outcome.survivors() > 0 {
@@ -159,19 +159,22 @@ impl Following {
 fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BTreeSet<Symbol>) -> Vec<Following> {
     let used: BTreeSet<usize> = leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect();
     let known: BTreeSet<Symbol> = form.told.union(from).copied().collect();
-    let finding = leaf.answer_steps().iter().filter(|step| step.unknowns.iter().any(|own| from.contains(own)));
-    let own: BTreeSet<usize> = finding.flat_map(|step| step.equations.iter().copied()).collect();
+    let finding = leaf.answer_steps().iter().filter(|step| step.unknowns.iter().any(|symbol| from.contains(symbol)));
+    let finding_equations: BTreeSet<usize> = finding.flat_map(|step| step.equations.iter().copied()).collect();
     let mut ways: Vec<(Vec<usize>, Following)> = Vec::new();
     for aside in left_aside(problem.model(), leaf, from).into_iter().take(MOST_WAYS) {
         let kept = Restricted::new(&leaf.system, used.difference(&aside).copied());
         let Ok(found) = plan(&kept.system, &known, &[asked]) else { continue };
         let mut equations: Vec<usize> = found.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
         equations.sort_unstable();
-        let symbols: BTreeSet<Symbol> =
-            equations.iter().filter_map(|own| kept.system.equations.get(*own)).flat_map(Equation::symbols).collect();
-        let places: Vec<usize> = equations.iter().filter_map(|own| kept.places.get(*own).copied()).collect();
+        let symbols: BTreeSet<Symbol> = equations
+            .iter()
+            .filter_map(|equation| kept.system.equations.get(*equation))
+            .flat_map(Equation::symbols)
+            .collect();
+        let places: Vec<usize> = equations.iter().filter_map(|equation| kept.places.get(*equation).copied()).collect();
         // What does not need all of the earlier answers follows from fewer of them.
-        if !from.is_subset(&symbols) || ways.iter().any(|(own, _)| *own == places) {
+        if !from.is_subset(&symbols) || ways.iter().any(|(listed, _)| *listed == places) {
             continue;
         }
         let Some(solver) = Solver::new(&Restricted::new(&leaf.system, places.clone()).system, &known, &[asked]) else {
@@ -179,7 +182,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
         };
         let by = laws(problem.model(), &leaf.system, &places, from);
         let judge = judge(problem.model(), leaf, &kept, &aside, found, &known);
-        let backwards = !aside.is_subset(&own);
+        let backwards = !aside.is_subset(&finding_equations);
         ways.push((places, Following { by, backwards, solver, judge }));
     }
     ways.into_iter().map(|(_, way)| way).collect()
@@ -224,7 +227,7 @@ fn determining(model: &Model, leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
 fn is_weight(model: &Model, leaf: &Leaf, place: usize) -> bool {
     let equation = leaf.system.equations.get(place);
     let instance = equation.and_then(|equation| model.instances.get(equation.tag));
-    instance.is_some_and(|own| *own.law == force::WEIGHT)
+    instance.is_some_and(|instance| *instance.law == force::WEIGHT)
 }
 
 /// The laws in which an earlier answer stands, under its own name or under another; where it only gets another name, that law.
@@ -242,7 +245,7 @@ fn laws(model: &Model, system: &System, places: &[usize], from: &BTreeSet<Symbol
     }
     let mut laws: Vec<&'static Law> = Vec::new();
     for equation in stating {
-        let law = model.instances.get(equation.tag).map(|own| own.law);
+        let law = model.instances.get(equation.tag).map(|instance| instance.law);
         laws.extend(law.filter(|law| !laws.contains(law)));
     }
     laws
@@ -263,9 +266,10 @@ fn judge(
     known: &BTreeSet<Symbol>,
 ) -> Option<(Program, Vec<Reason>)> {
     // What was left aside is not true of the student's values: the rest of the scene does not follow from it.
-    let rest = Restricted::new(&leaf.system, (0..leaf.system.equations.len()).filter(|own| !aside.contains(own)));
+    let rest =
+        Restricted::new(&leaf.system, (0..leaf.system.equations.len()).filter(|equation| !aside.contains(equation)));
     for step in &mut found.steps {
-        let place = |own: &usize| rest.places.binary_search(kept.places.get(*own)?).ok();
+        let place = |equation: &usize| rest.places.binary_search(kept.places.get(*equation)?).ok();
         step.equations = step.equations.iter().filter_map(place).collect();
         step.moves.clear();
     }

@@ -83,7 +83,7 @@ fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(
             form.told.iter().filter(|symbol| problem.unit_told(form, **symbol).is_some_and(|unit| unit == given));
         let read: Vec<(Symbol, f64)> = told.map(|symbol| (*symbol, factor)).collect();
         if read.len() > 1 && row.alone {
-            found.extend(read.iter().map(|own| (row.of, vec![*own])));
+            found.extend(read.iter().map(|result| (row.of, vec![*result])));
         }
         if !read.is_empty() {
             found.push((row.of, read));

@@ -124,10 +124,10 @@ impl Simulated<'_> {
         plus: f64,
     ) -> impl Fn(Symbol) -> Option<Bounded> + 'm {
         move |symbol| {
-            let own = self.worked.variant.value(symbol)?;
+            let right = self.worked.variant.value(symbol)?;
             let factor = read.iter().find(|(misread, _)| *misread == symbol).map(|(_, factor)| *factor * times);
-            let Some(factor) = factor else { return Some(own) };
-            Some(Bounded { value: own.value * factor + plus, error: own.error * factor })
+            let Some(factor) = factor else { return Some(right) };
+            Some(Bounded { value: right.value * factor + plus, error: right.error * factor })
         }
     }
 
@@ -148,13 +148,14 @@ impl Simulated<'_> {
     /// What a mistake makes of a vector: its components in the unit of the question. One that the mistake leaves alone is right.
     #[must_use]
     pub fn vectors(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
-        let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.answers(mistake, own)).collect();
+        let each: Vec<Vec<f64>> = vector.components.iter().map(|number| self.answers(mistake, number)).collect();
         let count = each.iter().map(Vec::len).filter(|count| *count > 0).min().unwrap_or(0);
-        let right = |own: &NumberPart| Some(self.worked.variant.value(own.symbol)?.value / self.worked.unit_of(own));
+        let right =
+            |number: &NumberPart| Some(self.worked.variant.value(number.symbol)?.value / self.worked.unit_of(number));
         let one = |place: usize| {
             let components = vector.components.iter().zip(&each);
-            components.filter_map(move |(own, values)| match &values[..] {
-                [] => right(own),
+            components.filter_map(move |(number, values)| match &values[..] {
+                [] => right(number),
                 some => some.get(place).copied(),
             })
         };
@@ -180,8 +181,8 @@ impl<'a> Worked<'a> {
             solver.values(symbol, &told, &mut |value| values.push(value));
             for formula in self.every_formula(&solver.plan, symbol) {
                 // Of several roots the one that is possible for these numbers.
-                let value = formula.evaluate(&|own| told(own).map_or(f64::NAN, |value| value.value));
-                let taken = values.iter().any(|own| (own - value).abs() <= SAME * value.abs());
+                let value = formula.evaluate(&|symbol| told(symbol).map_or(f64::NAN, |value| value.value));
+                let taken = values.iter().any(|other| (other - value).abs() <= SAME * value.abs());
                 if taken && !formulas.contains(&formula) && !right.contains(&formula) {
                     formulas.push(formula);
                 }
@@ -194,7 +195,7 @@ impl<'a> Worked<'a> {
     #[must_use]
     pub fn simulated(&self) -> Simulated<'a> {
         let batch = self.planned().and_then(|planned| {
-            let given = |own: &Symbol| self.variant.value(*own).map(|given| given.value);
+            let given = |symbol: &Symbol| self.variant.value(*symbol).map(|given| given.value);
             let inputs: Option<Vec<f64>> = planned.inputs.iter().map(given).collect();
             Some(planned.batch.run(&inputs?))
         });
@@ -212,7 +213,7 @@ impl<'a> Worked<'a> {
                 PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
             })
         };
-        for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {
+        for mistake in self.mistakes().iter().filter(|other| other.of.id == mistake) {
             for number in numbers() {
                 let right = self.answer(number).value;
                 let tolerance = number.tolerance.reach(right).unwrap_or_else(|| half_unit(right, number.figures));

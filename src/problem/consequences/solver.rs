@@ -56,13 +56,14 @@ impl Solver {
         for step in &self.plan.steps {
             let uses = |equation: &usize| {
                 let statement = system.equations.get(*equation);
-                wrong.contains(equation) || statement.is_some_and(|own| !own.symbols().is_disjoint(&depending))
+                wrong.contains(equation)
+                    || statement.is_some_and(|equation| !equation.symbols().is_disjoint(&depending))
             };
             if step.equations.iter().any(uses) {
                 depending.extend(step.unknowns.iter().copied());
             }
         }
-        let wanted: Vec<Symbol> = self.wanted.iter().copied().filter(|own| depending.contains(own)).collect();
+        let wanted: Vec<Symbol> = self.wanted.iter().copied().filter(|symbol| depending.contains(symbol)).collect();
         if wanted.is_empty() { None } else { Some(Self { wanted, ..self }) }
     }
 
@@ -126,14 +127,14 @@ impl Solver {
         }
         MEMORY.with_borrow_mut(|(inputs, workspace)| {
             inputs.clear();
-            inputs.extend(self.inputs.iter().map_while(|own| input(*own)));
+            inputs.extend(self.inputs.iter().map_while(|symbol| input(*symbol)));
             if inputs.len() < self.inputs.len() {
                 return false;
             }
             let outcome = program.run(inputs, workspace);
             let all = outcome.value(symbol).into_iter().chain(outcome.other_values(symbol));
             let mut found = false;
-            for value in all.map(|own| own.value).filter(|value| value.is_finite()) {
+            for value in all.map(|number| number.value).filter(|value| value.is_finite()) {
                 found = true;
                 add(value);
             }

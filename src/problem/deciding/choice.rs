@@ -53,13 +53,15 @@ impl ChoicePart {
 
 /// Why some quantities cannot be put in order with the numbers of a variant: one has no value, or two are equal.
 fn incomparable(symbols: &[Symbol], worked: &Worked<'_>) -> Option<String> {
-    let name = |own: &Symbol| format!("`{}`", worked.problem.name_of(*own));
+    let name = |symbol: &Symbol| format!("`{}`", worked.problem.name_of(*symbol));
     let compared = |one: &Symbol, other: Expr| exactly_compared(worked, &(*one).into(), &other);
-    if let Some(lost) = symbols.iter().find(|own| compared(own, Expr::zero()).is_none()) {
+    if let Some(lost) = symbols.iter().find(|symbol| compared(symbol, Expr::zero()).is_none()) {
         return Some(no_value(&name(lost)));
     }
-    let pairs =
-        symbols.iter().enumerate().flat_map(|(place, one)| symbols[place + 1..].iter().map(move |own| (one, own)));
+    let pairs = symbols
+        .iter()
+        .enumerate()
+        .flat_map(|(place, one)| symbols[place + 1..].iter().map(move |symbol| (one, symbol)));
     let same = pairs.into_iter().find(|(one, other)| compared(one, (**other).into()) == Some(Ordering::Equal));
     same.map(|(one, other)| {
         format!("{} and {} are equal with these numbers, so that they have no order", name(one), name(other))

@@ -52,21 +52,21 @@ impl Equality {
         match self {
             Self::Always => Closeness::Exact,
             Self::Never => Closeness::Apart,
-            Self::InNumbers(own) => own.closeness(worked),
+            Self::InNumbers(sides) => sides.closeness(worked),
         }
     }
 
     /// Both values, where they are compared as numbers: `222.8 J before and 222.7 J after`.
     pub(super) fn in_words(&self, worked: &Worked<'_>) -> Option<String> {
-        let Self::InNumbers(own) = self else { return None };
-        if own.terms[1].is_zero() {
+        let Self::InNumbers(sides) = self else { return None };
+        if sides.terms[1].is_zero() {
             return None;
         }
         let model = worked.problem.model();
-        let dimension = own.terms.iter().find(|side| !side.is_zero())?.dimension(&model.symbols).ok()?;
+        let dimension = sides.terms.iter().find(|side| !side.is_zero())?.dimension(&model.symbols).ok()?;
         let unit = coherent_unit(dimension, worked.problem.units());
         let said = |side: &Expr| in_unit(worked, side, &unit);
-        Some(format!("{} before and {} after", said(&own.terms[0])?, said(&own.terms[1])?))
+        Some(format!("{} before and {} after", said(&sides.terms[0])?, said(&sides.terms[1])?))
     }
 }
 

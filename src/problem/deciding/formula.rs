@@ -54,15 +54,15 @@ impl<'a> Composer<'a> {
         let found = self.steps.iter().enumerate().find(|(_, step)| step.unknowns.contains(&symbol));
         let Some((position, step)) = found else { return Some(symbol.into()) };
         let root = step.roots.get(choice(position)).or(step.roots.first())?;
-        let (_, closed) = root.values.iter().find(|(own, _)| *own == symbol)?;
+        let (_, closed) = root.values.iter().find(|(root_of, _)| *root_of == symbol)?;
         let Closed::Formula(formula) = closed else { return None };
         let formula = &taught_root(step, symbol, choice(position)).unwrap_or_else(|| formula.clone());
         let mut parts = BTreeMap::new();
-        for own in formula.symbols() {
-            parts.insert(own, self.composed(own, choice)?);
+        for symbol in formula.symbols() {
+            parts.insert(symbol, self.composed(symbol, choice)?);
         }
-        let whole = formula.substitute(&|own| parts.get(&own).cloned());
-        let positive = |own: Symbol| self.positive.contains(&own);
+        let whole = formula.substitute(&|symbol| parts.get(&symbol).cloned());
+        let positive = |symbol: Symbol| self.positive.contains(&symbol);
         let whole = under_one_root(whole.simplify_where(&positive), &positive);
         if has_pieces(&whole) {
             return None;
@@ -74,7 +74,7 @@ impl<'a> Composer<'a> {
 
 /// A root of the quadratic formula as it is taught. The plan computes it piece by piece, lest terms cancel; both are equal.
 fn taught_root(step: &Step, symbol: Symbol, choice: usize) -> Option<Expr> {
-    step.moves.iter().find_map(|own| match own {
+    step.moves.iter().find_map(|solving_move| match solving_move {
         Move::Quadratic { unknown, a, b, c, .. } if *unknown == symbol && !c.is_zero() => {
             let [plus, minus] = quadratic_formula([a, b, c]);
             Some(if choice == 0 { plus } else { minus })
@@ -134,7 +134,7 @@ pub(crate) fn check(
         for leaf in form.solver.leaves() {
             let start = zeros(&form.known).chain(numbers(literals)).collect();
             let found = Composer::new(leaf, start).composed(formula.symbol, &|_| 0);
-            let strange = |symbol: &Symbol| literals.iter().any(|(own, _)| own == symbol);
+            let strange = |symbol: &Symbol| literals.iter().any(|(literal, _)| literal == symbol);
             let fault = match found {
                 None => unwritten(leaf.answer_steps(), formula.symbol, &part.id, name),
                 Some(found) if found.symbols().iter().any(strange) => {
@@ -159,15 +159,15 @@ fn unwritten(steps: &[Step], asked: Symbol, id: &str, name: &dyn Fn(Symbol) -> S
         Closed::BracketedRoot { .. } => Some("in numbers, as the root of an equation"),
     };
     let without = steps.iter().rev().find_map(|step| {
-        let values = step.roots.iter().flat_map(|root| &root.values).filter(|(own, _)| needed.contains(own));
+        let values = step.roots.iter().flat_map(|root| &root.values).filter(|(symbol, _)| needed.contains(symbol));
         let values: Vec<_> = values.collect();
         needed.extend(values.iter().flat_map(|(_, closed)| closed.symbols()));
-        values.into_iter().find_map(|(own, closed)| Some((name(*own), how(closed)?)))
+        values.into_iter().find_map(|(symbol, closed)| Some((name(*symbol), how(closed)?)))
     });
     let (why, help) = match without {
-        Some((own, how)) => (
-            format!("`{own}` is found {how}"),
-            format!("ask for a number, or give `{own}` and ask for another quantity"),
+        Some((name, how)) => (
+            format!("`{name}` is found {how}"),
+            format!("ask for a number, or give `{name}` and ask for another quantity"),
         ),
         None => ("it is put together from several pieces".to_owned(), "ask for a number".to_owned()),
     };
@@ -176,8 +176,10 @@ fn unwritten(steps: &[Step], asked: Symbol, id: &str, name: &dyn Fn(Symbol) -> S
 
 /// Values without a dimension that an author wrote into a term, and zeros.
 fn numbers(literals: &[(Symbol, momentous_quantity::Quantity)]) -> impl Iterator<Item = (Symbol, Expr)> {
-    let plain = literals.iter().filter(|(_, own)| own.value.is_zero() || own.unit.dimension() == Dimension::NONE);
-    plain.map(|(symbol, own)| (*symbol, Expr::measured(&own.value, &own.unit)))
+    let plain = literals
+        .iter()
+        .filter(|(_, quantity)| quantity.value.is_zero() || quantity.unit.dimension() == Dimension::NONE);
+    plain.map(|(symbol, quantity)| (*symbol, Expr::measured(&quantity.value, &quantity.unit)))
 }
 
 impl Worked<'_> {
@@ -220,8 +222,8 @@ impl Worked<'_> {
     pub(crate) fn told_as_number(&self, known: &Known) -> Option<Expr> {
         let pure = self.problem.model().symbols.entry(known.symbol).dimension == Dimension::NONE;
         let names = [&self.problem.loaded().draft.text, &self.form.question.text].into_iter().any(|text| {
-            let own = |name: &str| self.problem.model().symbol_of(name) == Some(known.symbol);
-            text.placeholders().any(|placeholder| placeholder.filter.names() && own(&placeholder.name))
+            let is_its_name = |name: &str| self.problem.model().symbol_of(name) == Some(known.symbol);
+            text.placeholders().any(|placeholder| placeholder.filter.names() && is_its_name(&placeholder.name))
         });
         let (value, unit) = self.variant.given(known.symbol).filter(|_| pure && !names)?;
         Some(Expr::measured(&value, &unit))
@@ -233,8 +235,8 @@ impl Worked<'_> {
         let values = self.alphabet().values;
         let whole = self.in_givens(part.symbol, &values)?;
         let Some(unit) = part.in_terms_of else { return Some(whole) };
-        let factor = (whole / self.in_givens(unit, &values)?).simplify_where(&|own| self.is_positive(own));
-        Some((factor * Expr::from(unit)).simplify_where(&|own| self.is_positive(own)))
+        let factor = (whole / self.in_givens(unit, &values)?).simplify_where(&|symbol| self.is_positive(symbol));
+        Some((factor * Expr::from(unit)).simplify_where(&|symbol| self.is_positive(symbol)))
     }
 
     /// The fixed values that are nothing.
@@ -252,11 +254,11 @@ impl Worked<'_> {
     #[must_use]
     pub fn in_givens(&self, symbol: Symbol, values: &BTreeMap<Symbol, Expr>) -> Option<Expr> {
         let general = self.general(symbol)?;
-        if !general.symbols().iter().any(|own| values.contains_key(own)) {
+        if !general.symbols().iter().any(|symbol| values.contains_key(symbol)) {
             return Some(general);
         }
-        let special = general.substitute(&|own| values.get(&own).cloned());
-        Some(special.simplify_where(&|own| self.is_positive(own)))
+        let special = general.substitute(&|symbol| values.get(&symbol).cloned());
+        Some(special.simplify_where(&|symbol| self.is_positive(symbol)))
     }
 
     /// A quantity in what is given by way of another plan, for each of its roots.
@@ -281,13 +283,13 @@ impl Worked<'_> {
         let choice = |position: usize| roots.get(position).copied().unwrap_or(0);
         let mut written = |term: &Expr| {
             let mut parts = BTreeMap::new();
-            for own in term.symbols() {
-                parts.insert(own, composer.composed(own, &choice)?);
+            for symbol in term.symbols() {
+                parts.insert(symbol, composer.composed(symbol, &choice)?);
             }
-            Some(term.substitute(&|own| parts.get(&own).cloned()))
+            Some(term.substitute(&|symbol| parts.get(&symbol).cloned()))
         };
         match (written(left), written(right)) {
-            (Some(left), Some(right)) => equal_where(&left, &right, &|own| self.is_positive(own)),
+            (Some(left), Some(right)) => equal_where(&left, &right, &|symbol| self.is_positive(symbol)),
             _ => false,
         }
     }

@@ -63,10 +63,10 @@ fn limits(model: &Model, symbol: Symbol) -> Limits {
     let positive = model.system.positive.contains(&symbol).then_some((0.0, false));
     let mut limits = [positive, None];
     for condition in &model.system.conditions {
-        let (Expr::Symbol(own), Some(bound)) = (&condition.left, condition.right.as_number()) else { continue };
+        let (Expr::Symbol(compared), Some(bound)) = (&condition.left, condition.right.as_number()) else { continue };
         let bound = bound.to_f64().value();
         match condition.relation {
-            _ if *own != symbol => {}
+            _ if *compared != symbol => {}
             Relation::AtLeast => limits[0] = Some((bound, true)),
             Relation::Greater => limits[0] = Some((bound, false)),
             Relation::AtMost => limits[1] = Some((bound, true)),
@@ -100,7 +100,7 @@ impl Worked<'_> {
     #[must_use]
     pub fn interval(&self, range: &RangePart) -> Option<Interval> {
         let symbol = range.number.symbol;
-        let regimes = self.form.trials.iter().find(|(own, _)| *own == symbol).map(|(_, regimes)| regimes)?;
+        let regimes = self.form.trials.iter().find(|(trial, _)| *trial == symbol).map(|(_, regimes)| regimes)?;
         let AskedUnit::Unit(unit) = &range.number.unit else { return None };
         let boundary = self.variant.value(symbol)?;
         let limits = limits(self.problem.model(), symbol);
@@ -122,15 +122,15 @@ impl Worked<'_> {
         let (below, above) = (side(limits[0], -0.5)?, side(limits[1], 1.0)?);
         let reached = matches!(range.claim.relation, Relation::AtMost | Relation::AtLeast);
         let at_boundary = End { value: self.answer(&range.number), closed: reached, own: false };
-        let own = |limit: Option<(f64, bool)>| {
+        let end = |limit: Option<(f64, bool)>| {
             limit.map(|(value, closed)| {
                 let value = Bounded { value: value / unit.factor().to_f64(), error: 0.0 };
                 End { value, closed, own: true }
             })
         };
         match (below, above) {
-            ((true, trial), (false, _)) => Some(Interval { low: own(limits[0]), high: Some(at_boundary), trial }),
-            ((false, _), (true, trial)) => Some(Interval { low: Some(at_boundary), high: own(limits[1]), trial }),
+            ((true, trial), (false, _)) => Some(Interval { low: end(limits[0]), high: Some(at_boundary), trial }),
+            ((false, _), (true, trial)) => Some(Interval { low: Some(at_boundary), high: end(limits[1]), trial }),
             _ => None,
         }
     }
@@ -139,8 +139,8 @@ impl Worked<'_> {
     #[must_use]
     pub fn steps_tried(&self, range: &RangePart, trial: &Trial) -> &[Step] {
         let mut trials = self.form.trials.iter();
-        let own = trials.find(|(own, _)| *own == range.number.symbol);
-        own.map_or(&[], |(_, regimes)| regimes.leaf(trial.leaf).answer_steps())
+        let regimes_of_range = trials.find(|(trial, _)| *trial == range.number.symbol);
+        regimes_of_range.map_or(&[], |(_, regimes)| regimes.leaf(trial.leaf).answer_steps())
     }
 
     /// Whether the claim holds with that value of the quantity, in the unit of the question.
@@ -159,7 +159,9 @@ impl Worked<'_> {
         }
         let value = |symbol: Symbol| {
             let solved = scratch.value(regimes, symbol);
-            solved.or_else(|| inputs.get(symbol.index()).and_then(Input::bounded)).map_or(f64::NAN, |own| own.value)
+            solved
+                .or_else(|| inputs.get(symbol.index()).and_then(Input::bounded))
+                .map_or(f64::NAN, |number| number.value)
         };
         let [left, right] = [&range.claim.left, &range.claim.right].map(|side| side.evaluate(&value));
         Some((range.claim.holds_between(left, right)?, Trial { at, left, leaf: scratch.leaf() }))

@@ -24,14 +24,14 @@ impl Test {
 impl Judgement {
     /// Two values that are neither equal within the data nor clearly different, in words.
     pub(super) fn unclear(&self, worked: &Worked<'_>) -> Option<String> {
-        let between = |own: &&Equality| own.closeness(worked) == Closeness::Between;
-        let own = self.equalities().find(between)?;
-        Some(own.in_words(worked).unwrap_or_else(|| "its two sides".to_owned()))
+        let between = |equality: &&Equality| equality.closeness(worked) == Closeness::Between;
+        let open = self.equalities().find(between)?;
+        Some(open.in_words(worked).unwrap_or_else(|| "its two sides".to_owned()))
     }
 
     /// Whether values are taken as equal that are so only within the precision of the data.
     pub(super) fn is_within_data(&self, worked: &Worked<'_>) -> bool {
-        self.equalities().any(|own| own.closeness(worked) == Closeness::WithinData)
+        self.equalities().any(|equality| equality.closeness(worked) == Closeness::WithinData)
     }
 
     pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
@@ -43,10 +43,11 @@ impl Judgement {
                 continue;
             }
             let because = if case.because.is_empty() { self.refused(worked, &passed) } else { accepted(worked, case) };
-            let applies = |own: &&Behind| {
-                own.right == case.right && (own.unless.is_empty() || !own.unless.iter().all(|test| test.holds(worked)))
+            let applies = |behind: &&Behind| {
+                behind.right == case.right
+                    && (behind.unless.is_empty() || !behind.unless.iter().all(|test| test.holds(worked)))
             };
-            let behind = self.behind.as_ref().filter(applies).map(|own| own.mistake);
+            let behind = self.behind.as_ref().filter(applies).map(|behind| behind.mistake);
             return Decision {
                 options: self.options.clone(),
                 right: case.right,
@@ -71,7 +72,8 @@ impl Judgement {
             }
         }
         let words = words.join(", and ");
-        let returns = !self.returns.is_empty() && self.returns.iter().all(|own| own.closeness(worked).is_equal());
+        let returns =
+            !self.returns.is_empty() && self.returns.iter().all(|equality| equality.closeness(worked).is_equal());
         if returns { format!("its final value equals its initial value, but {words}") } else { words }
     }
 }

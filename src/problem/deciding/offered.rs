@@ -47,14 +47,17 @@ impl Offer {
 
     pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let order = self.order(worked);
-        let own = || order.iter().filter_map(|place| self.options.get(*place));
+        let in_order = || order.iter().filter_map(|place| self.options.get(*place));
         let right = self.right_for(worked).first().copied();
         Decision {
-            options: own().map(|option| filled(&option.text, worked)).collect(),
+            options: in_order().map(|option| filled(&option.text, worked)).collect(),
             right: order.iter().take_while(|place| Some(**place) != right).count(),
-            because: right.and_then(|place| self.options.get(place)).map(|own| own.why(worked)).unwrap_or_default(),
+            because: right
+                .and_then(|place| self.options.get(place))
+                .map(|option| option.why(worked))
+                .unwrap_or_default(),
             behind: None,
-            feedback: own()
+            feedback: in_order()
                 .map(|option| {
                     option
                         .feedback

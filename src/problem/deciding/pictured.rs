@@ -34,8 +34,8 @@ impl Subject {
     fn drawn(&self, worked: &Worked<'_>) -> Vec<(Option<&'static Misconception>, Shows)> {
         let value = |symbol| worked.value_of(symbol);
         match self {
-            Self::Diagram(own) => shown(own.drawn(&value), Shows::Diagram),
-            Self::Graph(own) => shown(own.drawn(&value), Shows::Graph),
+            Self::Diagram(diagram) => shown(diagram.drawn(&value), Shows::Diagram),
+            Self::Graph(graph) => shown(graph.drawn(&value), Shows::Graph),
         }
     }
 }
@@ -44,7 +44,7 @@ fn shown<T>(
     drawn: Vec<(Option<&'static Misconception>, T)>,
     shows: fn(T) -> Shows,
 ) -> Vec<(Option<&'static Misconception>, Shows)> {
-    drawn.into_iter().map(|(mistake, own)| (mistake, shows(own))).collect()
+    drawn.into_iter().map(|(mistake, picture)| (mistake, shows(picture))).collect()
 }
 
 impl Shows {
@@ -70,8 +70,8 @@ impl Pictured {
     pub fn pictures(&self, worked: &Worked<'_>) -> Vec<Picture> {
         let found = self.found(worked);
         let order = shuffled(worked, &self.stream, found.len());
-        let own = order.into_iter().filter_map(|place| found.get(place));
-        let named = own.zip('A'..='Z').map(|((mistake, shows), letter)| Picture {
+        let pictures = order.into_iter().filter_map(|place| found.get(place));
+        let named = pictures.zip('A'..='Z').map(|((mistake, shows), letter)| Picture {
             name: format!("{} {letter}", self.subject.noun()),
             shows: shows.clone(),
             mistake: *mistake,
@@ -106,21 +106,21 @@ impl Pictured {
     pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let pictures = self.pictures(worked);
         Decision {
-            right: pictures.iter().take_while(|own| own.mistake.is_some()).count(),
+            right: pictures.iter().take_while(|picture| picture.mistake.is_some()).count(),
             because: match &self.subject {
-                Subject::Diagram(own) => own.because(),
-                Subject::Graph(own) => {
-                    let [_, unit] = worked.units_of(own);
+                Subject::Diagram(diagram) => diagram.because(),
+                Subject::Graph(graph) => {
+                    let [_, unit] = worked.units_of(graph);
                     let unit = Some(&unit).filter(|_| worked.form.free.is_empty());
-                    own.because(&|symbol| worked.value_of(symbol), unit)
+                    graph.because(&|symbol| worked.value_of(symbol), unit)
                 }
             },
             behind: None,
             feedback: pictures
                 .iter()
-                .map(|own| own.mistake.map_or(OptionFeedback::Nothing, OptionFeedback::Mistake))
+                .map(|picture| picture.mistake.map_or(OptionFeedback::Nothing, OptionFeedback::Mistake))
                 .collect(),
-            options: pictures.into_iter().map(|own| own.name).collect(),
+            options: pictures.into_iter().map(|picture| picture.name).collect(),
         }
     }
 }
@@ -129,7 +129,7 @@ impl Worked<'_> {
     /// The value of a quantity in SI units; not a number where it has none.
     #[must_use]
     pub fn value_of(&self, symbol: Symbol) -> f64 {
-        self.variant.value(symbol).map_or(f64::NAN, |own| own.value)
+        self.variant.value(symbol).map_or(f64::NAN, |number| number.value)
     }
 
     /// The units of the time and of the quantity of a graph: as the problem gives such, or else the system's own.
@@ -137,8 +137,8 @@ impl Worked<'_> {
     pub fn units_of(&self, graph: &Graph) -> [Unit; 2] {
         let symbols = graph.symbols();
         [Dimension::TIME, graph.plotted.dimension()].map(|dimension| {
-            let is_like = |own: &&Symbol| self.problem.model().symbols.entry(**own).dimension == dimension;
-            let given = symbols.iter().filter(is_like).find_map(|own| self.problem.unit_given(*own));
+            let is_like = |symbol: &&Symbol| self.problem.model().symbols.entry(**symbol).dimension == dimension;
+            let given = symbols.iter().filter(is_like).find_map(|symbol| self.problem.unit_given(*symbol));
             given.unwrap_or_else(|| coherent_unit(dimension, self.problem.units()))
         })
     }

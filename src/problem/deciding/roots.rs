@@ -55,8 +55,8 @@ impl Worked<'_> {
         let taken = self.variant.value(symbol);
         let mut found: Vec<Bounded> = taken.into_iter().collect();
         let Some((position, step)) = step_of(self.leaf(), symbol) else { return found };
-        let own = self.variant.roots().get(position).copied().unwrap_or(0);
-        for (_, root) in step.roots.iter().enumerate().filter(|(index, _)| *index != own) {
+        let chosen = self.variant.roots().get(position).copied().unwrap_or(0);
+        for (_, root) in step.roots.iter().enumerate().filter(|(index, _)| *index != chosen) {
             let mut values: BTreeMap<Symbol, Bounded> = BTreeMap::new();
             for (unknown, closed) in &root.values {
                 let Closed::Formula(formula) = closed else { continue };
@@ -118,7 +118,8 @@ impl Worked<'_> {
             [taken, other, ..] => (dead.is_none(), taken.value > other.value),
             _ => (true, true),
         };
-        let one = |own: &str, other: &str, why: &str| format!("the {own}; the {other} is impossible, because {why}");
+        let one =
+            |taken: &str, other: &str, why: &str| format!("the {taken}; the {other} is impossible, because {why}");
         Decision {
             options: vec![
                 one("greater", "lesser", &reason),
@@ -144,8 +145,11 @@ impl Worked<'_> {
         if system.positive.contains(&symbol) {
             return "it must be positive".to_owned();
         }
-        let speaks = system.conditions.iter().find(|own| own.left.contains(symbol) || own.right.contains(symbol));
-        let reason = speaks.and_then(|own| self.problem.model().reasons.get(own.tag));
+        let speaks = system
+            .conditions
+            .iter()
+            .find(|condition| condition.left.contains(symbol) || condition.right.contains(symbol));
+        let reason = speaks.and_then(|condition| self.problem.model().reasons.get(condition.tag));
         reason.map_or_else(|| "it must be positive".to_owned(), Reason::to_string)
     }
 }

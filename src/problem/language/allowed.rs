@@ -46,12 +46,13 @@ impl Allowed {
             allowed.warnings.extend(Warning::NAMES.iter().map(|(_, warning)| *warning));
         }
         for (path, name) in &question.allow {
-            let warning = Warning::NAMES.iter().find(|(own, _)| own == name);
-            let meant = Meant::NAMES.iter().find(|(own, _)| own == name);
+            let warning = Warning::NAMES.iter().find(|(listed, _)| listed == name);
+            let meant = Meant::NAMES.iter().find(|(listed, _)| listed == name);
             allowed.warnings.extend(warning.map(|(_, warning)| *warning));
             allowed.meant.extend(meant.map(|(_, meant)| *meant));
             if warning.is_none() && meant.is_none() {
-                let known = Warning::NAMES.iter().map(|(own, _)| *own).chain(Meant::NAMES.iter().map(|(own, _)| *own));
+                let known =
+                    Warning::NAMES.iter().map(|(name, _)| *name).chain(Meant::NAMES.iter().map(|(name, _)| *name));
                 let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
                 let help =
                     near.unwrap_or_else(|| format!("the warnings are: {}", known.collect::<Vec<_>>().join(", ")));

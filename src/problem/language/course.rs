@@ -46,7 +46,7 @@ impl CourseSymbols {
     /// These letters, and those of `other` for the rest.
     #[must_use]
     pub(crate) fn or(&self, other: &Self) -> Self {
-        let either = |own: &Option<String>, other: &Option<String>| own.as_ref().or(other.as_ref()).cloned();
+        let either = |first: &Option<String>, other: &Option<String>| first.as_ref().or(other.as_ref()).cloned();
         Self {
             momentum: either(&self.momentum, &other.momentum),
             impulse: either(&self.impulse, &other.impulse),
@@ -61,15 +61,16 @@ impl CourseSymbols {
     /// A letter that is none, or that stands for something else.
     pub(crate) fn notation(&self) -> Result<Notation, Vec<Fault>> {
         let mut faults = Vec::new();
-        for (key, usual, own) in self.rows() {
-            let Some(own) = own else { continue };
-            let other =
-                |(name, letter, chosen): &(&str, &str, Option<&str>)| *name != key && chosen.unwrap_or(letter) == own;
-            let fault = if !is_name(own) || own.contains(['_', '.', '@', '[', '(']) {
-                Fault::new(Code::Value, format!("`{own}` is not a letter"))
+        for (key, usual, chosen_letter) in self.rows() {
+            let Some(chosen_letter) = chosen_letter else { continue };
+            let other = |(name, letter, chosen): &(&str, &str, Option<&str>)| {
+                *name != key && chosen.unwrap_or(letter) == chosen_letter
+            };
+            let fault = if !is_name(chosen_letter) || chosen_letter.contains(['_', '.', '@', '[', '(']) {
+                Fault::new(Code::Value, format!("`{chosen_letter}` is not a letter"))
                     .help(format!("write one, as `{key}: {usual}`"))
-            } else if TAKEN.contains(&own) || self.rows().iter().any(other) {
-                Fault::new(Code::Duplicate, format!("`{own}` stands for another quantity"))
+            } else if TAKEN.contains(&chosen_letter) || self.rows().iter().any(other) {
+                Fault::new(Code::Duplicate, format!("`{chosen_letter}` stands for another quantity"))
                     .help("choose another letter")
             } else {
                 continue;
@@ -77,8 +78,9 @@ impl CourseSymbols {
             faults.push(fault.at_path(Path::root().key("symbols").key(key)));
         }
         let letters = self.rows();
-        let letters =
-            letters.iter().filter_map(|(_, usual, own)| own.filter(|own| own != usual).map(|own| (*usual, own)));
+        let letters = letters
+            .iter()
+            .filter_map(|(_, usual, letter)| letter.filter(|letter| letter != usual).map(|letter| (*usual, letter)));
         if faults.is_empty() { Ok(Notation::new(letters)) } else { Err(faults) }
     }
 }

@@ -20,9 +20,9 @@ pub(crate) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
     let mut known: Vec<(String, Dimension)> = loaded.given.iter().filter_map(of_given).chain(sought(loaded)).collect();
     // One may be given by another that is given by a third.
     loop {
-        let is_new = |name: &str| loaded.spoken.is_within_only(name) && known.iter().all(|(own, _)| own != name);
+        let is_new = |name: &str| loaded.spoken.is_within_only(name) && known.iter().all(|(known, _)| known != name);
         let found = loaded.given.iter().filter(|(name, _)| is_new(name));
-        let found: Vec<_> = found.filter_map(|own| of_expression(own, &known)).collect();
+        let found: Vec<_> = found.filter_map(|pair| of_expression(pair, &known)).collect();
         if found.is_empty() {
             return known;
         }
@@ -52,7 +52,7 @@ impl Declared<'_> {
 
 impl Names for Declared<'_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
-        let (_, dimension) = self.known.iter().find(|(own, _)| own == name)?;
+        let (_, dimension) = self.known.iter().find(|(known, _)| known == name)?;
         Some(self.measured(name, *dimension))
     }
 

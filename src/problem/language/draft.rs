@@ -123,8 +123,8 @@ impl Draft {
 
     /// The points of a part, which may say its own.
     #[must_use]
-    pub(crate) fn points_of(&self, own: Option<u32>) -> u32 {
-        own.or(self.points).unwrap_or(1)
+    pub(crate) fn points_of(&self, points: Option<u32>) -> u32 {
+        points.or(self.points).unwrap_or(1)
     }
 }
 

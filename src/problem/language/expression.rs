@@ -12,7 +12,7 @@ use super::ask::Find;
 /// The quantity for which the name stands; its equation becomes part of the model.
 pub(crate) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Path) -> Option<Symbol> {
     if let Some((key, _)) =
-        [("from", find.from.is_some()), ("sense", find.sense.is_some())].into_iter().find(|own| own.1)
+        [("from", find.from.is_some()), ("sense", find.sense.is_some())].into_iter().find(|key| key.1)
     {
         let fault = Fault::new(Code::Value, format!("an expression has no `{key}`"));
         builder.fault(fault.help("remove it, or ask for a direction by its own name").at_path(path.key(key)));

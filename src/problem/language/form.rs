@@ -70,9 +70,9 @@ impl Question {
         let forms = draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name)));
         let mut all: Vec<Self> = forms.collect();
         let story = draft.text.printed_names();
-        let told: Vec<BTreeSet<String>> = all.iter().map(|own| own.text.printed_names()).collect();
-        for (own, here) in all.iter_mut().zip(&told) {
-            own.elsewhere =
+        let told: Vec<BTreeSet<String>> = all.iter().map(|question| question.text.printed_names()).collect();
+        for (question, here) in all.iter_mut().zip(&told) {
+            question.elsewhere =
                 told.iter().flatten().filter(|name| !here.contains(*name) && !story.contains(*name)).cloned().collect();
         }
         all
@@ -109,10 +109,10 @@ fn acknowledged(place: &Path, entries: &Entries<String>) -> Vec<(Path, String, S
 }
 
 /// What a list at the top of the file says for every form, then what the form's own says, each with its place.
-fn placed<T: Clone>(form: &Path, key: &str, general: &[T], own: &[T]) -> Vec<(Path, T)> {
+fn placed<T: Clone>(form: &Path, key: &str, general: &[T], particular: &[T]) -> Vec<(Path, T)> {
     let at = |place: &Path, list: &[T]| {
         let place = place.key(key);
         list.iter().enumerate().map(|(index, item)| (place.index(index), item.clone())).collect::<Vec<_>>()
     };
-    [at(&Path::root(), general), at(form, own)].concat()
+    [at(&Path::root(), general), at(form, particular)].concat()
 }

@@ -93,7 +93,7 @@ impl Given {
     #[must_use]
     pub fn is_derived(&self) -> bool {
         let Self::Expression(text) = self else { return false };
-        Fraction::read(text.trim()).and_then(|own| own.decimal()).is_none()
+        Fraction::read(text.trim()).and_then(|fraction| fraction.decimal()).is_none()
     }
 
     /// Reads an entry that stands at a path.
@@ -152,7 +152,7 @@ impl Fraction {
         let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(rest.len());
         let (below, unit) = rest.split_at(end);
         let [above, below] = [above, below].map(|text| Decimal::parse(text.trim()).ok());
-        Some(Self { above: above?, below: below.filter(|own| !own.is_zero())?, unit: read(unit.trim())? })
+        Some(Self { above: above?, below: below.filter(|decimal| !decimal.is_zero())?, unit: read(unit.trim())? })
     }
 
     /// Its value, where a decimal gives it exactly.

@@ -16,9 +16,9 @@ use super::known::Origin;
 
 /// What is known in a form, in the order of the file; faults are noted in the builder.
 pub(crate) fn known_in(loaded: &Loaded, question: &Question, known: &[Known], builder: &mut Builder<'_>) -> Vec<Known> {
-    let mut own = known.to_vec();
+    let mut written = known.to_vec();
     for (name, given) in question.given.iter() {
-        let fault = match (own.iter_mut().find(|known| known.name == name), value(given)) {
+        let fault = match (written.iter_mut().find(|known| known.name == name), value(given)) {
             (Some(known), Some((origin, unit))) if loaded.given.get(name).and_then(value).is_some() => {
                 let fault = unlike(known, unit.dimension());
                 let kind = &builder.name(known.symbol).kind;
@@ -42,7 +42,7 @@ pub(crate) fn known_in(loaded: &Loaded, question: &Question, known: &[Known], bu
             builder.fault(fault.at_path(question.path.key("given").name(name)));
         }
     }
-    own
+    written
 }
 
 /// A value, or those from which one is drawn; none where it is given in another way.
@@ -63,8 +63,8 @@ fn value(given: &Given) -> Option<(Origin, momentous_quantity::Unit)> {
 
 /// Whether no form gives a quantity a value that is zero or negative.
 pub(crate) fn is_positive_in_every_form(loaded: &Loaded, name: &str) -> bool {
-    let mut own = loaded.questions.iter().filter_map(|question| value(question.given.get(name)?));
-    own.all(|(origin, _)| origin.is_positive())
+    let mut question = loaded.questions.iter().filter_map(|question| value(question.given.get(name)?));
+    question.all(|(origin, _)| origin.is_positive())
 }
 
 /// The fault of a value that is of another kind than the file's own.

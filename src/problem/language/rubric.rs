@@ -164,7 +164,7 @@ impl Rubric {
     /// The fraction under a key; `None` where it is not written.
     #[must_use]
     pub fn fraction(&self, key: &str) -> Option<Rational> {
-        self.fractions().find(|(own, _)| *own == key).and_then(|(_, term)| fraction(term))
+        self.fractions().find(|(listed, _)| *listed == key).and_then(|(_, term)| fraction(term))
     }
 }
 

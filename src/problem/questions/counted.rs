@@ -65,7 +65,9 @@ pub(crate) fn counted(
         }
         End::Last => {
             let next = |side: &Expr| {
-                exponents_simplified(&side.substitute(&|own| (own == symbol).then(|| Expr::from(symbol) + Expr::one())))
+                exponents_simplified(
+                    &side.substitute(&|written| (written == symbol).then(|| Expr::from(symbol) + Expr::one())),
+                )
             };
             let over = "the number sought is the last for which the condition holds, so that it fails for the next";
             let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));

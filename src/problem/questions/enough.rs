@@ -111,16 +111,16 @@ pub(crate) fn answered(
 ) -> Result<Answered, Vec<Fault>> {
     let mut answered = Answered::default();
     // What is always zero may take an unknown quantity with it: a body at rest has no momentum, whatever its mass.
-    let fixed = known.iter().filter(|own| told.contains(&own.symbol)).filter_map(|own| match &own.origin {
-        Origin::Fixed(value) => Some((own.symbol, Expr::measured(value, &own.unit))),
+    let fixed = known.iter().filter(|known| told.contains(&known.symbol)).filter_map(|known| match &known.origin {
+        Origin::Fixed(value) => Some((known.symbol, Expr::measured(value, &known.unit))),
         Origin::Drawn(_) | Origin::Any => None,
     });
     let fixed: BTreeMap<Symbol, Expr> = fixed.collect();
-    for own in sought {
-        let name = &model.symbols.entry(own.symbol).name;
+    for sought in sought {
+        let name = &model.symbols.entry(sought.symbol).name;
         let fault =
-            |code, message: String, help: &str| vec![Fault::new(code, message).help(help).at_path(own.path.clone())];
-        if told.contains(&own.symbol) {
+            |code, message: String, help: &str| vec![Fault::new(code, message).help(help).at_path(sought.path.clone())];
+        if told.contains(&sought.symbol) {
             let help = "ask about a quantity that has to be found";
             return Err(fault(Code::Text, format!("the sheet tells `{name}` itself"), help));
         }
@@ -128,9 +128,9 @@ pub(crate) fn answered(
         for (_, mut system) in model.systems() {
             system.equations.extend(equations.iter().cloned());
             system.conditions.extend(conditions.iter().cloned());
-            let plan = planner.plan(&system, told, &[own.symbol]);
+            let plan = planner.plan(&system, told, &[sought.symbol]);
             system.fixed.extend(fixed.clone());
-            if plan.is_err() && planner.is_fixed(&system, told, own.symbol) {
+            if plan.is_err() && planner.is_fixed(&system, told, sought.symbol) {
                 let message = format!("`{name}` follows from what is given, but no known method shows how");
                 return Err(fault(Code::Stuck, message, "ask about another quantity that follows as well"));
             }
@@ -139,11 +139,11 @@ pub(crate) fn answered(
         let found = ways.iter().find_map(|way| way.as_ref().ok());
         let verdict = match (found, ways.iter().find_map(|way| way.as_ref().err())) {
             (Some(laws), _) => {
-                answered.found.push(own.symbol);
+                answered.found.push(sought.symbol);
                 (true, format!("it follows from what is given by {laws}"))
             }
             (None, Some(stuck)) => match &stuck.reason {
-                Reason::Underdetermined { enough, .. } => (false, lacking(model, own.symbol, enough)),
+                Reason::Underdetermined { enough, .. } => (false, lacking(model, sought.symbol, enough)),
                 Reason::NoTactic { .. } | Reason::Contradiction { .. } => {
                     let help = "describe the scene by other quantities, or ask about another";
                     return Err(fault(
@@ -158,13 +158,13 @@ pub(crate) fn answered(
         let behind = if verdict.0 { &concept::ENOUGH_OVERLOOKED } else { &concept::EQUATIONS_NOT_COUNTED };
         let kind = yes_or_no(verdict, Some(behind));
         let part = Part {
-            id: own.id.clone(),
-            label: own.label.clone(),
-            points: own.points,
+            id: sought.id.clone(),
+            label: sought.label.clone(),
+            points: sought.points,
             expected: Entries::default(),
             kind,
         };
-        answered.parts.push((own.at, part));
+        answered.parts.push((sought.at, part));
     }
     Ok(answered)
 }
@@ -174,10 +174,10 @@ fn laws(model: &Model, system: &System, plan: &Plan) -> String {
     let mut laws: Vec<String> = Vec::new();
     for position in plan.steps.iter().flat_map(|step| &step.equations) {
         let tag = system.equations.get(*position).map(|equation| equation.tag);
-        if let Some(own) = tag.and_then(|tag| model.instances.get(tag)).map(|own| own.law.name.to_owned())
-            && !laws.contains(&own)
+        if let Some(law) = tag.and_then(|tag| model.instances.get(tag)).map(|instance| instance.law.name.to_owned())
+            && !laws.contains(&law)
         {
-            laws.push(own);
+            laws.push(law);
         }
     }
     join(&laws)
@@ -185,10 +185,11 @@ fn laws(model: &Model, system: &System, plan: &Plan) -> String {
 
 /// Why a quantity does not follow, with what would have to be known as well.
 fn lacking(model: &Model, sought: Symbol, enough: &[Vec<Symbol>]) -> String {
-    let has_words =
-        |set: &&Vec<Symbol>| set.iter().all(|own| *own != sought && !model.symbols.entry(*own).meaning.is_empty());
+    let has_words = |set: &&Vec<Symbol>| {
+        set.iter().all(|symbol| *symbol != sought && !model.symbols.entry(*symbol).meaning.is_empty())
+    };
     let said = |set: &Vec<Symbol>| {
-        let words: Vec<String> = set.iter().map(|own| model.symbols.entry(*own).meaning.clone()).collect();
+        let words: Vec<String> = set.iter().map(|symbol| model.symbols.entry(*symbol).meaning.clone()).collect();
         join(&words)
     };
     let sets: Vec<String> = enough.iter().filter(has_words).take(TOLD).map(said).collect();

@@ -114,7 +114,7 @@ pub(crate) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Uni
 /// Whether a name is that of a direction or of an angle between two.
 fn is_angle(name: &str) -> bool {
     matches!(VectorName::parse(name), Some(VectorName::AngleBetween(_)))
-        || Name::parse(name).is_some_and(|own| matches!(own.kind, QuantityKind::Direction(_)))
+        || Name::parse(name).is_some_and(|name| matches!(name.kind, QuantityKind::Direction(_)))
 }
 
 /// The unit in which some form of the file asks for a quantity.
@@ -129,7 +129,7 @@ fn asked_in(loaded: &Loaded, name: &str) -> Option<Unit> {
 /// The unit of a given of the same kind: velocities of one story are told in one unit.
 fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit> {
     let kind = |name: &str| Name::parse(name).map(|name| name.kind);
-    let own = kind(name)?;
+    let kind_of_name = kind(name)?;
     let alike = |(other, given): (&str, &Given)| {
         let unit = match given {
             Given::Drawn { unit, .. } => unit,
@@ -137,7 +137,7 @@ fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit
             Given::Any(_) | Given::Expression(_) => return None,
         };
         let speed = |kind: &QuantityKind| matches!(kind, QuantityKind::Velocity | QuantityKind::Speed);
-        let kin = kind(other).is_some_and(|kind| kind == own || speed(&kind) && speed(&own));
+        let kin = kind(other).is_some_and(|kind| kind == kind_of_name || speed(&kind) && speed(&kind_of_name));
         (kin && unit.dimension() == dimension).then(|| unit.clone())
     };
     loaded.given.iter().find_map(alike)

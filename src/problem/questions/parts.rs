@@ -100,8 +100,8 @@ pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         let (points, own_label) = points_and_label(ask);
         let points = loaded.draft.points_of(points);
         let expected = match ask {
-            Ask::Find(own) => own.expect.clone(),
-            Ask::Range(own) => own.expect.clone(),
+            Ask::Find(find) => find.expect.clone(),
+            Ask::Range(range) => range.expect.clone(),
             _ => Entries::default(),
         };
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, expected, kind });
@@ -118,10 +118,10 @@ fn tell_apart(parts: &mut [Part], builder: &Builder<'_>) {
         [only] if !matches!(part.kind, PartKind::Choice(_)) => builder.stage_phrase_of(only),
         _ => None,
     };
-    let own: Vec<(String, Option<String>)> = parts.iter().map(|part| (part.label.clone(), phrase(part))).collect();
-    for (part, (label, stage)) in parts.iter_mut().zip(&own) {
+    let phrases: Vec<(String, Option<String>)> = parts.iter().map(|part| (part.label.clone(), phrase(part))).collect();
+    for (part, (label, stage)) in parts.iter_mut().zip(&phrases) {
         let differs = |(other, its): &(String, Option<String>)| other == label && its != stage;
-        if let Some(stage) = stage.as_ref().filter(|_| own.iter().any(differs)) {
+        if let Some(stage) = stage.as_ref().filter(|_| phrases.iter().any(differs)) {
             part.label = format!("{label} during {stage}");
         }
     }

@@ -32,7 +32,7 @@ pub(crate) fn read(
     let axes = builder.axis_letters();
     let components = symbols.iter().map(|symbol| number_part(loaded, find, *symbol, builder, path));
     let components = components.collect::<Option<Vec<_>>>()?;
-    if components.iter().any(|own| matches!(&own.unit, AskedUnit::InTermsOf(_, unit) if !unit.is_none())) {
+    if components.iter().any(|number| matches!(&number.unit, AskedUnit::InTermsOf(_, unit) if !unit.is_none())) {
         let fault = Fault::new(Code::Value, format!("`{}` is a vector of another dimension than its unit", find.find));
         let help = format!("ask for its components in terms of that quantity: `{}.x`", find.find);
         builder.fault(fault.help(help).at_path(path.key("unit")));

@@ -170,11 +170,11 @@ impl<'s> Checker<'s> {
                 let rival = objects.iter().any(|other| other.required.first() == Some(&key.as_str()));
                 let help = match (rival, did_you_mean(key, known.iter().copied())) {
                     (true, _) => {
-                        let own = keys.required.first().copied().unwrap_or_default();
-                        format!("it cannot be combined with `{own}`: begin a new item with `- `")
+                        let first_key = keys.required.first().copied().unwrap_or_default();
+                        format!("it cannot be combined with `{first_key}`: begin a new item with `- `")
                     }
                     (false, Some(name)) => {
-                        let others: Vec<&str> = free.iter().copied().filter(|own| *own != name).collect();
+                        let others: Vec<&str> = free.iter().copied().filter(|key| *key != name).collect();
                         let others = match &others[..] {
                             [] => String::new(),
                             others => format!(" Other keys here: {}.", quoted(others, "and")),

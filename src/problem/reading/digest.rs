@@ -111,7 +111,7 @@ fn aspects(key: &str, value: &Node) -> Option<&'static [Aspect]> {
         return Some(&[]);
     }
     let is_place = key == "points" && !matches!(value.kind, Kind::Scalar(_));
-    CONCERNS.iter().find(|(own, _)| *own == key && !is_place).map(|(_, aspects)| *aspects)
+    CONCERNS.iter().find(|(listed, _)| *listed == key && !is_place).map(|(_, aspects)| *aspects)
 }
 
 /// The first 16 hexadecimal digits of SHA-256 of a file's bytes, each line end as a single line feed.

@@ -33,8 +33,8 @@ pub(super) fn counts(value: &Value) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut count = |value: Option<&Value>, at: &Path, key: &str, most: usize, what: &str, way_out: &str| {
         let found = match value.and_then(|value| value.get(key)) {
-            Some(Value::Mapping(own)) => own.len(),
-            Some(Value::Sequence(own)) => own.len(),
+            Some(Value::Mapping(mapping)) => mapping.len(),
+            Some(Value::Sequence(sequence)) => sequence.len(),
             _ => 0,
         };
         if found > most {

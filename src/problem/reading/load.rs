@@ -42,7 +42,7 @@ pub struct Loaded {
 impl Loaded {
     /// The same with other values of some givens.
     pub(crate) fn with(&self, values: &Entries<Given>) -> Self {
-        let given = self.given.iter().map(|(name, own)| (name.to_owned(), values.get(name).unwrap_or(own).clone()));
+        let given = self.given.iter().map(|(name, given)| (name.to_owned(), values.get(name).unwrap_or(given).clone()));
         Self { given: given.collect(), ..self.clone() }
     }
 

@@ -48,22 +48,22 @@ pub(crate) fn goes_without_saying(value: &Decimal, unit: &Unit) -> bool {
 
 /// Whether a text tells a value by a number of its own, in the unit of the value or in another; signs are told by words.
 pub(crate) fn tells(text: &str, value: &Decimal, unit: &Unit) -> bool {
-    let own = value.to_f64().abs();
+    let size = value.to_f64().abs();
     let same = |one: f64, other: f64| (one - other).abs() <= SAME * other;
     let by_word = || {
         let words = text.split(|letter: char| !letter.is_alphabetic());
-        words.filter_map(of_word).any(|number| same(number, own))
+        words.filter_map(of_word).any(|number| same(number, size))
     };
     numbers(text).any(|(number, rest)| {
         let converted = || unit_at(rest).filter(|other| other.dimension() == unit.dimension());
-        same(number, own)
-            || converted().is_some_and(|other| same(number * other.factor().to_f64(), own * unit.factor().to_f64()))
+        same(number, size)
+            || converted().is_some_and(|other| same(number * other.factor().to_f64(), size * unit.factor().to_f64()))
     }) || by_word()
 }
 
 fn of_word(word: &str) -> Option<f64> {
     let word = word.to_lowercase();
-    WORDS.iter().find(|(own, _)| *own == word).map(|(_, value)| *value)
+    WORDS.iter().find(|(listed, _)| *listed == word).map(|(_, value)| *value)
 }
 
 /// Every number in digits, with what follows it.
@@ -160,24 +160,24 @@ mod tests {
             ("GM = 3.986e14 m^3/s^2", "3.986e14 m^3/s^2"),
             ("it rises to 2.50 m. Then", "2.5 m"),
         ];
-        for (text, own) in told {
-            let (number, unit) = value(own);
-            assert!(tells(text, &number, &unit), "{text}: {own}");
+        for (text, text_of_value) in told {
+            let (number, unit) = value(text_of_value);
+            assert!(tells(text, &number, &unit), "{text}: {text_of_value}");
         }
         let not_told =
             [("ball A2 falls", "2 m"), ("for 30 s", "3 s"), ("at 1.62 m/s", "1.6 m/s"), ("falls", "9.81 m/s^2")];
-        for (text, own) in not_told {
-            let (number, unit) = value(own);
-            assert!(!tells(text, &number, &unit), "{text}: {own}");
+        for (text, text_of_value) in not_told {
+            let (number, unit) = value(text_of_value);
+            assert!(!tells(text, &number, &unit), "{text}: {text_of_value}");
         }
     }
 
     #[test]
     fn rest_and_right_angles_need_no_number() {
-        for (own, expected) in [("0 m/s", true), ("90 deg", true), ("-180 deg", true), ("45 deg", false), ("1", false)]
+        for (text, expected) in [("0 m/s", true), ("90 deg", true), ("-180 deg", true), ("45 deg", false), ("1", false)]
         {
-            let (number, unit) = value(own);
-            assert_eq!(goes_without_saying(&number, &unit), expected, "{own}");
+            let (number, unit) = value(text);
+            assert_eq!(goes_without_saying(&number, &unit), expected, "{text}");
         }
     }
 }

@@ -41,21 +41,21 @@ impl Variant {
         let mut said = 0;
         let mut origin = Span { start: 0, end: 0 };
         for (piece, end) in text.pieces().iter().zip(ends) {
-            let own = match piece {
+            let span = match piece {
                 Piece::Text(words) => Span { start: written, end: written + words.len() },
                 Piece::Placeholder(placeholder) => placeholder.whole,
             };
             let inside = |byte: usize| match piece {
-                Piece::Text(_) => own.start + (byte - said),
-                Piece::Placeholder(_) => own.start,
+                Piece::Text(_) => span.start + (byte - said),
+                Piece::Placeholder(_) => span.start,
             };
             if (said..end).contains(&place.start) {
-                origin = Span { start: inside(place.start), end: own.end };
+                origin = Span { start: inside(place.start), end: span.end };
             }
             if place.end > said && place.end <= end {
-                origin.end = if matches!(piece, Piece::Text(_)) { inside(place.end) } else { own.end };
+                origin.end = if matches!(piece, Piece::Text(_)) { inside(place.end) } else { span.end };
             }
-            (written, said) = (own.end, end);
+            (written, said) = (span.end, end);
         }
         origin
     }

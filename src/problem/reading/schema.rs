@@ -106,9 +106,9 @@ fn add_words(schema: &mut Value) {
         }
         if !says_form(schema)
             && let Some(keys) = schema.get_mut("properties").and_then(Value::as_object_mut)
-            && let Some(own) = keys.get(usual).cloned()
+            && let Some(default) = keys.get(usual).cloned()
         {
-            keys.insert(word.to_owned(), own);
+            keys.insert(word.to_owned(), default);
         }
     }
     match schema {

@@ -96,7 +96,7 @@ impl<'s> Form<'s> {
 impl<'s> Keys<'s> {
     /// What a key holds, where the schema names it.
     pub(crate) fn named(&self, key: &str) -> Option<&Place<'s>> {
-        self.named.iter().find(|(own, _)| *own == key).map(|(_, place)| place)
+        self.named.iter().find(|(entry, _)| *entry == key).map(|(_, place)| place)
     }
 
     /// What a key holds, where it may stand here.
@@ -178,7 +178,10 @@ impl<'s> Reader<'s> {
         Keys {
             named: properties.map(|(name, schema)| (name.as_str(), self.place(schema))).collect(),
             required: strings(written.get("required")).unwrap_or_default(),
-            others: written.get("additionalProperties").filter(|others| others.is_object()).map(|own| self.place(own)),
+            others: written
+                .get("additionalProperties")
+                .filter(|others| others.is_object())
+                .map(|others| self.place(others)),
             listed: strings(written.get("propertyNames").and_then(|names| names.get("enum"))),
         }
     }

@@ -28,8 +28,8 @@ pub(crate) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
     }
     for (name, symbol, path) in places {
         let (mut reached, mut open) = (BTreeSet::new(), vec![symbol]);
-        while let Some(own) = open.pop() {
-            let next = speaks_of.get(&own).into_iter().flatten().copied();
+        while let Some(symbol) = open.pop() {
+            let next = speaks_of.get(&symbol).into_iter().flatten().copied();
             open.extend(next.filter(|other| reached.insert(*other)));
         }
         if reached.contains(&symbol) {

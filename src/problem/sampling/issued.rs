@@ -22,19 +22,21 @@ impl Sampler<'_> {
     /// [`NoVariant::Solutions`] where the numbers leave no admissible solution, or several.
     pub fn issued(&mut self, seed: u64, scheme: Scheme, sheet: &[PrintedNumber]) -> Result<Variant, NoVariant> {
         if let Ok(drawn) = self.variant_by(seed, scheme)
-            && drawn.all_given().iter().all(|own| sheet.iter().any(|number| are_same(number, own)))
+            && drawn.all_given().iter().all(|drawn_number| sheet.iter().any(|number| are_same(number, drawn_number)))
             && sheet.len() == drawn.all_given().len()
         {
             return Ok(drawn);
         }
         let told = self.told_with_fixed();
         let other = |symbol: Symbol| NoVariant::OtherSheet(self.problem.model().symbols.entry(symbol).name.clone());
-        if let Some((gone, ..)) = sheet.iter().find(|(symbol, ..)| !told.iter().any(|(own, _)| own == symbol)) {
+        if let Some((gone, ..)) =
+            sheet.iter().find(|(symbol, ..)| !told.iter().any(|(told_symbol, _)| told_symbol == symbol))
+        {
             return Err(other(*gone));
         }
         let mut free = Vec::new();
         for (symbol, fixed) in told {
-            match (sheet.iter().find(|(own, ..)| *own == symbol), fixed) {
+            match (sheet.iter().find(|(listed, ..)| *listed == symbol), fixed) {
                 (Some(number), None) => free.push(number.clone()),
                 (Some(number), Some(fixed)) if are_same(number, &fixed) => {}
                 _ => return Err(other(symbol)),

@@ -19,7 +19,7 @@ impl Worked<'_> {
             return None;
         }
         let limit = Input::of(value, unit).bounded();
-        let input = |own: &Symbol| if *own == symbol { limit } else { self.variant.value(*own) };
+        let input = |other: &Symbol| if *other == symbol { limit } else { self.variant.value(*other) };
         let (mut scratch, regimes) = (Scratch::default(), &self.form.solver);
         let solutions = scratch.run_limit(regimes, input);
         let mut variant = Variant {
@@ -31,12 +31,12 @@ impl Worked<'_> {
             dead: scratch.dead(regimes),
             ..self.variant.clone()
         };
-        for given in variant.given.iter_mut().filter(|(own, ..)| *own == symbol) {
+        for given in variant.given.iter_mut().filter(|(listed, ..)| *listed == symbol) {
             *given = (symbol, value.clone(), unit.clone());
         }
-        for own in &self.form.told {
-            if let Some(place) = variant.values.get_mut(own.index()) {
-                *place = input(own);
+        for symbol in &self.form.told {
+            if let Some(place) = variant.values.get_mut(symbol.index()) {
+                *place = input(symbol);
             }
         }
         let there = Worked { variant: &variant, ..*self };

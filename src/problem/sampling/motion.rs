@@ -28,11 +28,11 @@ impl Problem {
             ways.dedup();
             if let [only] = ways[..] { only } else { None }
         };
-        let own: Vec<Option<bool>> =
+        let known_ways: Vec<Option<bool>> =
             ways.iter().filter(|(body, _)| *body == asked.subject).map(|(_, way)| *way).collect();
-        let is_revealed = form.reveal.iter().any(|own| is_along(self.model().name(own.symbol)));
-        match (own.is_empty(), is_revealed) {
-            (false, _) => alike(own),
+        let is_revealed = form.reveal.iter().any(|reveal| is_along(self.model().name(reveal.symbol)));
+        match (known_ways.is_empty(), is_revealed) {
+            (false, _) => alike(known_ways),
             (true, true) => None,
             (true, false) => alike(ways.into_iter().map(|(_, way)| way).collect()),
         }

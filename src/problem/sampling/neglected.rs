@@ -26,10 +26,11 @@ pub(crate) fn weighed(
     allowed: &[Warning],
 ) -> Option<Regimes> {
     let terms = model.weights.iter().flat_map(ContactWeight::squares);
-    let sought: BTreeSet<Symbol> = terms.flat_map(|term| term.symbols()).filter(|own| !told.contains(own)).collect();
+    let sought: BTreeSet<Symbol> =
+        terms.flat_map(|term| term.symbols()).filter(|symbol| !told.contains(symbol)).collect();
     let found = |leaf: &Leaf| {
         let steps = &leaf.audit.plan.steps;
-        sought.iter().all(|own| steps.iter().any(|step| step.unknowns.contains(own)))
+        sought.iter().all(|symbol| steps.iter().any(|step| step.unknowns.contains(symbol)))
     };
     if solver.leaves().iter().all(found) {
         return None;
@@ -44,7 +45,8 @@ impl<'a> Worked<'a> {
     #[must_use]
     pub fn neglected(&self) -> Vec<(&'a ContactWeight, f64)> {
         let weighed = |symbol: Symbol| self.variant.weighed.get(symbol.index()).copied().flatten();
-        let value = |symbol| self.variant.value(symbol).or_else(|| weighed(symbol)).map_or(f64::NAN, |own| own.value);
+        let value =
+            |symbol| self.variant.value(symbol).or_else(|| weighed(symbol)).map_or(f64::NAN, |number| number.value);
         let weights = self.problem.model().weights.iter().filter(|weight| !weight.included);
         let shares = weights.map(|weight| (weight, weight.share(&|term| term.evaluate(&value))));
         shares.filter(|(_, share)| *share >= WORTH_SAYING && share.is_finite()).collect()

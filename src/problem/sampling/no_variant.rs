@@ -140,7 +140,7 @@ impl NoVariant {
     pub fn allowed_by(&self) -> Option<&'static str> {
         let Rejection::Condition { reason, .. } = self.rejection()? else { return None };
         let warning = reason.warning()?;
-        Warning::NAMES.iter().find(|(_, own)| *own == warning).map(|(name, _)| *name)
+        Warning::NAMES.iter().find(|(_, listed)| *listed == warning).map(|(name, _)| *name)
     }
 }
 

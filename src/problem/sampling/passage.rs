@@ -31,9 +31,10 @@ impl Sampler<'_> {
     /// Why a body does not get to the end of its way with the numbers solved last.
     pub(super) fn turned_back(&self) -> Option<&Reason> {
         let words = &self.form.solver.leaf(self.scratch.leaf()).words;
-        let is_taken = |own: &&Passage| own.way.as_ref().is_none_or(|(choice, what)| words.get(*choice) == Some(what));
+        let is_taken =
+            |passage: &&Passage| passage.way.as_ref().is_none_or(|(choice, what)| words.get(*choice) == Some(what));
         let passages = self.problem.model().passages.iter().filter(is_taken);
-        passages.filter(|own| self.turns_back(own)).map(|own| &own.reason).next()
+        passages.filter(|passage| self.turns_back(passage)).map(|passage| &passage.reason).next()
     }
 
     /// Whether there is none of the kinetic energy left before the end; not where what it follows from is not solved.
@@ -41,13 +42,13 @@ impl Sampler<'_> {
         let mut symbols = passage.kinetic.symbols();
         symbols.extend(passage.ends.iter().flat_map(Expr::symbols));
         symbols.remove(&passage.place);
-        let solved = symbols.into_iter().map(|own| self.answer(own).map(|answer| (own, answer.value)));
+        let solved = symbols.into_iter().map(|symbol| self.answer(symbol).map(|answer| (symbol, answer.value)));
         let Some(solved) = solved.collect::<Option<BTreeMap<Symbol, f64>>>() else { return false };
         let value = |symbol: Symbol| solved.get(&symbol).copied().unwrap_or(f64::NAN);
         let [start, end] = passage.ends.each_ref().map(|end| end.evaluate(&value));
         let energy = |share: f64| {
             let place = start + share * (end - start);
-            passage.kinetic.evaluate(&|own| if own == passage.place { place } else { value(own) })
+            passage.kinetic.evaluate(&|symbol| if symbol == passage.place { place } else { value(symbol) })
         };
         let within = |parts: u32| (1..parts).map(move |part| f64::from(part) / f64::from(parts));
         let ends = [energy(0.0), energy(1.0)];
@@ -61,8 +62,8 @@ impl Sampler<'_> {
         let seen: Vec<(f64, f64)> = shares.into_iter().map(|share| (share, energy(share))).collect();
         let largest = seen.iter().map(|(_, energy)| energy.abs()).fold(0.0, f64::max);
         let mut highest = 0.0_f64;
-        seen.windows(3).any(|own| {
-            let [(low, before), (_, middle), (high, after)] = own else { return false };
+        seen.windows(3).any(|three| {
+            let [(low, before), (_, middle), (high, after)] = three else { return false };
             highest = highest.max(*before);
             if !middle.is_finite() {
                 return true;

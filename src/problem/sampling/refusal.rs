@@ -42,12 +42,15 @@ impl Sampler<'_> {
         let tells_ways = |position: &usize| {
             let conditions = &regimes.leaf(*position).system.conditions;
             scratch.dead_of(regimes, *position).into_iter().any(|dead| {
-                let Cause::Condition(own) = dead.cause else { return false };
-                conditions.get(own).and_then(|own| model.reasons.get(own.tag)).is_some_and(Reason::tells_ways)
+                let Cause::Condition(index) = dead.cause else { return false };
+                conditions
+                    .get(index)
+                    .and_then(|condition| model.reasons.get(condition.tag))
+                    .is_some_and(Reason::tells_ways)
             })
         };
         // A way that the values do not lead to says nothing of why the one to which they lead has no solution.
-        let taken = if several == 0 { (0..regimes.leaves().len()).find(|own| !tells_ways(own)) } else { None };
+        let taken = if several == 0 { (0..regimes.leaves().len()).find(|index| !tells_ways(index)) } else { None };
         let position = taken.unwrap_or_else(|| scratch.leaf());
         let (dead, leaf) = (scratch.dead_of(regimes, position), regimes.leaf(position));
         // What was followed furthest was nearest to a solution; of two, the one that the author asks for.
@@ -75,12 +78,15 @@ impl Sampler<'_> {
             }
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position)?;
-                let names = equation.symbols().into_iter().map(|own| format!("`{}`", model.symbols.entry(own).name));
+                let names =
+                    equation.symbols().into_iter().map(|symbol| format!("`{}`", model.symbols.entry(symbol).name));
                 let law = model.instances.get(equation.tag)?.law.name;
                 Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
             }
             Cause::NotReal => Rejection::NotReal(self.named(step, |_| true)),
-            Cause::NotPositive => Rejection::NotPositive(self.named(step, |own| leaf.system.positive.contains(&own))),
+            Cause::NotPositive => {
+                Rejection::NotPositive(self.named(step, |symbol| leaf.system.positive.contains(&symbol)))
+            }
         };
         let range = self.form.parts.iter().find_map(|part| match &part.kind {
             PartKind::Range(range) => Some(range.number.symbol),
@@ -97,8 +103,8 @@ impl Sampler<'_> {
     /// The quantities for which a solution was sought when it was given up, as they are written.
     fn named(&self, step: Option<&Step>, is_meant: impl Fn(Symbol) -> bool) -> Vec<String> {
         let unknowns = step.into_iter().flat_map(|step| step.unknowns.iter().copied());
-        let name = |own: Symbol| format!("`{}`", self.problem.model().symbols.entry(own).name);
-        unknowns.filter(|own| is_meant(*own)).map(name).collect()
+        let name = |symbol: Symbol| format!("`{}`", self.problem.model().symbols.entry(symbol).name);
+        unknowns.filter(|symbol| is_meant(*symbol)).map(name).collect()
     }
 
     /// A condition of the first number that is asked that one of two solutions breaks; none where both have it alike.
@@ -116,7 +122,8 @@ impl Sampler<'_> {
             let written = if low < 0.0 && high > 0.0 {
                 "0".to_owned()
             } else {
-                let lies_between = |text: &String| text.parse::<f64>().is_ok_and(|own| low < own && own < high);
+                let lies_between =
+                    |text: &String| text.parse::<f64>().is_ok_and(|number| low < number && number < high);
                 written.into_iter().find(lies_between)?
             };
             let name = &self.problem.model().symbols.entry(number.symbol).name;
@@ -128,8 +135,8 @@ impl Sampler<'_> {
     fn broken(&self, reason: Reason, stage: Option<usize>) -> Rejection {
         let scene = &self.problem.loaded().draft.scene;
         let is_told = scene.stages.len() < 2 || reason.names_its_stage();
-        let own = stage.and_then(|stage| scene.stages.get(stage));
-        let has_direction = matches!(own, Some(Stage::Slide(_) | Stage::Push(_) | Stage::Swing(_)));
+        let entry = stage.and_then(|stage| scene.stages.get(stage));
+        let has_direction = matches!(entry, Some(Stage::Slide(_) | Stage::Push(_) | Stage::Swing(_)));
         Rejection::Condition {
             key: (has_direction && reason.is_of_direction()).then_some("direction"),
             stage: stage.filter(|_| !is_told).map(|stage| self.problem.model().phrase(scene, stage)),
@@ -184,7 +191,7 @@ impl Sampler<'_> {
 
     /// A direction that is asked of what has none: in as many digits as there are, it may point anywhere.
     fn lost_direction(&self) -> Option<Symbol> {
-        let is_lost = |own: &Symbol| self.answer(*own).is_some_and(|value| value.error > 1.0);
+        let is_lost = |symbol: &Symbol| self.answer(*symbol).is_some_and(|value| value.error > 1.0);
         self.directions.iter().copied().find(is_lost)
     }
 
@@ -198,7 +205,7 @@ impl Sampler<'_> {
     fn unprinted(&self) -> Option<Symbol> {
         let has_value = |symbol: &Symbol| {
             let forward = || self.form.forward.as_ref().and_then(|forward| self.forward.value(forward, *symbol));
-            self.answer(*symbol).or_else(forward).is_some_and(|own| own.value.is_finite())
+            self.answer(*symbol).or_else(forward).is_some_and(|number| number.value.is_finite())
         };
         self.printed.iter().copied().find(|symbol| !has_value(symbol))
     }

@@ -61,8 +61,8 @@ impl Worked<'_> {
         let size = |values: &mut dyn Iterator<Item = f64>| libm::sqrt(values.map(|value| value * value).sum());
         let answer = size(&mut numbers.iter().map(|number| self.answer(number).value));
         let is_nothing = numbers.iter().all(|number| self.is_nothing(number.symbol));
-        let scale = size(&mut judged.iter().map(|own| own.scale));
-        let shift = size(&mut judged.iter().map(|own| own.allowance));
+        let scale = size(&mut judged.iter().map(|judged| judged.scale));
+        let shift = size(&mut judged.iter().map(|judged| judged.allowance));
         let Some(tolerance) = first.tolerance.reach(if is_nothing { scale } else { answer }) else { return false };
         // A direction has no size.
         let has_size = !is_nothing && !matches!(&first.unit, AskedUnit::Unit(unit) if unit.is_plain_angle());
@@ -82,8 +82,10 @@ impl Worked<'_> {
     fn cancelling(&self, asked: Symbol) -> f64 {
         let mut total = 0.0;
         if let Some(leaf) = self.sensitivity() {
-            let value = |own| self.value(own);
-            leaf.each_input(asked, value, self.variant.roots(), |own, slope| total += (slope * self.value(own)).abs());
+            let value = |symbol| self.value(symbol);
+            leaf.each_input(asked, value, self.variant.roots(), |symbol, slope| {
+                total += (slope * self.value(symbol)).abs();
+            });
         }
         if total > 0.0 && total.is_finite() { total } else { self.scale(asked) }
     }
@@ -103,10 +105,10 @@ impl Worked<'_> {
         let mut total = 0.0;
         leaf.each(
             asked,
-            |own| self.value(own),
+            |symbol| self.value(symbol),
             self.variant.roots(),
-            |own, slope| {
-                total += slope.abs() * half_unit(NEXT_DECADE * self.value(own), figures);
+            |symbol, slope| {
+                total += slope.abs() * half_unit(NEXT_DECADE * self.value(symbol), figures);
             },
         );
         // Slopes change on the way, by about the share of the value that the rounding has.
@@ -139,7 +141,7 @@ impl Worked<'_> {
             reason.is_some_and(|reason| reason.warning() == Some(momentous_model::Warning::NoImpact))
         });
         condition.map_or(0.0, |condition| {
-            let side = |side: &Expr| side.evaluate(&|own| self.value(own));
+            let side = |side: &Expr| side.evaluate(&|symbol| self.value(symbol));
             (side(&condition.left) - side(&condition.right)).abs()
         })
     }

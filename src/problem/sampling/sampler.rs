@@ -71,25 +71,25 @@ impl<'p> Sampler<'p> {
     /// # Errors
     /// [`NoVariant::NoForm`] where there is none.
     pub fn with_precision(problem: &'p Problem, form: usize, precision: Precision) -> Result<Self, NoVariant> {
-        let own = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
+        let planned = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
         let count = problem.model().symbols.len();
         Ok(Self {
             problem,
-            form: own,
+            form: planned,
             position: form,
             words: problem.streams().words(),
-            drawn: vec![0; own.known.len()],
-            inputs: inputs(problem, own),
-            domains: domains(own, count),
+            drawn: vec![0; planned.known.len()],
+            inputs: inputs(problem, planned),
+            domains: domains(planned, count),
             scratch: Scratch::new(precision),
             forward: Scratch::new(precision),
             weighing: Scratch::new(precision),
-            units: own.units().collect(),
-            directions: directions(problem, own),
-            printed: printed(problem, own),
-            told: own.known.iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
+            units: planned.units().collect(),
+            directions: directions(problem, planned),
+            printed: printed(problem, planned),
+            told: planned.known.iter().enumerate().filter(|(_, known)| planned.told.contains(&known.symbol)).collect(),
             changed: Vec::new(),
-            is_drawn: own.known.iter().any(|known| matches!(known.origin, Origin::Drawn(_))),
+            is_drawn: planned.known.iter().any(|known| matches!(known.origin, Origin::Drawn(_))),
             rejected: 0,
             ill_chosen: BTreeMap::new(),
         })
@@ -173,10 +173,10 @@ impl<'p> Sampler<'p> {
             return Err(NoVariant::Solutions { count, reason: self.why() });
         }
         let mut variant = self.keep(None);
-        for own in values {
-            match variant.given.iter_mut().find(|(symbol, ..)| *symbol == own.0) {
-                Some(given) => *given = own.clone(),
-                None => variant.given.push(own.clone()),
+        for drawn in values {
+            match variant.given.iter_mut().find(|(symbol, ..)| *symbol == drawn.0) {
+                Some(given) => *given = drawn.clone(),
+                None => variant.given.push(drawn.clone()),
             }
         }
         Ok(variant)
@@ -320,8 +320,11 @@ fn directions(problem: &Problem, form: &Form) -> Vec<Symbol> {
 fn printed(problem: &Problem, form: &Form) -> Vec<Symbol> {
     let hints = form.question.hints.iter().map(|(_, hint)| hint);
     let texts = [&problem.loaded().draft.text, &form.question.text].into_iter().chain(hints);
-    let printed = texts.flat_map(Text::placeholders).filter(|own| own.filter.needs_value());
-    printed.filter_map(|own| problem.model().symbol_of(&own.name)).filter(|own| !form.told.contains(own)).collect()
+    let printed = texts.flat_map(Text::placeholders).filter(|placeholder| placeholder.filter.needs_value());
+    printed
+        .filter_map(|placeholder| problem.model().symbol_of(&placeholder.name))
+        .filter(|symbol| !form.told.contains(symbol))
+        .collect()
 }
 
 /// The domain of each drawn symbol.

@@ -37,10 +37,11 @@ impl Worked<'_> {
             known.is_some_and(|known| matches!(known.origin, Origin::Any))
         };
         let variants = (1..=TRIED).map_while(|seed| sampler.variant(seed).ok());
-        let same = variants.filter(|own| own.leaf() == self.variant.leaf() && own.roots() == self.variant.roots());
-        let value = |symbol: &Symbol, own: &super::super::Variant| {
-            own.value(*symbol).filter(|_| !any(*symbol)).map(|own| own.value)
+        let same =
+            variants.filter(|variant| variant.leaf() == self.variant.leaf() && variant.roots() == self.variant.roots());
+        let value = |symbol: &Symbol, variant: &super::super::Variant| {
+            variant.value(*symbol).filter(|_| !any(*symbol)).map(|number| number.value)
         };
-        same.take(WANTED).map(|own| givens.iter().map(|symbol| value(symbol, &own)).collect()).collect()
+        same.take(WANTED).map(|variant| givens.iter().map(|symbol| value(symbol, &variant)).collect()).collect()
     }
 }

@@ -120,9 +120,10 @@ impl Variant {
     fn told_in_words<'p>(&self, problem: &'p Problem) -> Vec<(&'p str, Symbol)> {
         let question = problem.forms().get(self.form()).map(|form| &form.question.text);
         let texts = [&problem.loaded().draft.text].into_iter().chain(question);
-        let tells = |own: &&Placeholder| own.filter.tells_size() || own.filter == Filter::Motion;
+        let tells =
+            |placeholder: &&Placeholder| placeholder.filter.tells_size() || placeholder.filter == Filter::Motion;
         (texts.flat_map(Text::placeholders).filter(tells))
-            .filter_map(|own| Some((own.name.as_str(), problem.model().symbol_of(&own.name)?)))
+            .filter_map(|placeholder| Some((placeholder.name.as_str(), problem.model().symbol_of(&placeholder.name)?)))
             .collect()
     }
 
@@ -130,8 +131,8 @@ impl Variant {
     #[must_use]
     pub fn follows_from_printed(&self, problem: &Problem, name: &str) -> bool {
         let told = self.told_in_words(problem);
-        let is_literal = |symbol: &Symbol| problem.model().literals.iter().any(|(own, _)| own == symbol);
-        let is_told = |symbol: &Symbol| is_literal(symbol) || told.iter().any(|(_, own)| own == symbol);
+        let is_literal = |symbol: &Symbol| problem.model().literals.iter().any(|(literal, _)| literal == symbol);
+        let is_told = |symbol: &Symbol| is_literal(symbol) || told.iter().any(|(_, said)| said == symbol);
         let is_derived = problem.loaded().given.get(name).is_some_and(Given::is_derived);
         let symbol = problem.model().symbol_of(name).filter(|_| is_derived);
         let stated = symbol.and_then(|symbol| problem.model().stated(symbol));
@@ -145,7 +146,7 @@ impl Variant {
         let mut numbers: Vec<(String, String)> = Vec::new();
         for (name, symbol) in self.told_in_words(problem) {
             let speaker = Speaker { problem, variant: self, symbol, name };
-            if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
+            if speaker.constant().is_none() && numbers.iter().all(|(listed, _)| listed != name) {
                 let (Some(value), unit) = (self.printed_value(problem, symbol), self.unit(problem, symbol)) else {
                     continue;
                 };
@@ -156,7 +157,7 @@ impl Variant {
         let graph = problem.model().graph.iter().flat_map(PrintedGraph::symbols);
         for (symbol, (value, unit)) in graph.filter_map(|symbol| Some((symbol, self.given(symbol)?))) {
             let name = &problem.model().symbols.entry(symbol).name;
-            if numbers.iter().all(|(own, _)| own != name) {
+            if numbers.iter().all(|(listed, _)| listed != name) {
                 numbers.push((name.clone(), format!("{value} {unit}").trim_end().to_owned()));
             }
         }
@@ -276,8 +277,9 @@ impl Problem {
         let body = &self.model().name(symbol).subject;
         let [down, up] = ["downwards", "upwards"].map(str::to_owned);
         self.loaded().draft.scene.stages.iter().find_map(|stage| {
-            let Stage::Connected(own) = stage else { return None };
-            let [sinks, rises] = [&own.leading, &own.trailing].map(|strand| strand.hangs() && strand.body == *body);
+            let Stage::Connected(connected) = stage else { return None };
+            let [sinks, rises] =
+                [&connected.leading, &connected.trailing].map(|strand| strand.hangs() && strand.body == *body);
             let [positive, negative] = if sinks { [&down, &up] } else { [&up, &down] }.map(Clone::clone);
             (sinks || rises).then_some(Senses { positive, negative })
         })

@@ -76,13 +76,13 @@ pub fn guesses(secret: &[u8]) -> f64 {
         let is_there = |length: &usize| (0..place).any(|start| secret[start..].starts_with(&rest[..*length]));
         let repeated = (REPEATED..=rest.len()).take_while(is_there).last().unwrap_or(0);
         let letters = |count: usize| rest.iter().take(count).map(|byte| bits(*byte)).sum::<f64>();
-        let (length, own) = if row >= word.max(repeated) {
+        let (length, bits_here) = if row >= word.max(repeated) {
             (row, letters(1))
         } else {
             let length = word.max(repeated);
             (length, letters(length).min(WORD))
         };
-        guesses += own;
+        guesses += bits_here;
         place += length;
     }
     guesses

@@ -36,9 +36,9 @@ impl Problem {
     /// ```
     #[must_use]
     pub fn sign(&self, symbol: Symbol) -> Sign {
-        if let Some(own) = self.model().expressions.get(&symbol) {
-            let signed = own.symbols().iter().any(|part| self.sign(*part) != Sign::Nothing);
-            return if signed || matches!(own, Expr::Sum(_)) { Sign::Other } else { Sign::Nothing };
+        if let Some(expression) = self.model().expressions.get(&symbol) {
+            let signed = expression.symbols().iter().any(|part| self.sign(*part) != Sign::Nothing);
+            return if signed || matches!(expression, Expr::Sum(_)) { Sign::Other } else { Sign::Nothing };
         }
         if let Some(senses) = self.senses(symbol) {
             return Sign::Sense(senses);

@@ -72,19 +72,19 @@ impl Variant {
     /// same for both.
     #[must_use]
     pub fn with_others_than(&self, told: &BTreeSet<Symbol>, change: impl Fn(f64) -> f64) -> Self {
-        let mut own = self.clone();
-        for values in [&mut own.values, &mut own.forward, &mut own.weighed] {
+        let mut changed = self.clone();
+        for values in [&mut changed.values, &mut changed.forward, &mut changed.weighed] {
             let solved =
-                values.iter_mut().enumerate().filter(|(index, _)| told.iter().all(|own| own.index() != *index));
-            solved.filter_map(|(_, value)| value.as_mut()).for_each(|own| own.value = change(own.value));
+                values.iter_mut().enumerate().filter(|(index, _)| told.iter().all(|symbol| symbol.index() != *index));
+            solved.filter_map(|(_, value)| value.as_mut()).for_each(|number| number.value = change(number.value));
         }
-        own
+        changed
     }
 
     /// What is given of a quantity, exactly as it is printed: value and unit.
     #[must_use]
     pub fn given(&self, symbol: Symbol) -> Option<(Decimal, Unit)> {
-        self.given.iter().find(|(own, ..)| *own == symbol).map(|(_, value, unit)| (value.clone(), unit.clone()))
+        self.given.iter().find(|(listed, ..)| *listed == symbol).map(|(_, value, unit)| (value.clone(), unit.clone()))
     }
 
     /// Everything that is given, in the order of the file, revealed values last.
@@ -180,7 +180,8 @@ impl<'a> Worked<'a> {
             return roots.map(|value| self.in_unit(value, number)).collect();
         }
         let first = self.answer(number);
-        let others = self.variant.others.iter().filter(|(own, _)| *own == number.symbol).flat_map(|(_, values)| values);
+        let others =
+            self.variant.others.iter().filter(|(symbol, _)| *symbol == number.symbol).flat_map(|(_, values)| values);
         std::iter::once(first).chain(others.map(|value| self.in_unit(*value, number))).collect()
     }
 

@@ -35,8 +35,8 @@ pub(crate) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_
     let keeps_energy = Equality::of(loaded, builder, place, energies);
     let apart = builder.parting_velocity(index);
     let together: Vec<Equality> =
-        apart.into_iter().map(|own| Equality::of(loaded, builder, place, [own, Expr::zero()])).collect();
-    let tests = |all: Vec<Equality>| all.into_iter().map(|own| Test::new(own, "")).collect::<Vec<_>>();
+        apart.into_iter().map(|difference| Equality::of(loaded, builder, place, [difference, Expr::zero()])).collect();
+    let tests = |all: Vec<Equality>| all.into_iter().map(|equality| Test::new(equality, "")).collect::<Vec<_>>();
     let told = impact.restitution.is_some() || impact.elastic;
     let because = if told {
         [

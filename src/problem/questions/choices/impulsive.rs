@@ -54,8 +54,12 @@ pub(crate) fn impulsive(
         }
         (None, Some(false)) => (false, "it stays of ordinary size for an ordinary time".into()),
         (None, None) => {
-            let known: Vec<&str> =
-                builder.impulses().iter().filter(|own| own.stage == stage).map(|own| own.called.as_str()).collect();
+            let known: Vec<&str> = builder
+                .impulses()
+                .iter()
+                .filter(|impulse| impulse.stage == stage)
+                .map(|impulse| impulse.called.as_str())
+                .collect();
             let all: Vec<&str> = ORDINARY.iter().map(|row| row.0).chain(known).collect();
             let help = did_you_mean(bare, all.iter().copied()).map(|near| format!("did you mean `{near}`?"));
             let help = help.unwrap_or_else(|| format!("the forces here are: {}", all.join(", ")));

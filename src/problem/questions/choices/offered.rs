@@ -62,7 +62,10 @@ impl Offer {
 
     /// Everything that it prints.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &Text> {
-        self.options.iter().flat_map(|own| [Some(&own.text), own.because.as_ref(), own.feedback.as_ref()]).flatten()
+        self.options
+            .iter()
+            .flat_map(|option| [Some(&option.text), option.because.as_ref(), option.feedback.as_ref()])
+            .flatten()
     }
 
     pub(crate) fn claims(&self) -> impl Iterator<Item = &Claim> {

@@ -53,22 +53,22 @@ pub(crate) fn read(
     // What only wrong options print is no step of the solution.
     let mut by_right = BTreeSet::new();
     let mut options = Vec::new();
-    for (index, own) in ask.options.iter().enumerate() {
+    for (index, option) in ask.options.iter().enumerate() {
         let path = path.key("options").index(index);
-        let truth = match &own.holds {
+        let truth = match &option.holds {
             Some(holds) => Truth::When(comparing::claim(loaded, holds, reader.builder, &path.key("holds"))?.1),
-            None if own.right => Truth::Always,
+            None if option.right => Truth::Always,
             None => Truth::Never,
         };
-        let text = reader.text(&own.text, &path.key("text"))?;
+        let text = reader.text(&option.text, &path.key("text"))?;
         if !matches!(truth, Truth::Never) {
-            by_right.extend(text.placeholders().filter_map(|own| reader.builder.mention(&own.name)));
+            by_right.extend(text.placeholders().filter_map(|placeholder| reader.builder.mention(&placeholder.name)));
         }
         options.push(Offered {
             text,
             truth,
-            because: reader.any(own.because.as_ref(), &path.key("because")),
-            feedback: reader.any(own.feedback.as_ref(), &path.key("feedback")),
+            because: reader.any(option.because.as_ref(), &path.key("because")),
+            feedback: reader.any(option.feedback.as_ref(), &path.key("feedback")),
         });
     }
     if let Some(last) = &ask.last {
@@ -102,7 +102,7 @@ impl Reader<'_, '_> {
     fn plain(&mut self, text: &str, path: &Path) -> Option<Text> {
         let read = self.text(text, path)?;
         let is_math = |filter| matches!(filter, Filter::Symbol | Filter::Named);
-        if text.contains('$') || read.placeholders().any(|own| is_math(own.filter)) {
+        if text.contains('$') || read.placeholders().any(|placeholder| is_math(placeholder.filter)) {
             let fault = Fault::new(Code::Text, "what is said of an option is plain text, without mathematics");
             self.builder.fault(fault.help("write it in words").at_path(path.clone()));
             return None;
@@ -142,8 +142,8 @@ fn misfits(ask: &ask::Choose, path: &Path) -> Vec<Fault> {
     let texts: Vec<&str> = ask
         .options
         .iter()
-        .map(|own| &own.text)
-        .chain(ask.last.as_ref().map(|own| &own.text))
+        .map(|option| &option.text)
+        .chain(ask.last.as_ref().map(|last_offered| &last_offered.text))
         .map(|text| text.trim())
         .collect();
     if !OFFERED.contains(&texts.len()) {
@@ -165,11 +165,11 @@ fn misfits(ask: &ask::Choose, path: &Path) -> Vec<Fault> {
         }
     }
     let right: Vec<usize> = (0..ask.options.len()).filter(|index| ask.options[*index].right).collect();
-    let depends = ask.options.iter().any(|own| own.holds.is_some());
-    for (index, own) in ask.options.iter().enumerate() {
+    let depends = ask.options.iter().any(|option| option.holds.is_some());
+    for (index, option) in ask.options.iter().enumerate() {
         let place = at.index(index);
-        let can_be = own.right || own.holds.is_some();
-        if own.right && (depends || right.first() != Some(&index)) {
+        let can_be = option.right || option.holds.is_some();
+        if option.right && (depends || right.first() != Some(&index)) {
             let message = "more than one option can be right".to_owned();
             add(
                 Code::Value,
@@ -177,14 +177,14 @@ fn misfits(ask: &ask::Choose, path: &Path) -> Vec<Fault> {
                 message,
                 "mark one as `right`, or say of each that can be right when it `holds`",
             );
-        } else if own.right && own.because.is_none() {
+        } else if option.right && option.because.is_none() {
             let message = "the worked solution cannot say why this option is right".to_owned();
             add(Code::MissingKey, place.clone(), message, "add `because:` with the reason as a sentence");
-        } else if own.right && own.feedback.is_some() {
+        } else if option.right && option.feedback.is_some() {
             let message = "the right option has no feedback on a mistake".to_owned();
             add(Code::Value, place.key("feedback"), message, "write why it is right under `because`");
         }
-        if own.because.is_some() && !can_be {
+        if option.because.is_some() && !can_be {
             let message = "`because` says why an option is right, and this one never is".to_owned();
             add(
                 Code::Value,

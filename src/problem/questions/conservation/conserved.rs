@@ -89,10 +89,10 @@ fn check_bodies(ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Opti
 /// What leaves a body carries its share away, so that forces do not decide what the rest keeps.
 fn keeps_its_mass(ask: &Conserved, stage: usize, builder: &mut Builder<'_>, path: &Path) -> Option<()> {
     let Some(Stage::Push(push)) = builder.scene().stages.get(stage) else { return Some(()) };
-    let loses = push.loses.as_ref().filter(|_| push.pushed().any(|own| ask.of.iter().any(|body| body == own)));
-    let Some(own) = loses else { return Some(()) };
+    let loses = push.loses.as_ref().filter(|_| push.pushed().any(|pushed| ask.of.iter().any(|body| body == pushed)));
+    let Some(loss) = loses else { return Some(()) };
     let message =
-        format!("{} that leaves carries its share away, so what the rest keeps is not said by forces", own.name);
+        format!("{} that leaves carries its share away, so what the rest keeps is not said by forces", loss.name);
     let help = "ask for a velocity, or compare two: `holds: \"v_A2 > v_A1\"`";
     builder.fault(Fault::new(Code::Value, message).help(help).at_path(path.key("of")));
     None
@@ -113,9 +113,9 @@ fn axes(ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Option<Vec<u
 /// The point about which angular momentum is meant: the one that is named, or the only one.
 fn about(ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Option<String> {
     let points: Vec<&String> = builder.scene().points.keys().collect();
-    let known = || points.iter().map(|own| own.as_str()).chain((builder.axis_letters().len() > 1).then_some("G"));
+    let known = || points.iter().map(|point| point.as_str()).chain((builder.axis_letters().len() > 1).then_some("G"));
     let fault = match &ask.about {
-        Some(point) if known().any(|own| own == point) => return Some(point.clone()),
+        Some(point) if known().any(|letter| letter == point) => return Some(point.clone()),
         Some(point) => {
             let near = did_you_mean(point, known()).map(|near| format!("did you mean `{near}`?"));
             let listed = known().collect::<Vec<_>>().join(", ");

@@ -29,7 +29,7 @@ pub(crate) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder
     // Polar axes have no fixed directions: along some, whatever acts from outside gives an impulse.
     let axes = if balance.axes.is_empty() { &[0][..] } else { &balance.axes };
     for position in axes {
-        let acting = outside.iter().map(|own| (own.along(*position), impulse(own, builder)));
+        let acting = outside.iter().map(|influence| (influence.along(*position), impulse(influence, builder)));
         tests.extend(net(loaded, balance, builder, acting));
     }
     let because = if tests.is_empty() {
@@ -44,40 +44,42 @@ pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
     let acting = on_system(balance, builder);
     let mut tests = Vec::new();
     let by_force: Vec<&Influence> = (acting.iter().copied())
-        .filter(|own| matches!(own.work, Work::OfForce | Work::Balances) && !own.is_within(&balance.ask.of))
+        .filter(|influence| {
+            matches!(influence.work, Work::OfForce | Work::Balances) && !influence.is_within(&balance.ask.of)
+        })
         .collect();
     for position in 0..builder.axis_letters().len() {
         for moving in moving_alike(&by_force, balance, builder) {
-            let acting = moving.into_iter().map(|own| (own.along(position), work(own, builder)));
+            let acting = moving.into_iter().map(|influence| (influence.along(position), work(influence, builder)));
             tests.extend(net(loaded, balance, builder, acting));
         }
     }
-    for own in &acting {
-        if let Work::Where(effect, words) = &own.work {
-            let words = if words.is_empty() { work(own, builder) } else { words.clone() };
+    for influence in &acting {
+        if let Work::Where(effect, words) = &influence.work {
+            let words = if words.is_empty() { work(influence, builder) } else { words.clone() };
             tests.extend(net(loaded, balance, builder, std::iter::once((effect, words))));
         }
     }
     let mut round = None;
-    for own in &acting {
-        if let Work::UnlessRound(gaps) = &own.work {
-            let words = work(own, builder);
+    for influence in &acting {
+        if let Work::UnlessRound(gaps) = &influence.work {
+            let words = work(influence, builder);
             let test =
                 |gap: &Expr| net(loaded, balance, builder, std::iter::once((&Effect::Of(gap.clone()), words.clone())));
             let [radii, rest @ ..] = gaps.each_ref().map(test);
             // Where the distance changes, nothing else need be known.
-            let changes = radii.as_ref().is_some_and(|own| matches!(own.equality, Equality::Never));
+            let changes = radii.as_ref().is_some_and(|test| matches!(test.equality, Equality::Never));
             tests.extend(rest.into_iter().flatten().filter(|_| !changes));
-            tests.extend(radii.filter(|own| own.equality.quantities().is_empty()));
+            tests.extend(radii.filter(|test| test.equality.quantities().is_empty()));
             round = Some(format!(
                 "the path is a circle: {} is perpendicular to it at every moment and does no work",
-                own.called
+                influence.called
             ));
         }
     }
     let mut within: Vec<&str> = (acting.iter())
-        .filter(|own| matches!(own.work, Work::OfForce) && own.is_within(&balance.ask.of))
-        .map(|own| own.called.as_str())
+        .filter(|influence| matches!(influence.work, Work::OfForce) && influence.is_within(&balance.ask.of))
+        .map(|influence| influence.called.as_str())
         .collect();
     within.dedup();
     if let ([link], Some(first)) = (&within[..], tests.first().map(|test| test.otherwise.clone())) {
@@ -86,8 +88,10 @@ pub(crate) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         }
     }
     let across: Vec<String> = (acting.iter())
-        .filter(|own| matches!(own.work, Work::Nothing | Work::Balances) && !own.is_within(&balance.ask.of))
-        .map(|own| own.called.clone())
+        .filter(|influence| {
+            matches!(influence.work, Work::Nothing | Work::Balances) && !influence.is_within(&balance.ask.of)
+        })
+        .map(|influence| influence.called.clone())
         .collect();
     let straight = || {
         let (all, others) = if tests.is_empty() {
@@ -119,17 +123,17 @@ pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Buil
     let point = named.map_or("the point", |entry| entry.name.as_str());
     if let Some(moments) = &known {
         let mut words: Vec<String> =
-            outside.iter().map(|own| format!("{} has a moment about {point}", own.called)).collect();
+            outside.iter().map(|influence| format!("{} has a moment about {point}", influence.called)).collect();
         words.dedup();
         for moment in moments {
             let effect = Effect::Of(moment.clone());
             tests.extend(net(loaded, balance, builder, std::iter::once((&effect, words.join(", and ")))));
         }
     }
-    for own in outside.iter().filter(|_| known.is_none()) {
-        let words = || format!("{} has a moment about {point}", own.called);
-        match &own.moment {
-            Moment::Through(through) if through == balance.about => passing.push(own.called.clone()),
+    for influence in outside.iter().filter(|_| known.is_none()) {
+        let words = || format!("{} has a moment about {point}", influence.called);
+        match &influence.moment {
+            Moment::Through(through) if through == balance.about => passing.push(influence.called.clone()),
             Moment::About(moments) => {
                 for moment in moments {
                     let effect = Effect::Of(moment.clone());
@@ -138,7 +142,7 @@ pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Buil
             }
             Moment::Through(_) | Moment::OfForce => {
                 for position in 0..builder.axis_letters().len().max(1) {
-                    tests.extend(net(loaded, balance, builder, std::iter::once((own.along(position), words()))));
+                    tests.extend(net(loaded, balance, builder, std::iter::once((influence.along(position), words()))));
                 }
             }
         }
@@ -192,14 +196,15 @@ pub(crate) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case
 fn moving_alike<'i>(acting: &[&'i Influence], balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<Vec<&'i Influence>> {
     let stage = builder.scene().stages.get(balance.stage);
     let is_plain = |string: &Connected| string.trailing.strands() == string.leading.strands();
-    if matches!(stage, Some(Stage::Tow(_))) || matches!(stage, Some(Stage::Connected(own)) if is_plain(own)) {
+    if matches!(stage, Some(Stage::Tow(_))) || matches!(stage, Some(Stage::Connected(connected)) if is_plain(connected))
+    {
         return vec![acting.to_vec()];
     }
     let mut groups: Vec<Vec<&Influence>> = Vec::new();
-    for own in acting {
-        match groups.iter_mut().find(|group| group.iter().any(|other| other.on == own.on)) {
-            Some(group) => group.push(own),
-            None => groups.push(vec![own]),
+    for influence in acting {
+        match groups.iter_mut().find(|group| group.iter().any(|other| other.on == influence.on)) {
+            Some(group) => group.push(influence),
+            None => groups.push(vec![influence]),
         }
     }
     groups
@@ -208,15 +213,16 @@ fn moving_alike<'i>(acting: &[&'i Influence], balance: &Balance<'_>, builder: &B
 /// What acts on bodies of the system.
 fn on_system<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b Influence> {
     let scene = builder.scene();
-    let is_in = |own: &Influence| {
+    let is_in = |influence: &Influence| {
         let of = &balance.ask.of;
-        of.contains(&own.on) || scene.members(&own.on).iter().any(|member| of.iter().any(|body| body == member))
+        of.contains(&influence.on)
+            || scene.members(&influence.on).iter().any(|member| of.iter().any(|body| body == member))
     };
-    builder.influences().iter().filter(|own| own.stage == balance.stage && is_in(own)).collect()
+    builder.influences().iter().filter(|influence| influence.stage == balance.stage && is_in(influence)).collect()
 }
 
 fn from_outside<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b Influence> {
-    on_system(balance, builder).into_iter().filter(|own| !own.is_within(&balance.ask.of)).collect()
+    on_system(balance, builder).into_iter().filter(|influence| !influence.is_within(&balance.ask.of)).collect()
 }
 
 /// What has to hold so that effects have nothing to do together: none is there, or they cancel at every moment.
@@ -247,14 +253,14 @@ fn net<'e>(
         .then(|| Test::new(Equality::of(loaded, builder, place, [Expr::sum(terms), Expr::zero()]), words))
 }
 
-fn impulse(own: &Influence, builder: &Builder<'_>) -> String {
-    format!("{} exerts an external impulse on {}", own.called, builder.name_of(&own.on))
+fn impulse(influence: &Influence, builder: &Builder<'_>) -> String {
+    format!("{} exerts an external impulse on {}", influence.called, builder.name_of(&influence.on))
 }
 
 /// What it says where it does work; no word of what acts at right angles to the motion.
-fn work(own: &Influence, builder: &Builder<'_>) -> String {
-    if matches!(own.work, Work::Balances) {
+fn work(influence: &Influence, builder: &Builder<'_>) -> String {
+    if matches!(influence.work, Work::Balances) {
         return String::new();
     }
-    format!("{} does work on {}", own.called, builder.name_of(&own.on))
+    format!("{} does work on {}", influence.called, builder.name_of(&influence.on))
 }

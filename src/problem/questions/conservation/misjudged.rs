@@ -19,10 +19,10 @@ pub(crate) fn conserved(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Bu
     let of = &balance.ask.of;
     let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if of.contains(other));
     let on_it: Vec<Agent> = (builder.impulses().iter())
-        .filter(|own| own.stage == balance.stage && of.contains(&own.on))
-        .map(|own| own.by.clone())
+        .filter(|impulse| impulse.stage == balance.stage && of.contains(&impulse.on))
+        .map(|impulse| impulse.by.clone())
         .collect();
-    let from_outside: Vec<&Agent> = on_it.iter().filter(|own| !inner(own)).collect();
+    let from_outside: Vec<&Agent> = on_it.iter().filter(|agent| !inner(agent)).collect();
     let behind = |mistake, right, unless| Some(Behind { mistake, right, unless });
     match balance.ask.conserved {
         Conservable::Momentum if from_outside.is_empty() => {
@@ -32,7 +32,7 @@ pub(crate) fn conserved(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Bu
             behind(&concept::MOMENTUM_BY_ENERGY, YES, energy.tests)
         }
         Conservable::Momentum => {
-            let by_bodies = from_outside.iter().all(|own| matches!(own, Agent::Body(_)));
+            let by_bodies = from_outside.iter().all(|agent| matches!(agent, Agent::Body(_)));
             let mistake = if by_bodies { &concept::PART_FOR_SYSTEM } else { &concept::OUTSIDE_OVERLOOKED };
             behind(mistake, NO, Vec::new())
         }

@@ -21,8 +21,11 @@ pub(crate) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Bui
     let outside = outside(balance, builder);
     let mut tests = Vec::new();
     for position in &balance.axes {
-        let acting = outside.iter().find(|(_, components)| components.get(*position).is_none_or(|own| !own.is_zero()));
-        let otherwise = acting.map_or_else(|| "it is not the same before and after".to_owned(), |own| own.0.clone());
+        let acting = outside
+            .iter()
+            .find(|(_, components)| components.get(*position).is_none_or(|component| !component.is_zero()));
+        let otherwise =
+            acting.map_or_else(|| "it is not the same before and after".to_owned(), |cause| cause.0.clone());
         // What is struck belongs to the system with all that it carries, so that only its support is outside.
         let otherwise = if let Some(Stage::Strike(strike)) = builder.scene().stages.get(balance.stage)
             && takes_in_all(balance, builder)
@@ -91,7 +94,7 @@ fn equality(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>, sides
 /// The impulses on the system from outside: what is said of each, and its components.
 fn outside(balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<(String, Vec<Expr>)> {
     let of = &balance.ask.of;
-    let on = |own: &str| builder.scene().members(own).iter().any(|member| of.iter().any(|body| body == member));
+    let on = |name: &str| builder.scene().members(name).iter().any(|member| of.iter().any(|body| body == member));
     let acts = builder.impulses().iter().filter(|impulse| {
         let is_within = matches!(&impulse.by, Agent::Body(other) if of.contains(other) || on(other));
         impulse.stage == balance.stage && (of.contains(&impulse.on) || on(&impulse.on)) && !is_within
@@ -107,8 +110,8 @@ fn outside(balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<(String, Vec<Exp
 fn takes_in_all(balance: &Balance<'_>, builder: &Builder<'_>) -> bool {
     let of = &balance.ask.of;
     let is_in = |body: &&str| {
-        of.iter().any(|own| own == body || builder.scene().members(own).contains(body))
-            || builder.scene().members(body).iter().all(|member| of.iter().any(|own| own == member))
+        of.iter().any(|other| other == body || builder.scene().members(other).contains(body))
+            || builder.scene().members(body).iter().all(|member| of.iter().any(|other| other == member))
     };
     // What a stage makes later consists of bodies that are looked at themselves.
     let declared = builder.scene().bodies.keys().map(String::as_str);
@@ -124,7 +127,7 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
         Some(Stage::Impact(impact)) => match impact.partners() {
             Some(Partners::Bodies(..)) if !all => (SAME, "the other body does work on it during the contact"),
             Some(Partners::Surface(_, surface))
-                if scene.surfaces.get(surface).is_some_and(|own| own.velocity.is_some()) =>
+                if scene.surfaces.get(surface).is_some_and(|surface| surface.velocity.is_some()) =>
             {
                 (SAME, "the surface moves, and does work on the body during the contact")
             }
@@ -141,7 +144,7 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
             ("the impact is elastic", "in the impact, kinetic energy is transferred, and part of it is lost")
         }
         Some(Stage::Strike(_)) => (SAME, "in the impact, kinetic energy is transferred"),
-        Some(Stage::Taut(own)) if !own.strings.is_empty() => (
+        Some(Stage::Taut(taut)) if !taut.strings.is_empty() => (
             SAME,
             "the strings become taut inelastically: the ends of each then have the same velocity along it, and kinetic energy is lost",
         ),
@@ -153,7 +156,7 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
             "the parts do not move away from each other",
             "the parts are pushed away from each other, and the forces that do so do work on them",
         ),
-        Some(Stage::Interact(own)) if all && own.friction.is_some() => {
+        Some(Stage::Interact(interact)) if all && interact.friction.is_some() => {
             ("the bodies do not slide on each other", "friction turns part of the kinetic energy into heat")
         }
         Some(Stage::Interact(_)) if all => ("the bodies lose no kinetic energy", "the bodies do work on each other"),

@@ -53,7 +53,7 @@ fn reductions(system: &System, whole: &Expr, known: &BTreeSet<Symbol>, positive:
     let unknown = |term: &Expr| term.symbols().into_iter().filter(|symbol| !known.contains(symbol)).count();
     // An equation for each unit of mass is multiplied by the mass.
     let halves = whole.symbols().into_iter().filter(|symbol| positive(*symbol));
-    let factors: Vec<Expr> = halves.map(|own| Expr::from(own) / Expr::integer(2)).chain([Expr::one()]).collect();
+    let factors: Vec<Expr> = halves.map(|symbol| Expr::from(symbol) / Expr::integer(2)).chain([Expr::one()]).collect();
     let mut shorter: Vec<(usize, Expr)> = Vec::new();
     for (left, right) in sides(system).filter(|(left, right)| unknown(left) + unknown(right) > 0) {
         for factor in &factors {
@@ -66,8 +66,8 @@ fn reductions(system: &System, whole: &Expr, known: &BTreeSet<Symbol>, positive:
     shorter.sort_by_key(|(count, term)| (*count, term.size()));
     let open = unknown(whole);
     let with = |wanted: &dyn Fn(usize) -> bool| {
-        let own = shorter.iter().filter(|(count, _)| wanted(*count)).map(|(_, term)| term.clone());
-        own.take(MOST_TRIED).collect::<Vec<_>>()
+        let some = shorter.iter().filter(|(count, _)| wanted(*count)).map(|(_, term)| term.clone());
+        some.take(MOST_TRIED).collect::<Vec<_>>()
     };
     [with(&|count| count < open), vec![whole.clone()], with(&|count| count == open)].concat()
 }
@@ -133,7 +133,7 @@ fn sides(system: &System) -> impl Iterator<Item = (&Expr, &Expr)> {
 fn local(builder: &Builder<'_>, stage: Option<usize>, put: &dyn Fn(&Expr) -> Expr) -> System {
     let belongs = |equation: &&Equation| match (stage, builder.stage_of_law(equation.tag)) {
         (None, _) => true,
-        (own, found) => found == own,
+        (exactly, found) => found == exactly,
     };
     let equations = builder.system().equations.iter().filter(belongs).map(|equation| match &equation.statement {
         Statement::Equal { left, right } => {
@@ -190,7 +190,7 @@ fn is_brought(loaded: &Loaded, builder: &Builder<'_>, symbol: Symbol, stage: usi
         (kind, Some(Instant::Number(at))) => {
             // Along a line of impact the components n and t stand in place of x and y.
             let along = |letter: &str| Name { stage: None, ..name.clone() }.along(letter);
-            let is_normal = |own: &Symbol| Name { stage: None, ..builder.name(*own).clone() } == along("n");
+            let is_normal = |symbol: &Symbol| Name { stage: None, ..builder.name(*symbol).clone() } == along("n");
             let is_turned = matches!(name.component.as_deref(), Some("x" | "y")) && all.iter().any(is_normal);
             let is_state = match kind {
                 QuantityKind::Velocity | QuantityKind::Position | QuantityKind::AngularVelocity => true,

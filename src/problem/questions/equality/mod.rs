@@ -106,7 +106,7 @@ impl Equality {
     pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         match self {
             Self::Always | Self::Never => BTreeSet::new(),
-            Self::InNumbers(own) => own.terms.iter().flat_map(Expr::symbols).collect(),
+            Self::InNumbers(sides) => sides.terms.iter().flat_map(Expr::symbols).collect(),
         }
     }
 
@@ -114,21 +114,22 @@ impl Equality {
     pub(crate) fn quantities(&self) -> &[Symbol] {
         match self {
             Self::Always | Self::Never => &[],
-            Self::InNumbers(own) => &own.quantities,
+            Self::InNumbers(sides) => &sides.quantities,
         }
     }
 
     /// A fault where numbers would have to decide, and something among them may be anything.
     pub(super) fn undecidable(&self, loaded: &Loaded, builder: &Builder<'_>, question: &str) -> Option<Fault> {
-        let Self::InNumbers(own) = self else { return None };
+        let Self::InNumbers(sides) = self else { return None };
         let any = |symbol: &Symbol| {
             let name = &builder.symbols().entry(*symbol).name;
             matches!(loaded.given.get(name), Some(Given::Any(_))).then(|| format!("`{name}`"))
         };
-        let whole = own.terms[0].clone() - own.terms[1].clone();
+        let whole = sides.terms[0].clone() - sides.terms[1].clone();
         let reduced = difference(loaded, builder, None, &whole).unwrap_or(whole);
         let undecided = Ranges::new(loaded, builder).undecided(&reduced, None);
-        let names: BTreeSet<String> = undecided.iter().flat_map(Expr::symbols).filter_map(|own| any(&own)).collect();
+        let names: BTreeSet<String> =
+            undecided.iter().flat_map(Expr::symbols).filter_map(|symbol| any(&symbol)).collect();
         (!names.is_empty()).then(|| {
             let names = names.into_iter().collect::<Vec<_>>().join(", ");
             Fault::new(Code::UnderDetermined, format!("{question} depends on {names}, which can have any value"))

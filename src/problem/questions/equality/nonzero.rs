@@ -51,8 +51,13 @@ impl<'b, 's> Ranges<'b, 's> {
         let fixed = fixed(loaded, builder);
         let put = |term: &Expr| term.substitute(&|symbol| fixed.get(&symbol).cloned());
         let conditions = builder.system().conditions.iter();
-        let conditions =
-            conditions.map(|own| Condition { left: put(&own.left), right: put(&own.right), ..own.clone() }).collect();
+        let conditions = conditions
+            .map(|condition| Condition {
+                left: put(&condition.left),
+                right: put(&condition.right),
+                ..condition.clone()
+            })
+            .collect();
         Self { builder, values, conditions }
     }
 
@@ -96,9 +101,11 @@ impl<'b, 's> Ranges<'b, 's> {
 
     /// Whether a condition of every solution says so: a body that catches up with another is faster.
     fn is_compared(&self, term: &Expr) -> bool {
-        let strict = |own: &&Condition| matches!(own.relation, Relation::Less | Relation::Greater | Relation::Differs);
-        let says = |own: &Condition| {
-            let gap = own.left.clone() - own.right.clone();
+        let strict = |condition: &&Condition| {
+            matches!(condition.relation, Relation::Less | Relation::Greater | Relation::Differs)
+        };
+        let says = |condition: &Condition| {
+            let gap = condition.left.clone() - condition.right.clone();
             let ratio = (term.clone() / gap).simplify_where(&|symbol| self.builder.is_positive(symbol));
             !ratio.is_zero()
                 && factors(&ratio).iter().all(|factor| match factor {
@@ -129,8 +136,9 @@ fn ends(domain: &Domain) -> Vec<Decimal> {
 fn between(values: &[Decimal], unit: &Unit, name: &str, figures: usize) -> Option<Bounded> {
     let factor = unit.factor().to_f64();
     let reach = |value: &Decimal| 2.0 * half_of_last_place(value, unit, name, figures);
-    let low = values.iter().map(|own| own.to_f64() * factor - reach(own)).fold(f64::INFINITY, f64::min);
-    let high = values.iter().map(|own| own.to_f64() * factor + reach(own)).fold(f64::NEG_INFINITY, f64::max);
+    let low = values.iter().map(|decimal| decimal.to_f64() * factor - reach(decimal)).fold(f64::INFINITY, f64::min);
+    let high =
+        values.iter().map(|decimal| decimal.to_f64() * factor + reach(decimal)).fold(f64::NEG_INFINITY, f64::max);
     bounded(low, high)
 }
 
@@ -146,10 +154,10 @@ fn limits(conditions: &[Condition]) -> Vec<(Symbol, Bounded)> {
     for condition in conditions {
         let (Expr::Symbol(symbol), Some(bound)) = (&condition.left, condition.right.as_number()) else { continue };
         let bound = bound.to_f64().value();
-        let own = found.entry(*symbol).or_default();
+        let bounds = found.entry(*symbol).or_default();
         match condition.relation {
-            Relation::AtLeast | Relation::Greater => own[0] = Some(bound),
-            Relation::AtMost | Relation::Less => own[1] = Some(bound),
+            Relation::AtLeast | Relation::Greater => bounds[0] = Some(bound),
+            Relation::AtMost | Relation::Less => bounds[1] = Some(bound),
             Relation::Differs | Relation::Equals => {}
         }
     }

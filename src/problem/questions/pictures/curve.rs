@@ -52,8 +52,8 @@ impl Curve {
 
     /// Whether the eye takes it for another curve over the same times.
     pub(crate) fn looks_like(&self, other: &Self) -> bool {
-        let [low, high] = [self, other].map(Self::reach).into_iter().fold([0.0, 0.0], |[low, high], own| {
-            let [lowest, highest]: [f64; 2] = own;
+        let [low, high] = [self, other].map(Self::reach).into_iter().fold([0.0, 0.0], |[low, high], ends| {
+            let [lowest, highest]: [f64; 2] = ends;
             [f64::min(low, lowest), f64::max(high, highest)]
         });
         let near = NEAR * (high - low);

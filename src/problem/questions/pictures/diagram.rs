@@ -84,15 +84,15 @@ impl Diagram {
 
 impl Balance {
     fn of(ends: &Ends, value: &dyn Fn(Symbol) -> f64) -> Self {
-        let [before, after] =
-            [&ends.before, &ends.after].map(|own| own.iter().map(|part| part.evaluate(value)).collect::<Vec<f64>>());
+        let [before, after] = [&ends.before, &ends.after]
+            .map(|vector| vector.iter().map(|part| part.evaluate(value)).collect::<Vec<f64>>());
         let impulse = after.iter().zip(&before).map(|(after, before)| after - before).collect();
         Self { body: ends.body.clone(), before, impulse, after }
     }
 
     /// Whether all its arrows have a length.
     pub(crate) fn is_drawn(&self) -> bool {
-        self.arrows().into_iter().flatten().all(|own| own.is_finite())
+        self.arrows().into_iter().flatten().all(|part| part.is_finite())
     }
 
     fn arrows(&self) -> [&[f64]; 3] {

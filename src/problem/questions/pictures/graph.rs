@@ -119,11 +119,12 @@ impl Plotted {
 impl Graph {
     /// Everything on which it depends.
     pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
-        let courses = || self.stretches.iter().filter_map(|own| own.course.as_ref());
-        let ends = self.stretches.iter().flat_map(|own| &own.ends);
-        let terms = ends.chain(courses().flat_map(|own| own.during.iter().chain(&own.breaks).chain([&own.rate])));
+        let courses = || self.stretches.iter().filter_map(|stretch| stretch.course.as_ref());
+        let ends = self.stretches.iter().flat_map(|stretch| &stretch.ends);
+        let terms =
+            ends.chain(courses().flat_map(|course| course.during.iter().chain(&course.breaks).chain([&course.rate])));
         let mut symbols: BTreeSet<Symbol> = terms.flat_map(Expr::symbols).collect();
-        for clock in courses().filter_map(|own| own.clock) {
+        for clock in courses().filter_map(|course| course.clock) {
             symbols.remove(&clock);
         }
         symbols
@@ -159,13 +160,13 @@ impl Graph {
         if self.idle[0] {
             return self.waits(value);
         }
-        let first = self.stretches.first().and_then(|own| own.course.as_ref());
+        let first = self.stretches.first().and_then(|stretch| stretch.course.as_ref());
         first.map_or(0.0, |course| course.during[0].evaluate(value))
     }
 
     /// How long nothing happens at an end.
     fn waits(&self, value: Value<'_>) -> f64 {
-        let whole: f64 = self.stretches.iter().map(|own| own.lasts(value)).sum();
+        let whole: f64 = self.stretches.iter().map(|stretch| stretch.lasts(value)).sum();
         if whole > 0.0 { IDLE * whole } else { 1.0 }
     }
 
@@ -179,16 +180,16 @@ impl Graph {
             runs.push(Run::idle(0, [0.0, self.begin(value)], first.ends[0].evaluate(value)));
         }
         for (place, ((_, [begin, end]), stretch)) in self.spans(value).into_iter().zip(&self.stretches).enumerate() {
-            let ends = stretch.ends.each_ref().map(|own| own.evaluate(value));
-            largest = ends.iter().fold(largest, |largest, own| largest.max(own.abs()));
+            let ends = stretch.ends.each_ref().map(|end| end.evaluate(value));
+            largest = ends.iter().fold(largest, |largest, end| largest.max(end.abs()));
             let Some(course) = &stretch.course else { continue };
-            let own = course.runs(value, place + 1, [begin, end], ends[0]);
-            let points = || own.iter().flat_map(|run| &run.points);
-            largest = points().fold(largest, |largest, own| largest.max(own.state.abs()));
+            let piece = course.runs(value, place + 1, [begin, end], ends[0]);
+            let points = || piece.iter().flat_map(|run| &run.points);
+            largest = points().fold(largest, |largest, point| largest.max(point.state.abs()));
             if self.plotted != Plotted::Force {
                 missed = missed.max((points().last()?.state - ends[1]).abs());
             }
-            runs.extend(own);
+            runs.extend(piece);
         }
         if self.idle[1] {
             let end = self.spans(value).last()?.1[1];
@@ -203,18 +204,19 @@ impl Graph {
     pub(crate) fn because(&self, value: Value<'_>, unit: Option<&Unit>) -> String {
         let values = Values { value, unit, largest: self.largest(value) };
         if self.plotted == Plotted::Force {
-            let clauses: Vec<String> = self.stretches.iter().filter_map(|own| own.force(&values)).collect();
+            let clauses: Vec<String> = self.stretches.iter().filter_map(|stretch| stretch.force(&values)).collect();
             return format!("the graph shows the sum of all forces at each moment: it is {}", listed(&clauses));
         }
-        let is_level = self.stretches.iter().all(|own| own.course.as_ref().is_none_or(|own| own.rate.is_zero()));
+        let is_level =
+            self.stretches.iter().all(|stretch| stretch.course.as_ref().is_none_or(|course| course.rate.is_zero()));
         let slope = match self.plotted {
             _ if is_level => "where no net force acts, the graph is level",
             Plotted::Velocity => "the slope of the graph is the net force divided by the mass",
             Plotted::Momentum | Plotted::Force => "the slope of the graph is the net force",
         };
-        let from = self.stretches.first().and_then(|own| values.said(own.ends[0].evaluate(value)));
+        let from = self.stretches.first().and_then(|stretch| values.said(stretch.ends[0].evaluate(value)));
         let from = from.map_or_else(String::new, |from| format!("from {from} "));
-        let clauses: Vec<String> = self.stretches.iter().filter_map(|own| own.change(&values)).collect();
+        let clauses: Vec<String> = self.stretches.iter().filter_map(|stretch| stretch.change(&values)).collect();
         format!("{slope}: {from}{} {}", self.plotted.noun(), listed(&clauses))
     }
 
@@ -226,13 +228,13 @@ impl Graph {
 impl Stretch {
     fn lasts(&self, value: Value<'_>) -> f64 {
         let [from, to] =
-            self.course.as_ref().map_or([0.0; 2], |own| own.during.each_ref().map(|own| own.evaluate(value)));
+            self.course.as_ref().map_or([0.0; 2], |course| course.during.each_ref().map(|clock| clock.evaluate(value)));
         to - from
     }
 
     /// What becomes of the state, in words.
     fn change(&self, values: &Values<'_>) -> Option<String> {
-        let [before, after] = self.ends.each_ref().map(|own| own.evaluate(values.value));
+        let [before, after] = self.ends.each_ref().map(|clock| clock.evaluate(values.value));
         let phrase = &self.phrase;
         let is_same = (after - before).abs() <= NOTHING * values.largest;
         let to = values.said(after).map_or_else(
@@ -253,7 +255,7 @@ impl Stretch {
     fn force(&self, values: &Values<'_>) -> Option<String> {
         let course = self.course.as_ref()?;
         let phrase = &self.phrase;
-        let [from, to] = course.during.each_ref().map(|own| own.evaluate(values.value));
+        let [from, to] = course.during.each_ref().map(|clock| clock.evaluate(values.value));
         let at = |share: f64| values.said(course.rate_at(values.value, from + share * (to - from)));
         let (Some(first), Some(middle), Some(last)) = (at(NOTHING), at(0.5), at(1.0 - NOTHING)) else {
             return Some(format!("as it is told for {phrase}"));
@@ -273,9 +275,9 @@ impl Course {
 
     /// The state and its rate from one break to the next, where the state crosses zero as well.
     fn runs(&self, value: Value<'_>, stretch: usize, [begin, end]: [f64; 2], before: f64) -> Vec<Run> {
-        let [from, to] = self.during.each_ref().map(|own| own.evaluate(value));
-        let mut ends: Vec<f64> = self.breaks.iter().map(|own| own.evaluate(value)).collect();
-        ends.retain(|own| from < *own && *own < to);
+        let [from, to] = self.during.each_ref().map(|clock| clock.evaluate(value));
+        let mut ends: Vec<f64> = self.breaks.iter().map(|at_break| at_break.evaluate(value)).collect();
+        ends.retain(|at_break| from < *at_break && *at_break < to);
         ends.push(to);
         ends.sort_by(f64::total_cmp);
         let mut start = from;
@@ -286,7 +288,7 @@ impl Course {
                 // At a jump of the force, what holds on this side of it.
                 let inside = time.max(start + NOTHING * (stop - start)).min(stop - NOTHING * (stop - start));
                 let rate = self.rate_at(value, inside);
-                let gained = self.gained.as_ref().map(|own| at_time(value, own, self.clock, inside));
+                let gained = self.gained.as_ref().map(|gain| at_time(value, gain, self.clock, inside));
                 Point {
                     time: begin + (end - begin) * (time - from) / (to - from),
                     state: before + gained.unwrap_or(rate * (time - from)),
@@ -328,6 +330,6 @@ fn at_time(value: Value<'_>, term: &Expr, clock: Option<Symbol>, time: f64) -> f
 fn listed(clauses: &[String]) -> String {
     match clauses {
         [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        own => own.concat(),
+        several => several.concat(),
     }
 }

@@ -31,33 +31,39 @@ type Wrong = (&'static Misconception, fn(&[Run]) -> Option<Heights>);
 
 /// Mistakes about a velocity or a momentum, those that teach most first.
 const OF_STATES: [Wrong; 9] = [
-    (&momentum::SIGN_LOST, |runs| Some(mapped(runs, |own| own.state.abs()))),
-    (&concept::STATE_AS_FORCE, |runs| scaled(mapped(runs, |own| own.rate), largest(&mapped(runs, |own| own.state)))),
-    (&concept::FORCE_AS_CONSTANT, |runs| Some(by_stretch(runs, |[from, to], own| from.state_towards(to, own.time)))),
+    (&momentum::SIGN_LOST, |runs| Some(mapped(runs, |point| point.state.abs()))),
+    (&concept::STATE_AS_FORCE, |runs| {
+        scaled(mapped(runs, |point| point.rate), largest(&mapped(runs, |point| point.state)))
+    }),
+    (&concept::FORCE_AS_CONSTANT, |runs| {
+        Some(by_stretch(runs, |[from, to], point| from.state_towards(to, point.time)))
+    }),
     (&concept::REBOUND_OVERLOOKED, rebound_overlooked),
     (&momentum::IMPULSE_REVERSED, reversed),
     (&concept::MOMENTUM_KEPT, |runs| {
         let first = start(runs)?;
         is_level(runs).then(|| mapped(runs, |_| first))
     }),
-    (&concept::PLACE_DRAWN, |runs| scaled(added_up(runs), largest(&mapped(runs, |own| own.state)))),
+    (&concept::PLACE_DRAWN, |runs| scaled(added_up(runs), largest(&mapped(runs, |point| point.state)))),
     (&momentum::START_FORGOTTEN, |runs| {
         let first = start(runs)?;
-        Some(mapped(runs, |own| own.state - first))
+        Some(mapped(runs, |point| point.state - first))
     }),
-    (&reading::DIRECTION, |runs| Some(mapped(runs, |own| -own.state))),
+    (&reading::DIRECTION, |runs| Some(mapped(runs, |point| -point.state))),
 ];
 
 /// Mistakes about a force.
 const OF_RATES: [Wrong; 4] = [
-    (&concept::FORCE_AS_STATE, |runs| scaled(mapped(runs, |own| own.state), largest(&mapped(runs, |own| own.rate)))),
+    (&concept::FORCE_AS_STATE, |runs| {
+        scaled(mapped(runs, |point| point.state), largest(&mapped(runs, |point| point.rate)))
+    }),
     (&concept::FORCE_AS_CONSTANT, |runs| Some(by_stretch(runs, |[from, to], _| from.mean_rate_to(to)))),
     (&concept::FORCE_FADES, |runs| {
         let is_even = |run: &Run| run.points.windows(2).all(|pair| pair[0].rate.total_cmp(&pair[1].rate).is_eq());
-        let fades = |[from, to]: [Point; 2], own: Point| own.rate * (to.time - own.time) / (to.time - from.time);
+        let fades = |[from, to]: [Point; 2], point: Point| point.rate * (to.time - point.time) / (to.time - from.time);
         runs.iter().all(is_even).then(|| by_stretch(runs, fades))
     }),
-    (&momentum::IMPULSE_REVERSED, |runs| Some(mapped(runs, |own| -own.rate))),
+    (&momentum::IMPULSE_REVERSED, |runs| Some(mapped(runs, |point| -point.rate))),
 ];
 
 /// How many times as high as the right curve a wrong one may go: where it needs more, the others are hard to tell apart.
@@ -66,10 +72,10 @@ const HIGHEST: f64 = 2.2;
 /// The right curve and those of the mistakes: of the states, or of their rates.
 pub(crate) fn curves(runs: &[Run], of_rates: bool) -> Vec<(Option<&'static Misconception>, Curve)> {
     let wrong = if of_rates { &OF_RATES[..] } else { &OF_STATES[..] };
-    let right = curve(runs, &mapped(runs, |own| if of_rates { own.rate } else { own.state }));
+    let right = curve(runs, &mapped(runs, |point| if of_rates { point.rate } else { point.state }));
     let highest = HIGHEST * right.largest();
     let mistaken = wrong.iter().filter_map(|(mistake, heights)| Some((Some(*mistake), curve(runs, &heights(runs)?))));
-    let mistaken: Vec<_> = mistaken.filter(|(_, own)| own.largest() <= highest).collect();
+    let mistaken: Vec<_> = mistaken.filter(|(_, curve)| curve.largest() <= highest).collect();
     std::iter::once((None, right)).chain(mistaken).collect()
 }
 
@@ -82,20 +88,20 @@ impl Run {
     /// The same in parts that meet where the state is zero.
     pub fn at_zeros(self) -> Vec<Self> {
         let of = |points| Self { stretch: self.stretch, points };
-        let (mut parts, mut own): (_, Vec<Point>) = (Vec::new(), Vec::new());
+        let (mut parts, mut piece): (_, Vec<Point>) = (Vec::new(), Vec::new());
         for point in self.points {
-            let zero = match own.last() {
+            let zero = match piece.last() {
                 Some(before) if before.state * point.state < 0.0 => Some(before.at_zero_towards(point)),
-                Some(before) if before.state == 0.0 && own.len() > 1 => Some(*before),
+                Some(before) if before.state == 0.0 && piece.len() > 1 => Some(*before),
                 _ => None,
             };
             if let Some(zero) = zero {
-                own.extend((own.last().is_some_and(|last| last.time < zero.time)).then_some(zero));
-                parts.push(of(std::mem::replace(&mut own, vec![zero])));
+                piece.extend((piece.last().is_some_and(|last| last.time < zero.time)).then_some(zero));
+                parts.push(of(std::mem::replace(&mut piece, vec![zero])));
             }
-            own.push(point);
+            piece.push(point);
         }
-        parts.push(of(own));
+        parts.push(of(piece));
         parts
     }
 }
@@ -123,23 +129,23 @@ fn points(runs: &[Run]) -> impl Iterator<Item = &Point> {
 
 /// The state at the start.
 fn start(runs: &[Run]) -> Option<f64> {
-    points(runs).next().map(|own| own.state)
+    points(runs).next().map(|point| point.state)
 }
 
 /// Whether nothing changes but in jumps.
 fn is_level(runs: &[Run]) -> bool {
-    points(runs).all(|own| own.rate == 0.0)
+    points(runs).all(|point| point.rate == 0.0)
 }
 
 fn mapped(runs: &[Run], height: impl Fn(Point) -> f64) -> Heights {
-    runs.iter().map(|run| run.points.iter().map(|own| height(*own)).collect()).collect()
+    runs.iter().map(|run| run.points.iter().map(|point| height(*point)).collect()).collect()
 }
 
 /// Heights by the ends of the stage to which a point belongs.
 fn by_stretch(runs: &[Run], height: impl Fn([Point; 2], Point) -> f64) -> Heights {
     let heights = |run: &Run| {
-        let own = || runs.iter().filter(|other| other.stretch == run.stretch).flat_map(|other| &other.points);
-        let ends = own().next().zip(own().next_back());
+        let in_stretch = || runs.iter().filter(|other| other.stretch == run.stretch).flat_map(|other| &other.points);
+        let ends = in_stretch().next().zip(in_stretch().next_back());
         let height = |point: &Point| ends.map_or(f64::NAN, |(first, last)| height([*first, *last], *point));
         run.points.iter().map(height).collect()
     };
@@ -156,13 +162,13 @@ fn reversed(runs: &[Run]) -> Option<Heights> {
     let mut drawn: Option<[f64; 2]> = None;
     for run in runs {
         let (first, last) = (run.points.first()?.state, run.points.last()?.state);
-        let from = drawn.map_or(first, |[state, own]| match first - state {
-            0.0 => own,
+        let from = drawn.map_or(first, |[state, drawn_first]| match first - state {
+            0.0 => drawn_first,
             _ if state == 0.0 => first,
-            _ => own * first / state,
+            _ => drawn_first * first / state,
         });
         let turned = |state: f64| from - (state - first);
-        heights.push(run.points.iter().map(|own| turned(own.state)).collect());
+        heights.push(run.points.iter().map(|point| turned(point.state)).collect());
         drawn = Some([last, turned(last)]);
     }
     Some(heights)
@@ -180,7 +186,7 @@ fn rebound_overlooked(runs: &[Run]) -> Option<Heights> {
             shift = f64::copysign(first, state + shift) - first;
             is_overlooked = true;
         }
-        heights.push(run.points.iter().map(|own| own.state + shift).collect());
+        heights.push(run.points.iter().map(|point| point.state + shift).collect());
         before = Some(last);
     }
     is_overlooked.then_some(heights)
@@ -190,27 +196,28 @@ fn rebound_overlooked(runs: &[Run]) -> Option<Heights> {
 fn added_up(runs: &[Run]) -> Heights {
     let mut area = 0.0;
     let mut before: Option<Point> = None;
-    let mut add = |own: &Point| {
-        area += before.map_or(0.0, |before| (own.time - before.time) * f64::midpoint(own.state, before.state));
-        before = Some(*own);
+    let mut add = |point: &Point| {
+        area += before.map_or(0.0, |before| (point.time - before.time) * f64::midpoint(point.state, before.state));
+        before = Some(*point);
         area
     };
     runs.iter().map(|run| run.points.iter().map(&mut add).collect()).collect()
 }
 
 fn largest(heights: &[Vec<f64>]) -> f64 {
-    heights.iter().flatten().fold(0.0, |largest, own| own.abs().max(largest))
+    heights.iter().flatten().fold(0.0, |largest, height| height.abs().max(largest))
 }
 
 /// The heights to another scale; none where all are zero.
 fn scaled(heights: Heights, to: f64) -> Option<Heights> {
     let size = largest(&heights);
-    (size > 0.0).then(|| heights.into_iter().map(|run| run.into_iter().map(|own| own * to / size).collect()).collect())
+    (size > 0.0)
+        .then(|| heights.into_iter().map(|run| run.into_iter().map(|height| height * to / size).collect()).collect())
 }
 
 fn curve(runs: &[Run], heights: &[Vec<f64>]) -> Curve {
     let piece = |(run, heights): (&Run, &Vec<f64>)| {
-        run.points.iter().zip(heights).map(|(own, height)| [own.time, *height]).collect()
+        run.points.iter().zip(heights).map(|(point, height)| [point.time, *height]).collect()
     };
     Curve { pieces: runs.iter().zip(heights).map(piece).collect() }
 }

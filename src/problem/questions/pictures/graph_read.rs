@@ -64,9 +64,9 @@ pub(crate) fn read(
 fn body(ask: &Choose, builder: &Builder<'_>, path: &Path) -> Result<String, Fault> {
     let all: Vec<&str> = builder.bodies().collect();
     match (&ask.of, &all[..]) {
-        (Some(own), _) if all.contains(&own.as_str()) => Ok(own.clone()),
-        (Some(own), _) => {
-            let fault = Fault::new(Code::UnknownName, format!("there is no body `{own}`"));
+        (Some(name), _) if all.contains(&name.as_str()) => Ok(name.clone()),
+        (Some(name), _) => {
+            let fault = Fault::new(Code::UnknownName, format!("there is no body `{name}`"));
             Err(fault.help(format!("the bodies are: {}", all.join(", "))).at_path(path.key("of")))
         }
         (None, [only]) => Ok((*only).to_owned()),
@@ -83,19 +83,19 @@ fn axis(ask: &Choose, scene: &Scene, path: &Path) -> Result<(usize, Axis, Senses
     let axes = scene.axes.rectangular();
     let letters: Vec<&str> = axes.iter().map(|(axis, _)| axis.letter()).collect();
     let found = match ask.along {
-        Some(own) => axes.iter().position(|(axis, _)| *axis == own),
+        Some(asked) => axes.iter().position(|(axis, _)| *axis == asked),
         None => (axes.len() == 1).then_some(0),
     };
-    let own = found.and_then(|place| axes.get(place).map(|(axis, senses)| (place, *axis, senses.clone())));
-    own.ok_or_else(|| match (ask.along, &letters[..]) {
+    let found_axis = found.and_then(|place| axes.get(place).map(|(axis, senses)| (place, *axis, senses.clone())));
+    found_axis.ok_or_else(|| match (ask.along, &letters[..]) {
         (_, []) => {
             let fault = Fault::new(Code::Value, "graphs against time need rectangular axes");
             fault
                 .help("write the axes with their directions: `axes: { x: to the right }`")
                 .at_path(path.key("pictures"))
         }
-        (Some(own), _) => {
-            let fault = Fault::new(Code::UnknownName, format!("the scene has no axis `{}`", own.letter()));
+        (Some(asked), _) => {
+            let fault = Fault::new(Code::UnknownName, format!("the scene has no axis `{}`", asked.letter()));
             fault.help(format!("the axes are: {}", letters.join(", "))).at_path(path.key("along"))
         }
         (None, _) => {
@@ -108,8 +108,8 @@ fn axis(ask: &Choose, scene: &Scene, path: &Path) -> Result<(usize, Axis, Senses
 
 fn on_slope(scene: &Scene, stage: usize) -> bool {
     let stage = scene.stages.get(stage);
-    matches!(stage, Some(Stage::Slide(own)) if own.incline.is_some())
-        || matches!(stage, Some(Stage::Push(own)) if own.incline.is_some())
+    matches!(stage, Some(Stage::Slide(slide)) if slide.incline.is_some())
+        || matches!(stage, Some(Stage::Push(push)) if push.incline.is_some())
 }
 
 /// A force whose graph the sheet prints cannot be asked for.
@@ -129,17 +129,21 @@ fn moves(stage: &Stage) -> Option<Moves<'_>> {
     match stage {
         Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) => Some(Moves::Suddenly),
         Stage::Drift(_) => Some(Moves::Evenly),
-        Stage::Push(own) => {
+        Stage::Push(push) => {
             // A body at rest may stay so for a while.
-            let may_rest =
-                own.forces.iter().any(|own| matches!(own, Force::Friction(own) if own.friction.at_rest.is_some()));
-            (own.resistance.is_none() && own.mass_change().is_none() && !may_rest)
-                .then(|| Moves::These(own.pushed().collect()))
+            let may_rest = push
+                .forces
+                .iter()
+                .any(|force| matches!(force, Force::Friction(force) if force.friction.at_rest.is_some()));
+            (push.resistance.is_none() && push.mass_change().is_none() && !may_rest)
+                .then(|| Moves::These(push.pushed().collect()))
         }
-        Stage::Slide(own) => (!own.is_ramp()).then(|| Moves::These(vec![&own.body])),
-        Stage::Fall(own) => Some(Moves::These(vec![&own.body])),
-        Stage::Flight(own) => own.is_free().then(|| Moves::These(own.flying().collect())),
-        Stage::Motion(own) => (!matches!(own.during, Some(During::Between(_)))).then(|| Moves::These(vec![&own.body])),
+        Stage::Slide(slide) => (!slide.is_ramp()).then(|| Moves::These(vec![&slide.body])),
+        Stage::Fall(fall) => Some(Moves::These(vec![&fall.body])),
+        Stage::Flight(flight) => flight.is_free().then(|| Moves::These(flight.flying().collect())),
+        Stage::Motion(motion) => {
+            (!matches!(motion.during, Some(During::Between(_)))).then(|| Moves::These(vec![&motion.body]))
+        }
         Stage::Spring(_)
         | Stage::Swing(_)
         | Stage::Taut(_)
@@ -163,7 +167,7 @@ fn moves(stage: &Stage) -> Option<Moves<'_>> {
 /// Which sense of an axis is positive, as a sentence.
 fn positive(senses: &Senses) -> String {
     let mut words = senses.positive.chars();
-    let first = words.next().map(|own| own.to_uppercase().collect::<String>()).unwrap_or_default();
+    let first = words.next().map(|letter| letter.to_uppercase().collect::<String>()).unwrap_or_default();
     format!("{first}{} is positive.", words.as_str())
 }
 
@@ -174,12 +178,13 @@ impl Reader<'_, '_> {
         if self.plotted == Plotted::Force {
             not_on_the_sheet(scene, stages)?;
         }
-        let ends = [stretches.first(), stretches.last()].map(|own| own.filter(|own| own.course.is_none()));
+        let ends =
+            [stretches.first(), stretches.last()].map(|stretch| stretch.filter(|stretch| stretch.course.is_none()));
         let falls = scene.plane == Plane::Vertical && senses.rise().is_some();
-        if let (Some(own), true) =
-            (ends.into_iter().flatten().next(), falls || stages.iter().any(|own| on_slope(scene, *own)))
+        if let (Some(stretch), true) =
+            (ends.into_iter().flatten().next(), falls || stages.iter().any(|index| on_slope(scene, *index)))
         {
-            let phrase = &own.phrase;
+            let phrase = &stretch.phrase;
             let message =
                 format!("weight changes the velocity before or after {phrase}, and no stage says for how long");
             return Err(Fault::new(Code::Value, message).help("add the flight before it and the flight after it"));
@@ -189,14 +194,14 @@ impl Reader<'_, '_> {
             body: self.body.to_owned(),
             along: (scene.axes.rectangular().len() > 1).then_some(axis),
             positive: positive(senses),
-            idle: ends.map(|own| own.is_some()),
+            idle: ends.map(|stretch| stretch.is_some()),
             stretches,
         })
     }
 
     fn stretch(&mut self, stage: usize) -> Result<Stretch, Fault> {
         let phrase = self.builder.phrase_of(stage);
-        let own = self.builder.scene().stages.get(stage).and_then(moves).ok_or_else(|| self.unknown(&phrase))?;
+        let moving = self.builder.scene().stages.get(stage).and_then(moves).ok_or_else(|| self.unknown(&phrase))?;
         let [before, after] = [stage + 1, stage + 2].map(|instant| self.builder.moves_with(self.body, instant));
         let name = self.builder.name_of(self.body);
         let (Some(before), Some(after)) = (before, after) else {
@@ -205,7 +210,7 @@ impl Reader<'_, '_> {
         };
         let ends = [(&before, stage + 1), (&after, stage + 2)].map(|(whole, instant)| self.state(whole, instant));
         let [Some(first), Some(last)] = ends else { return Err(self.unknown(&phrase)) };
-        let course = match own {
+        let course = match moving {
             Moves::Suddenly if self.plotted == Plotted::Force => {
                 let fault = Fault::new(Code::Value, format!("nothing says how the force changes during {phrase}"));
                 return Err(fault.help("name a stage that lasts: `stage:`"));
@@ -242,8 +247,9 @@ impl Reader<'_, '_> {
     fn course(&mut self, stage: usize, whole: &str, first: &Expr) -> Option<Course> {
         let clock = self.builder.symbols().find("t");
         let during = self.builder.span_of(stage)?;
-        let here = self.builder.influences().iter().filter(|own| own.stage == stage && own.on == whole);
-        let forces = here.map(|own| match own.along(self.position) {
+        let here =
+            self.builder.influences().iter().filter(|influence| influence.stage == stage && influence.on == whole);
+        let forces = here.map(|influence| match influence.along(self.position) {
             Effect::Of(force) => Some(force.clone()),
             Effect::Open => None,
         });
@@ -251,8 +257,8 @@ impl Reader<'_, '_> {
         let factor = match self.plotted {
             Plotted::Velocity => self.builder.mass_of(whole, stage + 1).powi(-1),
             Plotted::Momentum if whole != self.body => {
-                let [own, all] = [self.body, whole].map(|body| self.builder.mass_of(body, stage + 1));
-                own / all
+                let [share, all] = [self.body, whole].map(|body| self.builder.mass_of(body, stage + 1));
+                share / all
             }
             Plotted::Momentum | Plotted::Force => Expr::one(),
         };
@@ -289,7 +295,7 @@ impl Reader<'_, '_> {
 fn breaks_of(term: &Expr, breaks: &mut Vec<Expr>) {
     match term {
         Expr::Sum(parts) | Expr::Product(parts) => parts.iter().for_each(|part| breaks_of(part, breaks)),
-        Expr::Piecewise(own) => breaks.extend(own.pieces.iter().filter_map(|(until, _)| until.clone())),
+        Expr::Piecewise(piecewise) => breaks.extend(piecewise.pieces.iter().filter_map(|(until, _)| until.clone())),
         _ => {}
     }
 }

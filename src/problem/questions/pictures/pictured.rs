@@ -55,8 +55,8 @@ impl Subject {
     /// Everything on which the pictures depend.
     pub(crate) fn symbols(&self) -> BTreeSet<Symbol> {
         match self {
-            Self::Diagram(own) => own.terms().flat_map(Expr::symbols).collect(),
-            Self::Graph(own) => own.symbols(),
+            Self::Diagram(diagram) => diagram.terms().flat_map(Expr::symbols).collect(),
+            Self::Graph(graph) => graph.symbols(),
         }
     }
 }

@@ -85,10 +85,10 @@ fn rows(stage: usize, builder: &mut Builder<'_>) -> Option<Vec<Ends>> {
     if !(1..=2).contains(&builder.axis_letters().len()) {
         return None;
     }
-    let own = builder.impulses().iter().filter(|impulse| impulse.stage == stage);
-    let bodies: Vec<String> = own.clone().map(|impulse| impulse.on.clone()).collect();
+    let impulses = builder.impulses().iter().filter(|impulse| impulse.stage == stage);
+    let bodies: Vec<String> = impulses.clone().map(|impulse| impulse.on.clone()).collect();
     let is_once = bodies.iter().collect::<BTreeSet<_>>().len() == bodies.len();
-    let is_sudden = own.into_iter().all(|impulse| impulse.impulsive);
+    let is_sudden = impulses.into_iter().all(|impulse| impulse.impulsive);
     if bodies.is_empty() || !is_once || !is_sudden {
         return None;
     }
