@@ -74,7 +74,7 @@ fn enter_step(
             continue;
         }
         let solved = step.moves.iter().find_map(|step_move| match step_move {
-            Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => Some([a, b, c]),
+            Move::Quadratic { unknown: squared, a, b, c, .. } if *squared == unknown => Some([a, b, c]),
             _ => None,
         });
         match (solved, closed, formula) {
@@ -118,18 +118,18 @@ fn enter_answers(display: Display<'_>, ledger: &mut Ledger) {
         let PartKind::Number(number @ NumberPart { whole: false, .. }) = &part.kind else { continue };
         let item = Item::Quantity(number.symbol);
         let value = display.worked.variant.value(number.symbol).filter(|_| ledger.knows(item));
-        let (own, Some(value)) = (Item::Answer(number.symbol), value) else { continue };
+        let (of_component, Some(value)) = (Item::Answer(number.symbol), value) else { continue };
         match number.unit {
             AskedUnit::Unit(_) => {
-                ledger.rounded(own, value.for_print(), number.size, number.figures);
-                ledger.same(item, own);
+                ledger.rounded(of_component, value.for_print(), number.size, number.figures);
+                ledger.same(item, of_component);
             }
             AskedUnit::InTermsOf(unit, _) => {
                 let ratio = Expr::from(number.symbol) / Expr::from(unit);
                 display.enter(ledger, unit);
                 let multiple = display.worked.answer(number).for_print() * number.size;
-                ledger.rounded(own, multiple, number.size, number.figures);
-                ledger.term(&ratio, &[number.symbol, unit], own);
+                ledger.rounded(of_component, multiple, number.size, number.figures);
+                ledger.term(&ratio, &[number.symbol, unit], of_component);
             }
         }
     }

@@ -139,12 +139,12 @@ impl List<'_> {
         }
         let Some(root) = taken(self.display, position, step) else { return };
         for (unknown, closed, found) in script.printed(root) {
-            let own;
+            let substituted;
             let formula = match &found.formula {
                 Formula::Fixed(term) => term.as_ref().map(|term| &term.expr),
                 Formula::Varies => {
-                    own = self.steps.formula(step, unknown, closed);
-                    own.as_ref().map(|term| &term.expr)
+                    substituted = self.steps.formula(step, unknown, closed);
+                    substituted.as_ref().map(|term| &term.expr)
                 }
             };
             let sources = script.derivation.sources.get(&unknown).map(Vec::as_slice).unwrap_or_default();
@@ -185,12 +185,12 @@ impl List<'_> {
             Origin::Component(_) | Origin::Tangent(_) => divisors::of_term(&line.right),
             _ => factor.map(divisors::of_term).unwrap_or_default(),
         };
-        let own = line.origin.from().into_iter().map(|place| before + place + 1);
+        let sources = line.origin.from().into_iter().map(|place| before + place + 1);
         let ends = match &line.origin {
             Origin::Integrate { ends, .. } => Some(ends.keys().filter_map(|place| self.laws.get(place).copied())),
             _ => None,
         };
-        let from = own.chain(ends.into_iter().flatten()).collect();
+        let from = sources.chain(ends.into_iter().flatten()).collect();
         let integral = line.integral().map(|integral| {
             let [integrand, low, high] =
                 [&integral.integrand, &integral.low, &integral.high].map(|term| self.text(term));
@@ -210,10 +210,10 @@ impl List<'_> {
         if let Origin::Law(equation) = line.origin {
             self.laws.insert(equation, place);
         }
-        let own = &mut self.lines[place - 1];
-        own.right = integral.or(own.right.take());
-        own.relation = sign(line.relation);
-        (own.number, own.factor, own.not_zero, own.law) = (line.number, factor, not_zero, law);
+        let latest = &mut self.lines[place - 1];
+        latest.right = integral.or(latest.right.take());
+        latest.relation = sign(line.relation);
+        (latest.number, latest.factor, latest.not_zero, latest.law) = (line.number, factor, not_zero, law);
     }
 
     /// How a quantity is found from its sources, the formula as it is taught, and what was divided by.
@@ -298,7 +298,7 @@ impl List<'_> {
         term.text_with(&|symbol| {
             let name = &model.symbols.entry(symbol).name;
             // A value with its unit, such as 60 deg, is one factor.
-            let is_literal = model.literals.iter().any(|(own, _)| *own == symbol);
+            let is_literal = model.literals.iter().any(|(literal, _)| *literal == symbol);
             if is_literal { format!("({name})") } else { name.clone() }
         })
     }

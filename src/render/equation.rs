@@ -161,11 +161,11 @@ fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
         Math::Squared(inner) if inner.width() > room => (None, inner, ["[", "]"]),
         _ => return vec![item],
     };
-    let own = |math: Math| Item::new(Cow::Owned(math));
-    let bracket = |sign: &str| own(Math::Text(sign.to_owned()));
-    let mut items: Vec<Item> = before.map(own).into_iter().chain([bracket(open)]).collect();
+    let new_item = |math: Math| Item::new(Cow::Owned(math));
+    let bracket = |sign: &str| new_item(Math::Text(sign.to_owned()));
+    let mut items: Vec<Item> = before.map(new_item).into_iter().chain([bracket(open)]).collect();
     for item in flattened(inner) {
-        items.extend(unfolded(item, room).into_iter().map(|part| own(part.math.into_owned())));
+        items.extend(unfolded(item, room).into_iter().map(|part| new_item(part.math.into_owned())));
     }
     items.push(bracket(close));
     items

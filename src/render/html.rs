@@ -91,12 +91,13 @@ pub(super) fn display(rows: &[Row<'_>], cells: [&str; 2]) -> String {
 
 /// The author's first level of headings is that level of the page.
 pub(super) fn lower_heading(event: Event, level: usize) -> Event {
-    let lower = |own: HeadingLevel| HeadingLevel::try_from((own as usize + level - 1).min(6)).unwrap_or(own);
+    let lower =
+        |heading: HeadingLevel| HeadingLevel::try_from((heading as usize + level - 1).min(6)).unwrap_or(heading);
     match event {
-        Event::Start(Tag::Heading { level: own, id, classes, attrs }) => {
-            Event::Start(Tag::Heading { level: lower(own), id, classes, attrs })
+        Event::Start(Tag::Heading { level, id, classes, attrs }) => {
+            Event::Start(Tag::Heading { level: lower(level), id, classes, attrs })
         }
-        Event::End(TagEnd::Heading(own)) => Event::End(TagEnd::Heading(lower(own))),
+        Event::End(TagEnd::Heading(level)) => Event::End(TagEnd::Heading(lower(level))),
         other => other,
     }
 }

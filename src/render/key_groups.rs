@@ -23,7 +23,7 @@ pub(super) fn groups(key: &Key) -> Vec<Group<'_>> {
     let mut groups: Vec<Group<'_>> = Vec::new();
     for row in &key.rows {
         let is_own =
-            |group: &Group<'_>| group.rows.iter().flatten().next().is_some_and(|own| problem(own) == problem(row));
+            |group: &Group<'_>| group.rows.iter().flatten().next().is_some_and(|other| problem(other) == problem(row));
         let place = groups.iter().position(is_own).unwrap_or_else(|| {
             groups.push(Group { identity: &row.identity, parts: Vec::new(), rows: Vec::new() });
             groups.len() - 1
@@ -32,8 +32,8 @@ pub(super) fn groups(key: &Key) -> Vec<Group<'_>> {
         if !group.parts.contains(&row.part.as_str()) {
             group.parts.push(&row.part);
         }
-        let is_same = |own: &&KeyRow| own.identity == row.identity && own.student == row.student;
-        let same_sheet = |own: &&mut Vec<&KeyRow>| own.iter().all(|own| is_same(own) && own.part != row.part);
+        let is_same = |other: &&KeyRow| other.identity == row.identity && other.student == row.student;
+        let same_sheet = |sheet: &&mut Vec<&KeyRow>| sheet.iter().all(|cell| is_same(cell) && cell.part != row.part);
         match group.rows.last_mut().filter(same_sheet) {
             Some(last) => last.push(row),
             None => group.rows.push(vec![row]),
@@ -62,8 +62,10 @@ mod tests {
         };
         let key = Key { title: String::new(), rows: ["Ann", "Ben"].into_iter().flat_map(sheet).collect() };
         let groups = groups(&key);
-        let shown: Vec<_> =
-            groups.iter().map(|own| (own.identity.problem.as_str(), own.parts.clone(), own.rows.len())).collect();
+        let shown: Vec<_> = groups
+            .iter()
+            .map(|group| (group.identity.problem.as_str(), group.parts.clone(), group.rows.len()))
+            .collect();
         assert_eq!(shown, [("a", vec!["1a", "1b"], 2), ("b", vec!["2a"], 2), ("a", vec!["3a"], 2)]);
     }
 }

@@ -54,7 +54,11 @@ impl Element {
 
     fn opened(tag: &BytesStart) -> Self {
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        let attributes = tag.attributes().flatten().map(|own| (text(own.key.as_ref()), text(&own.value))).collect();
+        let attributes = tag
+            .attributes()
+            .flatten()
+            .map(|attribute| (text(attribute.key.as_ref()), text(&attribute.value)))
+            .collect();
         Self { name: text(tag.local_name().as_ref()), attributes, nodes: Vec::new() }
     }
 
@@ -65,7 +69,7 @@ impl Element {
 
     /// The value of an attribute, as it is written.
     pub fn attribute(&self, name: &str) -> Option<&str> {
-        self.attributes.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
+        self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
     /// All text in it.

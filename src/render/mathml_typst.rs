@@ -195,8 +195,8 @@ fn attached(base: &Element, scripts: &[(&str, &Element)], with_limits: bool, cod
 
 fn write_over_or_under(element: &Element, base: &Element, sign: &Element, code: &mut TypstMath) {
     let text = sign.text();
-    let drawn = |(name, own, _): &&(&str, &str, &str)| {
-        sign.name == "mo" && *name == element.name && text == *own && sign.attribute("stretchy") != Some("false")
+    let drawn = |(name, written, _): &&(&str, &str, &str)| {
+        sign.name == "mo" && *name == element.name && text == *written && sign.attribute("stretchy") != Some("false")
     };
     if let Some((_, _, function)) = DRAWN.iter().find(drawn) {
         code.call(function, |code| write(base, code));

@@ -22,13 +22,13 @@ pub(super) fn add(name: &str, folder: &Path, sources: &mut BTreeMap<String, Sour
             return Err(misnamed(&entry, &folder_name(&entry), built_in_folders()));
         }
     }
-    let own = folder.join(name);
-    if !own.is_dir() {
+    let override_folder = folder.join(name);
+    if !override_folder.is_dir() {
         return Ok(());
     }
     let built_in: Vec<String> = sources.keys().cloned().collect();
     let mut added: Vec<(String, PathBuf)> = Vec::new();
-    for path in entries(&own)? {
+    for path in entries(&override_folder)? {
         let Some(file) = path.file_name().and_then(|file| file.to_str()) else { continue };
         let key = format!("{name}/{file}");
         if !is_template(&path) || file.starts_with('.') {
@@ -57,7 +57,7 @@ fn entries(folder: &Path) -> Result<Vec<PathBuf>, Faults> {
 fn is_unknown_folder(path: &Path) -> bool {
     let name = folder_name(path);
     let has_templates = || entries(path).is_ok_and(|files| files.iter().any(|file| is_template(file)));
-    path.is_dir() && !name.starts_with('.') && built_in_folders().all(|own| own != name) && has_templates()
+    path.is_dir() && !name.starts_with('.') && built_in_folders().all(|known| known != name) && has_templates()
 }
 
 fn folder_name(path: &Path) -> String {

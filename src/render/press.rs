@@ -65,8 +65,8 @@ impl Press {
             let unpacked = wuff::decompress_woff2(packed).unwrap_or_default();
             fonts.extend(Font::iter(Bytes::new(unpacked)));
         }
-        if let Some(own) = overrides.map(|folder| folder.join(FONTS)).filter(|folder| folder.is_dir()) {
-            add_fonts(&own, &mut fonts)?;
+        if let Some(fonts_folder) = overrides.map(|folder| folder.join(FONTS)).filter(|folder| folder.is_dir()) {
+            add_fonts(&fonts_folder, &mut fonts)?;
         }
         let book = LazyHash::new(FontBook::from_fonts(&fonts));
         Ok(Self { library: LazyHash::new(Library::default()), book, fonts })

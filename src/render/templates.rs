@@ -44,8 +44,8 @@ impl Templates {
                 sources.insert(path.to_owned(), Source::new(&format!("templates/{path}"), text));
             }
         }
-        if let Some(own) = overrides {
-            add_overrides(folder, own, &mut sources)?;
+        if let Some(override_folder) = overrides {
+            add_overrides(folder, override_folder, &mut sources)?;
         }
         let style = sources.remove(STYLE).map(|source| source.text.to_string()).unwrap_or_default();
         let mut templates = Self { tera: engine(format), folder, sources, style };

@@ -174,14 +174,17 @@ impl<'a> View<'a> {
     /// The answers to one problem: a row for each sheet, a column for each part.
     fn group(&self, group: &Group<'_>) -> Value {
         let row = |row: &Vec<&KeyRow>| {
-            let answer = |part: &&str| row.iter().find(|own| own.part == **part).map(|own| self.inline(&own.answer));
+            let answer =
+                |part: &&str| row.iter().find(|cell| cell.part == **part).map(|cell| self.inline(&cell.answer));
             let first = row.first();
             map([
                 ("identity", optional(first, |first| identity(&first.identity))),
                 ("student", first.and_then(|first| first.student.clone()).into()),
                 (
                     "answers",
-                    Value::from(group.parts.iter().map(|part| optional(answer(part), |own| own)).collect::<Vec<_>>()),
+                    Value::from(
+                        group.parts.iter().map(|part| optional(answer(part), |answer| answer)).collect::<Vec<_>>(),
+                    ),
                 ),
             ])
         };

@@ -180,8 +180,9 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
     };
     let all = &leaf.system.equations;
     // The end of one stage and the start of the next state the same.
-    let is_new =
-        |(place, own): &(usize, &Equation)| !all.iter().take(*place).any(|other| other.statement == own.statement);
+    let is_new = |(place, equation): &(usize, &Equation)| {
+        !all.iter().take(*place).any(|other| other.statement == equation.statement)
+    };
     all.iter().enumerate().filter(is_new).filter_map(balance).collect()
 }
 
@@ -207,7 +208,7 @@ fn means(display: Display<'_>) -> impl Iterator<Item = [Symbol; 3]> {
         parts.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
         let (least, greatest) = (*parts.first()?, *parts.last()?);
         let mean = [least, *centre, greatest];
-        let told = mean.iter().all(|own| known.contains(own) && display.has_number(*own));
+        let told = mean.iter().all(|symbol| known.contains(symbol) && display.has_number(*symbol));
         (told && value(least) < value(greatest)).then_some(mean)
     })
 }

@@ -117,14 +117,14 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
     // A guide takes part in the impact, so that the two masses alone do not decide.
     let scene = &worked.problem.loaded().draft.scene;
     let is_guided = |body: &String| {
-        scene.members(body).into_iter().any(|own| scene.bodies.get(own).is_some_and(|body| body.guide.is_some()))
+        scene.members(body).into_iter().any(|member| scene.bodies.get(member).is_some_and(|body| body.guide.is_some()))
     };
     if is_guided(first) || is_guided(second) {
         return None;
     }
     let stated = worked.leaf().system.equations.iter().find(|equation| {
         instance(display, equation)
-            .is_some_and(|own| own.stage == Some(stage) && own.law.id == restitution::RESTITUTION.id)
+            .is_some_and(|instance| instance.stage == Some(stage) && instance.law.id == restitution::RESTITUTION.id)
     })?;
     let Statement::Equal { right: Expr::Product(factors), .. } = &stated.statement else { return None };
     let [e @ Expr::Symbol(coefficient), approach] = &factors[..] else { return None };

@@ -57,15 +57,18 @@ fn held(stage: &Rotate) -> Vec<Carried<'_>> {
 
 fn struck(stage: &Strike) -> Vec<Carried<'_>> {
     let on_arm = stage.carries.iter().zip([0.0, PI, FRAC_PI_2, -FRAC_PI_2]);
-    let own = Carried { body: &stage.body, distances: [&stage.at; 2], angle: 0.0, strikes: true };
-    on_arm.map(|((body, at), angle)| Carried { body, distances: [at; 2], angle, strikes: false }).chain([own]).collect()
+    let striking = Carried { body: &stage.body, distances: [&stage.at; 2], angle: 0.0, strikes: true };
+    on_arm
+        .map(|((body, at), angle)| Carried { body, distances: [at; 2], angle, strikes: false })
+        .chain([striking])
+        .collect()
 }
 
 /// Several bodies on an arm at the start.
 pub(super) fn sheet(quantities: &Quantities<'_>, stage: &Rotate) -> Drawing {
     let mut turns: Vec<(Moment, Role)> = turning(quantities, 1).into_iter().collect();
     let acts = stage.moment.as_ref().and_then(|strength| given_moment(quantities, strength, stage.during.as_ref()));
-    turns.extend(acts.map(|own| (own, Role::Force)));
+    turns.extend(acts.map(|moment| (moment, Role::Force)));
     let pushes = |body: &str, angle: f64| along_path(quantities, stage, body, angle);
     situation(quantities, &held(stage), (&stage.about, stage.rotor.as_deref()), turns, &pushes)
 }
@@ -98,12 +101,12 @@ fn situation(
     turns: Vec<(Moment, Role)>,
     pushes: &dyn Fn(&str, f64) -> Vec<Moving>,
 ) -> Drawing {
-    let particles = all.iter().map(|own| {
-        let name = quantities.velocity_name(own.body, 1);
-        let shown = quantities.named(&name).filter(|_| own.strikes || turns.is_empty());
-        let vector = |value| Moving::velocity(LabelledVector::known(name_math(&name), across(own.angle, value)));
-        let vectors = shown.map(vector).into_iter().chain(pushes(own.body, own.angle)).collect();
-        on_arm(quantities, own, 0, vectors)
+    let particles = all.iter().map(|carried| {
+        let name = quantities.velocity_name(carried.body, 1);
+        let shown = quantities.named(&name).filter(|_| carried.strikes || turns.is_empty());
+        let vector = |value| Moving::velocity(LabelledVector::known(name_math(&name), across(carried.angle, value)));
+        let vectors = shown.map(vector).into_iter().chain(pushes(carried.body, carried.angle)).collect();
+        on_arm(quantities, carried, 0, vectors)
     });
     let particles: Vec<OnArm> = particles.collect();
     let (names, centre) = (names(quantities, all, rotor), quantities.point(about));
@@ -112,9 +115,11 @@ fn situation(
         let what = if *role == Role::Force { "the moment" } else { "the angular velocity" };
         format!("{what} {} is {sense}", turn.label.plain())
     });
-    let pushed = all.iter().zip(&particles).flat_map(|(own, particle)| {
+    let pushed = all.iter().zip(&particles).flat_map(|(carried, particle)| {
         let forces = particle.body.vectors.iter().filter(|moving| moving.role == Role::Force);
-        forces.map(|force| format!("the force {} acts on {}", force.vector.label.plain(), quantities.called(own.body)))
+        forces.map(|force| {
+            format!("the force {} acts on {}", force.vector.label.plain(), quantities.called(carried.body))
+        })
     });
     let pushed: Vec<String> = pushed.collect();
     let seen = format!("{names} about {centre}, seen along the axis");
@@ -134,7 +139,7 @@ fn across(angle: f64, value: f64) -> [f64; 2] {
 
 /// The forces along the path of a body drawn at that angle that are given.
 pub(super) fn along_path(quantities: &Quantities<'_>, stage: &Rotate, body: &str, angle: f64) -> Vec<Moving> {
-    let own = stage.driving().filter(|(_, on)| on.is_some_and(|(on, _)| on == body));
+    let driving = stage.driving().filter(|(_, on)| on.is_some_and(|(on, _)| on == body));
     let arrow = |strength: &Strength| {
         let Strength::Term(term) = strength else { return None };
         let term = quantities.term(term)?;
@@ -152,22 +157,22 @@ pub(super) fn along_path(quantities: &Quantities<'_>, stage: &Rotate, body: &str
         };
         Some(Moving::force(LabelledVector::known(label, across(angle, size))))
     };
-    own.filter_map(|(force, _)| arrow(&force.value)).collect()
+    driving.filter_map(|(force, _)| arrow(&force.value)).collect()
 }
 
-fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: Vec<Moving>) -> OnArm {
-    let distance = quantities.term(own.distances[side]);
+fn on_arm(quantities: &Quantities<'_>, carried: &Carried<'_>, side: usize, vectors: Vec<Moving>) -> OnArm {
+    let distance = quantities.term(carried.distances[side]);
     let value = distance.as_ref().and_then(|distance| quantities.evaluate(distance));
     // The body comes from the side from which it moves towards the arm.
     let named = |name: String| quantities.named(&name).unwrap_or(0.0);
     let arm = named("omega_1".to_owned()) * value.unwrap_or(0.0);
-    let comes = named(quantities.velocity_name(own.body, 1)) - arm;
+    let comes = named(quantities.velocity_name(carried.body, 1)) - arm;
     OnArm {
-        body: MovingBody { vectors, ..MovingBody::new(body_math(own.body)) },
+        body: MovingBody { vectors, ..MovingBody::new(body_math(carried.body)) },
         distance: value.unwrap_or(1.0),
-        label: quantities.label_of(own.distances[side]),
-        angle: own.angle,
-        beside: if own.strikes { if comes < 0.0 { 1.0 } else { -1.0 } } else { 0.0 },
+        label: quantities.label_of(carried.distances[side]),
+        angle: carried.angle,
+        beside: if carried.strikes { if comes < 0.0 { 1.0 } else { -1.0 } } else { 0.0 },
     }
 }
 
@@ -179,13 +184,13 @@ pub(super) fn is_disc(quantities: &Quantities<'_>, rotor: &str) -> bool {
 /// The radius of a rotor that is a disc: that of the outermost place on it.
 fn disc(quantities: &Quantities<'_>, all: &[Carried<'_>], rotor: Option<&str>) -> Option<f64> {
     let is_disc = is_disc(quantities, rotor?);
-    let places = all.iter().filter(|own| !own.strikes).flat_map(|own| own.distances);
+    let places = all.iter().filter(|carried| !carried.strikes).flat_map(|carried| carried.distances);
     let known = places.map(|place| quantities.evaluate(&quantities.term(place)?));
     known.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max).filter(|_| is_disc)
 }
 
 fn names(quantities: &Quantities<'_>, all: &[Carried<'_>], rotor: Option<&str>) -> String {
-    list(&all.iter().map(|own| own.body).chain(rotor).map(|body| quantities.called(body)).collect::<Vec<_>>())
+    list(&all.iter().map(|carried| carried.body).chain(rotor).map(|body| quantities.called(body)).collect::<Vec<_>>())
 }
 
 /// The diagram of several bodies on an arm.
@@ -194,9 +199,9 @@ pub(super) fn rotation(quantities: &Quantities<'_>, index: usize, stage: &Rotate
     let rotor = stage.rotor.as_deref();
     let (before, first) = arm(quantities, index, &all, (&stage.about, rotor), (0, None))?;
     // What nobody asks for may not be solved: without a moment it follows.
-    let resists = |own: &Carried<'_>| {
-        let distance = quantities.evaluate(&quantities.term(own.distances[1])?)?;
-        Some(quantities.mass(own.body, index + 1)? * distance * distance)
+    let resists = |carried: &Carried<'_>| {
+        let distance = quantities.evaluate(&quantities.term(carried.distances[1])?)?;
+        Some(quantities.mass(carried.body, index + 1)? * distance * distance)
     };
     let carried: Option<f64> = all.iter().map(resists).sum();
     let inertia = match rotor {
@@ -231,24 +236,24 @@ fn arm(
 ) -> Option<(Arm, f64)> {
     let mut moment = 0.0;
     let mut particles = Vec::new();
-    for own in all {
-        let name = quantities.velocity_name(own.body, index + 1 + side);
-        let distance = quantities.evaluate(&quantities.term(own.distances[side])?)?;
+    for carried in all {
+        let name = quantities.velocity_name(carried.body, index + 1 + side);
+        let distance = quantities.evaluate(&quantities.term(carried.distances[side])?)?;
         let turns = || Some(quantities.named(&format!("omega_{}", index + 1 + side)).or(turn)? * distance);
-        let momentum = quantities.mass(own.body, index + 1)? * quantities.named(&name).or_else(turns)?;
+        let momentum = quantities.mass(carried.body, index + 1)? * quantities.named(&name).or_else(turns)?;
         moment += momentum * distance;
-        let label = product([quantities.mass_math(own.body, index + 1), name_math(&name)]);
-        let vector = LabelledVector::known(label, across(own.angle, momentum));
-        particles.push(on_arm(quantities, own, side, vec![Moving::momentum(vector)]));
+        let label = product([quantities.mass_math(carried.body, index + 1), name_math(&name)]);
+        let vector = LabelledVector::known(label, across(carried.angle, momentum));
+        particles.push(on_arm(quantities, carried, side, vec![Moving::momentum(vector)]));
     }
     let mut turns = Vec::new();
     if let Some(rotor) = rotor {
         let (label, inertia) = inertia(quantities, rotor)?;
         let name = format!("omega_{}", index + 1 + side);
-        let own = inertia * quantities.named(&name).or(turn)?;
-        moment += own;
-        if own != 0.0 {
-            turns.push((Moment { label: product([label, name_math(&name)]), value: own }, Role::Momentum));
+        let momentum = inertia * quantities.named(&name).or(turn)?;
+        moment += momentum;
+        if momentum != 0.0 {
+            turns.push((Moment { label: product([label, name_math(&name)]), value: momentum }, Role::Momentum));
         }
     }
     Some((Arm { centre: body_math(about), particles, disc: disc(quantities, all, rotor), turns }, moment))
@@ -275,8 +280,8 @@ fn diagram(
         _ => "the angular impulse about it acts counter-clockwise",
     };
     let momenta = |arm: &Arm| {
-        let each = arm.particles.iter().flat_map(|own| &own.body.vectors).map(|moving| &moving.vector.label);
-        let turning = arm.turns.iter().map(|(own, _)| &own.label);
+        let each = arm.particles.iter().flat_map(|particle| &particle.body.vectors).map(|moving| &moving.vector.label);
+        let turning = arm.turns.iter().map(|(moment, _)| &moment.label);
         list(&each.chain(turning).map(Math::plain).collect::<Vec<_>>())
     };
     let turning = |when: &str, arm: &Arm| match momenta(arm) {

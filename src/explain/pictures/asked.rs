@@ -37,7 +37,7 @@ impl Quantities<'_> {
     }
 
     fn is_asked(&self, symbol: Symbol) -> bool {
-        let wanted = || self.worked.form.wanted().any(|own| own == symbol);
+        let wanted = || self.worked.form.wanted().any(|wanted| wanted == symbol);
         self.scope() == Scope::Given && self.value(symbol).is_none() && wanted()
     }
 

@@ -57,8 +57,8 @@ impl Balance {
 
     fn take_reaction(&mut self, other: &Self) {
         // The first impulse is the one that the two give each other; a guide may add another.
-        if let ([own, ..], [other, ..]) = (&mut self.impulses[..], &other.impulses[..]) {
-            own.value = own.value.or(other.value.map(|[x, y]| [-x, -y]));
+        if let ([one, ..], [other, ..]) = (&mut self.impulses[..], &other.impulses[..]) {
+            one.value = one.value.or(other.value.map(|[x, y]| [-x, -y]));
         }
     }
 

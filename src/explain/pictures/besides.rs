@@ -16,11 +16,11 @@ impl Besides {
     /// What the arrows of that body need in a stage.
     pub(super) fn of(quantities: &Quantities<'_>, stage: usize, body: &str) -> Self {
         let mass = quantities.mass_symbol(body, stage + 1).filter(|_| quantities.mass(body, stage + 1).is_none());
-        let own = mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
-        let mut forces = own.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
+        let assumed = mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
+        let mut forces = assumed.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
         let end = forces.next().map(|ActingForce { during: [_, end], .. }| end);
         let formulas = match end {
-            Some(Expr::Symbol(time)) if own.evaluate(&(*time).into()).is_none() => solved(&own, mass, *time),
+            Some(Expr::Symbol(time)) if assumed.evaluate(&(*time).into()).is_none() => solved(&assumed, mass, *time),
             _ => Vec::new(),
         };
         Self { mass, formulas }
@@ -28,10 +28,10 @@ impl Besides {
 
     /// The quantities of a variant with these.
     pub(super) fn added_to<'a>(&self, quantities: &Quantities<'a>) -> Quantities<'a> {
-        let own = self.mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
-        self.formulas.iter().fold(own, |own, (symbol, formula)| match own.evaluate(formula) {
-            Some(value) => own.assuming(*symbol, value),
-            None => own,
+        let assumed = self.mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
+        self.formulas.iter().fold(assumed, |assumed, (symbol, formula)| match assumed.evaluate(formula) {
+            Some(value) => assumed.assuming(*symbol, value),
+            None => assumed,
         })
     }
 }

@@ -67,7 +67,7 @@ pub(super) fn velocity(quantities: &Quantities<'_>, index: usize, stage: &Motion
         None => (symbols.find("t")?, ("t", Dimension::TIME)),
     };
     let ends = match place {
-        Some(_) => [1, 2].map(|own| quantities.named(&format!("r_{}{}", stage.body, index + own))),
+        Some(_) => [1, 2].map(|side| quantities.named(&format!("r_{}{}", stage.body, index + side))),
         None => {
             let (start, end) = quantities.ends(stage.during.as_ref())?;
             [Some(start), end.or_else(|| quantities.named(&quantities.staged("dt", index)))]
@@ -97,7 +97,7 @@ fn letter(quantities: &Quantities<'_>) -> &'static str {
 /// How the quantity is written that a law says is an integral.
 fn defined(quantities: &Quantities<'_>, law: &Instance) -> Option<Math> {
     let model = quantities.model();
-    let is_own = |tag: usize| model.instances.get(tag).is_some_and(|own| std::ptr::eq(own, law));
+    let is_own = |tag: usize| model.instances.get(tag).is_some_and(|instance| std::ptr::eq(instance, law));
     model.system.equations.iter().filter(|equation| is_own(equation.tag)).find_map(|equation| {
         match &equation.statement {
             Statement::Equal { left, .. } => Some(quantities.symbolic(left)),

@@ -86,7 +86,8 @@ fn holds_still(
     let Stage::Push(push) = stage else { return None };
     let is_threshold =
         laws_used(quantities.worked).any(|law| law.stage == Some(force.stage) && law.law.id == THRESHOLD.id);
-    let rubs = push.forces.iter().find_map(|own| if let Force::Friction(own) = own { Some(own) } else { None });
+    let rubs =
+        push.forces.iter().find_map(|force| if let Force::Friction(friction) = force { Some(friction) } else { None });
     let term = quantities
         .term(rubs?.friction.at_rest.as_ref()?)
         .filter(|_| is_threshold && force.kind == ForceKind::Friction)?;
@@ -99,8 +100,8 @@ fn holds_still(
 /// What a floor pushes up with.
 fn pushes_up(quantities: &Quantities<'_>, index: usize, body: &str) -> Option<f64> {
     let mut floors = quantities.model().forces.iter();
-    let own = floors.find(|force| force.stage == index && force.on == body && force.kind == ForceKind::Normal);
-    own.map_or_else(|| quantities.named(&format!("N_{body}")), |force| quantities.evaluate(&force.strength))
+    let normal = floors.find(|force| force.stage == index && force.on == body && force.kind == ForceKind::Normal);
+    normal.map_or_else(|| quantities.named(&format!("N_{body}")), |force| quantities.evaluate(&force.strength))
 }
 
 /// A force of the model: one that changes as it is when the body starts to move, or else with the sense that it has all the time.
@@ -136,7 +137,7 @@ fn along_line(
     let [axis] = &quantities.axes[..] else { return None };
     let along =
         |label: Math, value: f64| Some(LabelledVector::known(label, compass.place(quantities.along_axes(&[value])?)));
-    let velocities = [1, 2].map(|own| quantities.named(&quantities.velocity_name(body, index + own)));
+    let velocities = [1, 2].map(|side| quantities.named(&quantities.velocity_name(body, index + side)));
     let faster = velocities.into_iter().flatten().max_by(|one, other| one.abs().total_cmp(&other.abs()));
     let mut forces = Vec::new();
     for force in &push.forces {
@@ -144,7 +145,7 @@ fn along_line(
         let Strength::Term(term) = &pull.value else { return None };
         let (term, place) = (quantities.term(term)?, quantities.model().symbols.find(axis.letter()));
         let changes = place.is_some_and(|place| term.contains(place));
-        let ends = [1, 2].map(|own| quantities.named(&format!("r_{body}{}", index + own)));
+        let ends = [1, 2].map(|side| quantities.named(&format!("r_{body}{}", index + side)));
         let middle = || Some(f64::midpoint(ends[0]?, ends[1]?));
         let at = |symbol| if Some(symbol) == place && changes { middle() } else { quantities.value(symbol) };
         let value = term.evaluate(&|symbol| at(symbol).unwrap_or(f64::NAN));
@@ -154,12 +155,13 @@ fn along_line(
     }
     let (mass, gravity) = (quantities.mass(body, index + 1), quantities.named("g"));
     let weight = mass.zip(gravity).map(|(mass, gravity)| mass * gravity);
-    let rubs = push.forces.iter().find_map(|force| if let Force::Friction(own) = force { Some(own) } else { None });
+    let rubs =
+        push.forces.iter().find_map(|force| if let Force::Friction(friction) = force { Some(friction) } else { None });
     if rubs.is_some() || quantities.scene().plane == Plane::Vertical {
         forces.push(LabelledVector::known(quantities.weight_math(body, index), [0.0, -weight?]));
     }
-    if let Some(own) = rubs {
-        let (normal, kinetic) = (pushes_up(quantities, index, body)?, quantities.term(&own.friction.kinetic)?);
+    if let Some(friction) = rubs {
+        let (normal, kinetic) = (pushes_up(quantities, index, body)?, quantities.term(&friction.friction.kinetic)?);
         let name = name_math(&format!("N_{body}"));
         forces.push(LabelledVector::known(name.clone(), compass.place([0.0, normal])));
         let against = -quantities.evaluate(&kinetic)? * normal * faster?.signum();
@@ -214,26 +216,26 @@ fn at_instant(
         [0, 1].into_iter().rev().find(|side| quantities.timeline.naming_instant(body, index + 1 + side) == instant)
     };
     let when = |side: usize| quantities.when(index + 1 + side);
-    let (held, when) = if let Stage::Swing(own) = stage
-        && own.body == body
+    let (held, when) = if let Stage::Swing(swing) = stage
+        && swing.body == body
     {
         let side = side()?;
-        let (angle, _) = swing::angle(quantities, compass, index, own, side);
-        (on_circle(quantities, index, name, angle, own.radius.is_some())?, when(side))
-    } else if let Stage::Rotate(own) = stage
-        && own.held().iter().any(|(held, _)| *held == body)
+        let (angle, _) = swing::angle(quantities, compass, index, swing, side);
+        (on_circle(quantities, index, name, angle, swing.radius.is_some())?, when(side))
+    } else if let Stage::Rotate(rotate) = stage
+        && rotate.held().iter().any(|(held, _)| *held == body)
     {
         let side = side()?;
-        (on_level_circle(quantities, index, name, own, side)?, when(side))
-    } else if let Stage::Conical(own) = stage
-        && own.body == body
+        (on_level_circle(quantities, index, name, rotate, side)?, when(side))
+    } else if let Stage::Conical(conical) = stage
+        && conical.body == body
     {
         let side = side()?;
         (on_cone(quantities, index, name, index + 1 + side)?, when(side))
-    } else if let Stage::Stream(own) = stage
-        && own.body == body
+    } else if let Stage::Stream(stream) = stage
+        && stream.body == body
     {
-        (in_stream(quantities, compass, name, own)?, "at constant velocity".to_owned())
+        (in_stream(quantities, compass, name, stream)?, "at constant velocity".to_owned())
     } else {
         return None;
     };

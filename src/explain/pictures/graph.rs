@@ -58,7 +58,7 @@ fn drawing(quantities: &Quantities<'_>, force: &ActingForce, graph: &PrintedGrap
     let marks = plot::marks(quantities, force).into_iter();
     let is_new = |mark: &plot::Mark| {
         let time = in_unit(mark.time, &units[0]);
-        solved && corners.iter().all(|([own, _], _)| Some(*own) != time)
+        solved && corners.iter().all(|([at, _], _)| Some(*at) != time)
     };
     let marks: Vec<plot::Mark> = marks.filter(is_new).collect();
     let shaded = solved && force.during[0].is_zero();
@@ -71,11 +71,11 @@ fn drawing(quantities: &Quantities<'_>, force: &ActingForce, graph: &PrintedGrap
         let [second, newton] = [&units[0], &units[1]].map(Unit::unicode);
         format!("({} {second}, {} {newton})", time.plain(), force.plain())
     };
-    let own = plot::wording(force, &marks, shaded);
+    let wording = plot::wording(force, &marks, shaded);
     let through =
         format!("straight lines through the points {}", corners.iter().map(words).collect::<Vec<_>>().join(", "));
     let plot = ForcePlot {
-        wording: Wording { description: format!("{} {}", own.description, sentences([through])), ..own },
+        wording: Wording { description: format!("{} {}", wording.description, sentences([through])), ..wording },
         time: of(0, "t"),
         force: of(1, "F"),
         points,
@@ -91,7 +91,7 @@ fn sketched<'a>(quantities: &Quantities<'a>, graph: &PrintedGraph) -> Quantities
     let told = forces().filter_map(|force| quantities.evaluate(force)).map(f64::abs).fold(0.0, f64::max);
     let height = if told > 0.0 { told } else { 1.0 };
     let asked = forces().flat_map(Expr::symbols).filter(|symbol| quantities.value(*symbol).is_none());
-    asked.fold(quantities.clone(), |own, symbol| own.assuming(symbol, height))
+    asked.fold(quantities.clone(), |assumed, symbol| assumed.assuming(symbol, height))
 }
 
 /// A coordinate in digits where the sheet tells its value, else in letters.

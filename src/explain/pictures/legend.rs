@@ -46,7 +46,8 @@ fn names(quantities: &Quantities<'_>) -> Vec<(String, String)> {
         names.push((ORIGIN.to_owned(), "the origin".to_owned()));
     }
     // A body that is called by its letter needs no more.
-    let explains = |name: &str, letter: &str| name.split(|own: char| !own.is_alphanumeric()).any(|word| word == letter);
+    let explains =
+        |name: &str, letter: &str| name.split(|sign: char| !sign.is_alphanumeric()).any(|word| word == letter);
     names.retain(|(letter, name)| !explains(name, letter));
     names
 }

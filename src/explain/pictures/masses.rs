@@ -20,17 +20,17 @@ impl<'a> Quantities<'a> {
         if !parts.is_empty() && self.mass_term(body, instant).is_none() {
             return parts.iter().map(|part| self.mass(part, instant)).sum();
         }
-        let own = match self.mass_term(body, instant) {
+        let mass = match self.mass_term(body, instant) {
             Some(term) => self.evaluate(&self.term(term)?),
             None => self.named(&self.mass_name(body, instant)),
         };
         // No body is without mass: where the equations leave only that, the mass is not known.
-        let own = own.filter(|mass| *mass > 0.0);
+        let mass = mass.filter(|mass| *mass > 0.0);
         let parts = self.scene().division_of(body);
         let sum =
             || parts.iter().map(|part| self.mass(part, instant)).sum::<Option<f64>>().filter(|_| !parts.is_empty());
-        let own = own.or_else(sum);
-        own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
+        let mass = mass.or_else(sum);
+        mass.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
     }
 
     /// The symbol of the mass of a body at an instant, where it is one.
@@ -72,7 +72,7 @@ impl<'a> Quantities<'a> {
     }
 
     fn mass_name(&self, body: &str, instant: usize) -> String {
-        let own = Name::of(QuantityKind::Mass, body);
-        self.scene().mass_since(body, instant).map_or_else(|| own.clone(), |since| own.clone().at(since)).to_string()
+        let name = Name::of(QuantityKind::Mass, body);
+        self.scene().mass_since(body, instant).map_or_else(|| name.clone(), |since| name.clone().at(since)).to_string()
     }
 }

@@ -51,8 +51,8 @@ pub(super) fn solution(quantities: &Quantities<'_>, count: usize) -> Vec<Drawing
     }
     for (index, stage) in stages.iter().enumerate().take(count) {
         // What nobody asks for may be solved without its forces.
-        let own = stages::solution(quantities, compass, index, stage).into_iter().flatten();
-        drawings.extend(own.filter(Drawing::is_known));
+        let drawings_of_stage = stages::solution(quantities, compass, index, stage).into_iter().flatten();
+        drawings.extend(drawings_of_stage.filter(Drawing::is_known));
         drawings.extend(free_body::at_instants(quantities, compass, index, stage));
     }
     legend::tell(quantities, &mut drawings);

@@ -46,8 +46,8 @@ fn turning(quantities: &Quantities<'_>, index: usize) -> (String, Math) {
 /// The angular momentum at one end, along the axes.
 fn momentum(quantities: &Quantities<'_>, about: &str, instant: usize) -> Option<[f64; 3]> {
     let mut all = [0.0; 3];
-    for (own, axis) in all.iter_mut().zip(&quantities.axes) {
-        *own = quantities.named(&format!("H_{about}{instant}.{}", axis.letter()))?;
+    for (component, axis) in all.iter_mut().zip(&quantities.axes) {
+        *component = quantities.named(&format!("H_{about}{instant}.{}", axis.letter()))?;
     }
     Some(all)
 }
@@ -85,8 +85,8 @@ fn moments(quantities: &Quantities<'_>, components: &Components) -> Vec<Moving> 
         }
         let changes = clock.is_some_and(|clock| term.contains(clock));
         let at = |time: f64| {
-            let own = |symbol| if Some(symbol) == clock { Some(time) } else { quantities.value(symbol) };
-            let value = term.evaluate(&|symbol| own(symbol).unwrap_or(f64::NAN));
+            let value_at_time = |symbol| if Some(symbol) == clock { Some(time) } else { quantities.value(symbol) };
+            let value = term.evaluate(&|symbol| value_at_time(symbol).unwrap_or(f64::NAN));
             value.is_finite().then_some(value)
         };
         let value = if changes { at(1.0)?.signum() } else { at(0.0)? };
@@ -102,11 +102,11 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, index: usi
     if quantities.axes.len() < 3 {
         return turns(quantities, index, stage, &names);
     }
-    let [before, after] = [1, 2].map(|own| momentum(quantities, &stage.about, index + own));
+    let [before, after] = [1, 2].map(|side| momentum(quantities, &stage.about, index + side));
     let (before, after) = (before?, after?);
-    let gained = [0, 1, 2].map(|own| after[own] - before[own]);
+    let gained = [0, 1, 2].map(|axis| after[axis] - before[axis]);
     let placed = |label: Math, vector: [f64; 3]| LabelledVector { label, value: quantities.along_axes(&vector) };
-    let [first, second] = [1, 2].map(|own| name_math(&format!("H_{}{}", stage.about, index + own)));
+    let [first, second] = [1, 2].map(|side| name_math(&format!("H_{}{}", stage.about, index + side)));
     let impulse = impulse(stage);
     let wording = wording(quantities, index, stage, &names, [&first, &second]);
     let wording = Wording { caption: sentences([wording.caption, OBLIQUE.to_owned()]), ..wording };
@@ -140,7 +140,7 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
     let first = quantities.named(&name).filter(|value| *value != 0.0);
     let first = first.map(|value| (figure::Moment { label: name_math(&name), value }, Role::Momentum));
     let first = first.or_else(|| turning_of_arm(quantities, 1));
-    let moment = given_moment(quantities, &stage.value, Some(&stage.during)).map(|own| (own, Role::Force));
+    let moment = given_moment(quantities, &stage.value, Some(&stage.during)).map(|moment| (moment, Role::Force));
     let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
     let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));
     let each = turns.iter().map(|(turn, role)| {
@@ -160,7 +160,7 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
 
 /// In a plane: the diagram in arcs.
 fn turns(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str) -> Option<Drawing> {
-    let ends = [1, 2].map(|own| format!("H_{}{}", stage.about, index + own));
+    let ends = [1, 2].map(|side| format!("H_{}{}", stage.about, index + side));
     let [before, after] = [quantities.named(&ends[0])?, quantities.named(&ends[1])?];
     let [first, second] = ends.map(|name| name_math(&name));
     let wording = wording(quantities, index, stage, names, [&first, &second]);

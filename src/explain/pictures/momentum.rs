@@ -33,7 +33,7 @@ fn plan(quantities: &Quantities<'_>, participants: &[Participant], stage: usize)
     let mut bodies = participants.to_vec();
     let besides = if let [only] = &bodies[..] { Some(Besides::of(quantities, stage, &only.body)) } else { None };
     if concerns_mass_centre(quantities) {
-        let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
+        let taken = |body: &str| bodies.iter().any(|named| named.body == body || named.before == body);
         let others: Vec<String> =
             quantities.timeline.alive(stage + 1).into_iter().filter(|body| !taken(body)).map(str::to_owned).collect();
         bodies.extend(others.iter().map(|body| Participant::alone(body)));
@@ -71,11 +71,11 @@ pub(super) fn diagram_with(
     drawn: &Drawn,
     offered: Option<&Picture>,
 ) -> Option<Drawing> {
-    let own = quantities.scene().stages.get(stage)?;
+    let entry = quantities.scene().stages.get(stage)?;
     let Plan { rows, besides } = quantities.pictures.diagram(stage, || plan(quantities, &drawn.participants, stage))?;
     let tilted = quantities.slope(stage).map(|(rise, _)| compass.tilted(rise));
     let compass = tilted.as_ref().unwrap_or(compass);
-    let with_all = besides.as_ref().map(|own| own.added_to(quantities));
+    let with_all = besides.as_ref().map(|besides| besides.added_to(quantities));
     let with_all = with_all.as_ref().unwrap_or(quantities);
     let mut balances: Vec<Balance> =
         rows.iter().map(|row| balance(with_all, drawn.arrows, stage, row, rows.len())).collect();
@@ -90,10 +90,10 @@ pub(super) fn diagram_with(
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
     let on_floor =
         quantities.model().forces.iter().any(|force| force.stage == stage && force.kind == ForceKind::Normal);
-    let stands = on_floor || quantities.slope(stage).is_some() && !matches!(own, Stage::Flight(_));
-    let surface = if let Stage::Impact(Impact { against: Some(surface), .. }) = own {
+    let stands = on_floor || quantities.slope(stage).is_some() && !matches!(entry, Stage::Flight(_));
+    let surface = if let Stage::Impact(Impact { against: Some(surface), .. }) = entry {
         // What moves is no wall.
-        let moves = quantities.scene().surfaces.get(surface).is_some_and(|own| own.velocity.is_some());
+        let moves = quantities.scene().surfaces.get(surface).is_some_and(|surface| surface.velocity.is_some());
         normal.filter(|_| !moves)
     } else {
         stands.then(|| compass.angle([0.0, 1.0]))

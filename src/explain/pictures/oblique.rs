@@ -34,7 +34,8 @@ impl Oblique {
 
     /// A vector along the axes as one of the drawing.
     pub(super) fn place(&self, vector: [f64; 3]) -> [f64; 2] {
-        let part = |own: usize| self.units.iter().zip(vector).map(|(unit, value)| unit[own] * value).sum();
+        let part =
+            |coordinate: usize| self.units.iter().zip(vector).map(|(unit, value)| unit[coordinate] * value).sum();
         [part(0), part(1)]
     }
 
@@ -57,9 +58,9 @@ mod tests {
 
     #[test]
     fn what_points_upwards_stands_upright_and_the_axes_are_right_handed() {
-        let map = oblique(["east", "north", "upwards"]).map(|own| own.units());
+        let map = oblique(["east", "north", "upwards"]).map(|oblique| oblique.units());
         assert_eq!(map, Some([[1.0, 0.0], AWAY, [0.0, 1.0]]));
-        let board = oblique(["to the right", "upwards", "towards you"]).map(|own| own.place([1.0, 2.0, 1.0]));
+        let board = oblique(["to the right", "upwards", "towards you"]).map(|oblique| oblique.place([1.0, 2.0, 1.0]));
         assert_eq!(board, Some([1.0 - AWAY[0], 2.0 - AWAY[1]]));
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn drawings(quantities: &Quantities<'_>, graph: &Graph, pictures: &[P
     let [low, high] = curves
         .iter()
         .map(|(_, curve)| curve.reach())
-        .fold([0.0, 0.0], |[low, high]: [f64; 2], own| [low.min(own[0]), high.max(own[1])]);
+        .fold([0.0, 0.0], |[low, high]: [f64; 2], curve| [low.min(curve[0]), high.max(curve[1])]);
     let [second, unit] = quantities.worked.units_of(graph);
     let axis = |is_told: bool, unit: Unit, extent: f64| {
         if is_told {
@@ -60,7 +60,7 @@ pub(super) fn drawings(quantities: &Quantities<'_>, graph: &Graph, pictures: &[P
     };
     let time = axis(graph.has_times() && quantities.has_numbers(), second, last);
     let value = axis(quantities.has_numbers(), unit, high.max(-low));
-    let placed = |[at, own]: [f64; 2]| [at / time.size, own / value.size];
+    let placed = |[at, height]: [f64; 2]| [at / time.size, height / value.size];
     let component = graph.along.map(|axis| format!(".{}", axis.letter())).unwrap_or_default();
     let letter = graph.plotted.letter();
     let symbol = quantities.worked.problem.notation().math(&format!("{letter}_{}{component}", graph.body));
@@ -118,12 +118,12 @@ fn seen(pieces: Vec<Vec<[f64; 2]>>, extent: f64) -> Vec<Vec<[f64; 2]>> {
 fn is_straight(points: &[[f64; 2]], extent: f64) -> bool {
     let [[from, first], .., [to, last]] = points else { return false };
     let line = |time: f64| first + (last - first) * (time - from) / (to - from);
-    points.iter().all(|[time, own]| (own - line(*time)).abs() <= STRAIGHT * extent)
+    points.iter().all(|[time, height]| (height - line(*time)).abs() <= STRAIGHT * extent)
 }
 
 /// What the eye sees of a curve, in words.
 fn course(pieces: &[Vec<[f64; 2]>], noun: &str, [time, value]: [&Measured; 2]) -> String {
-    let at = |[instant, own]: [f64; 2]| format!("{} at {}", value.said(own), time.said(instant));
+    let at = |[instant, height]: [f64; 2]| format!("{} at {}", value.said(height), time.said(instant));
     let mut said = Vec::new();
     let mut before: Option<f64> = None;
     for piece in pieces {

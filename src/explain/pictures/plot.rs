@@ -92,7 +92,7 @@ pub(super) fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<Mar
         }
         let label = quantities.symbolic(&time);
         if let Some(value) = quantities.value(symbol)
-            && !marks.iter().any(|own| own.label == label)
+            && !marks.iter().any(|mark| mark.label == label)
         {
             marks.push(Mark { time: value, label, words: quantities.time_in_words(&time) });
         }
@@ -143,9 +143,9 @@ impl Quantities<'_> {
     fn unit_like(&self, dimension: Dimension, force: &ActingForce) -> Unit {
         let mut symbols = force.strength.symbols();
         symbols.extend(force.during.iter().flat_map(Expr::symbols));
-        let own = symbols.into_iter().filter(|symbol| self.model().symbols.entry(*symbol).dimension == dimension);
+        let alike = symbols.into_iter().filter(|symbol| self.model().symbols.entry(*symbol).dimension == dimension);
         let given =
-            own.filter(|symbol| !self.is_literal(*symbol)).find_map(|symbol| self.worked.problem.unit_given(symbol));
+            alike.filter(|symbol| !self.is_literal(*symbol)).find_map(|symbol| self.worked.problem.unit_given(symbol));
         given.unwrap_or_else(|| coherent_unit(dimension, self.worked.problem.units()))
     }
 }

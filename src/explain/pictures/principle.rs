@@ -26,5 +26,5 @@ const OTHER: [&Law; 6] = [
 pub(super) fn is_without_momentum(quantities: &Quantities<'_>, stage: usize) -> bool {
     let mut laws = laws_used(quantities.worked).filter(|law| law.stage == Some(stage)).peekable();
     let is_other = |law: &Law| OTHERS.into_iter().flatten().chain(&OTHER).any(|other| other.id == law.id);
-    laws.peek().is_some() && laws.all(|own| is_other(own.law))
+    laws.peek().is_some() && laws.all(|instance| is_other(instance.law))
 }

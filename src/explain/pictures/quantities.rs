@@ -104,16 +104,16 @@ impl<'a> Quantities<'a> {
 
     /// What was solved or assumed, or follows at once from an equation that was not needed.
     fn known(&self, symbol: Symbol, depth: usize) -> Option<f64> {
-        let assumed = self.assumed.iter().find(|(own, _)| *own == symbol).map(|(_, value)| *value);
+        let assumed = self.assumed.iter().find(|(assumed, _)| *assumed == symbol).map(|(_, value)| *value);
         let solved = || self.worked.variant.value(symbol).map(|bounded| bounded.value);
         let value = assumed.or_else(solved).filter(|value| value.is_finite());
         if value.is_some() || depth == 0 || self.scope == Scope::Given {
             return value;
         }
-        let own = Expr::from(symbol);
+        let symbolic = Expr::from(symbol);
         let definition = |equation: &Equation| match &equation.statement {
-            Statement::Equal { left, right } if *left == own => Some(right.clone()),
-            Statement::Equal { left, right } if *right == own => Some(left.clone()),
+            Statement::Equal { left, right } if *left == symbolic => Some(right.clone()),
+            Statement::Equal { left, right } if *right == symbolic => Some(left.clone()),
             _ => None,
         };
         self.model().system.equations.iter().filter_map(definition).find_map(|term| {
@@ -124,14 +124,14 @@ impl<'a> Quantities<'a> {
 
     /// The same quantities with one more value, for a figure that needs it and an explanation that does not.
     pub(super) fn assuming(&self, symbol: Symbol, value: f64) -> Self {
-        let mut own = self.clone();
-        own.assumed.push((symbol, value));
-        own
+        let mut assuming = self.clone();
+        assuming.assumed.push((symbol, value));
+        assuming
     }
 
     /// Whether a quantity has a value only because a figure needs one.
     pub(super) fn is_assumed(&self, symbol: Symbol) -> bool {
-        self.assumed.iter().any(|(own, _)| *own == symbol)
+        self.assumed.iter().any(|(assumed, _)| *assumed == symbol)
     }
 
     /// The name of a quantity of a stage, as the model makes it: `dt`, `dt[skid]`.
@@ -173,7 +173,7 @@ impl<'a> Quantities<'a> {
 
     /// Whether a symbol is a value that the author wrote into a term.
     pub(super) fn is_literal(&self, symbol: Symbol) -> bool {
-        self.model().literals.iter().any(|(own, _)| *own == symbol)
+        self.model().literals.iter().any(|(literal, _)| *literal == symbol)
     }
 
     /// Whether the numbers of the figure mean something.
@@ -265,8 +265,8 @@ impl<'a> Quantities<'a> {
             axes => {
                 let components = axes.iter().map(|axis| self.named(&format!("{name}.{}", axis.letter())));
                 let components: Option<Vec<f64>> = components.collect();
-                let own = components.and_then(|components| self.along_axes(&components));
-                own.or_else(|| self.turned_velocity(&name)).or_else(|| self.polar_velocity(body, instant))
+                let along_axes = components.and_then(|components| self.along_axes(&components));
+                along_axes.or_else(|| self.turned_velocity(&name)).or_else(|| self.polar_velocity(body, instant))
             }
         }
     }

@@ -50,7 +50,7 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
         Scope::Solved => return None,
     };
     let others = points.filter_map(|(name, point)| {
-        let part = |own: &Axis| match point.at.get(*own) {
+        let part = |axis: &Axis| match point.at.get(*axis) {
             Some(term) => quantities.evaluate(&quantities.term(term)?),
             None => Some(0.0),
         };
@@ -148,7 +148,7 @@ fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], 
     let (names, with) = (list(&names), if centre.is_some() { ", and their centre of mass G" } else { "" });
     let particles: Vec<PlacedParticle> =
         bodies.iter().zip(places).map(|(body, place)| particle(body, *place)).collect();
-    let forces = particles.iter().any(|own| !own.forces.is_empty());
+    let forces = particles.iter().any(|particle| !particle.forces.is_empty());
     let velocities = if forces { "velocities and the forces on them" } else { "velocities" };
     let wording = Wording {
         title: format!("Positions and velocities of {names}"),
@@ -181,9 +181,9 @@ pub(super) fn displacements(
     };
     let particles: Vec<PlacedParticle> = bodies.iter().map(|body| particle(body)).collect::<Option<_>>()?;
     let names: Vec<String> = bodies.iter().map(|body| quantities.called(body)).collect();
-    let (names, centre) = (list(&names), particle("G").map(|own| PlacedParticle { velocity: None, ..own }));
+    let (names, centre) = (list(&names), particle("G").map(|particle| PlacedParticle { velocity: None, ..particle }));
     let mut told = vec![format!("{names} at their positions {}", quantities.when(before))];
-    if particles.iter().any(|own| own.velocity.is_some()) {
+    if particles.iter().any(|particle| particle.velocity.is_some()) {
         told.push(format!("the arrows lead to their positions {}", quantities.when(after)));
     }
     if centre.is_some() {

@@ -37,7 +37,9 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
         return graph::force_plot(quantities, graph.stage);
     }
     match quantities.scene().stages.first() {
-        Some(Stage::Interact(own)) if own.friction.is_some() => sheet::ride::rub(quantities, compass, own),
+        Some(Stage::Interact(interact)) if interact.friction.is_some() => {
+            sheet::ride::rub(quantities, compass, interact)
+        }
         None | Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
         Some(Stage::Impact(impact)) => sheet::contact::drawing(quantities, compass, impact)
             .or_else(|| sheet::line::drawing(quantities, compass, 0)),
@@ -123,7 +125,7 @@ pub(super) fn solution(
             let place = if push.is_of_several() { snapshot::pushed } else { snapshot::in_space };
             let place = if index == 0 { place(quantities, compass) } else { None };
             // What leaves, or arrives with a velocity, takes momentum with it that is none of the body's.
-            let carried = push.mass_change().is_some_and(|own| !own.gains || own.velocity.is_some());
+            let carried = push.mass_change().is_some_and(|change| !change.gains || change.velocity.is_some());
             let last = if carried { sheet::line::drawing(quantities, compass, index) } else { momenta() };
             [place, plot, last].into_iter().collect()
         }
@@ -150,11 +152,13 @@ pub(super) fn solution(
         }
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Walk(walk) => vec![sheet::ride::walk(quantities, compass, index, walk)],
-        Stage::Interact(own) if own.at_rest => vec![snapshot::displacements(quantities, compass, index, &own.between)],
+        Stage::Interact(interact) if interact.at_rest => {
+            vec![snapshot::displacements(quantities, compass, index, &interact.between)]
+        }
         Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
-        Stage::Flight(own) if !own.is_free() => {
-            vec![sheet::flight::drawing(quantities, compass, index, own), momenta()]
+        Stage::Flight(flight) if !flight.is_free() => {
+            vec![sheet::flight::drawing(quantities, compass, index, flight), momenta()]
         }
         Stage::Impact(_)
         | Stage::Spring(_)
@@ -224,7 +228,7 @@ fn drawn(stage: &Stage) -> Drawn {
             let participants = separate.into.iter().map(|part| before(part)).collect();
             Drawn { participants, arrows: Arrows::Impulses, mutual: true }
         }
-        Stage::Spring(own) => match own.ends() {
+        Stage::Spring(spring) => match spring.ends() {
             Some(Ends::Free(first, second)) => {
                 let participants = [first, second].map(Participant::alone).to_vec();
                 Drawn { participants, arrows: Arrows::Impulses, mutual: true }
@@ -232,27 +236,27 @@ fn drawn(stage: &Stage) -> Drawn {
             Some(Ends::Fixed(body)) => drawn(alone(body), Arrows::Resultant),
             None => drawn(Vec::new(), Arrows::Resultant),
         },
-        Stage::Taut(own) => {
-            let participants = own.jerked().into_iter().map(Participant::alone).collect();
-            Drawn { mutual: own.over.is_none(), ..drawn(participants, Arrows::Impulses) }
+        Stage::Taut(taut) => {
+            let participants = taut.jerked().into_iter().map(Participant::alone).collect();
+            Drawn { mutual: taut.over.is_none(), ..drawn(participants, Arrows::Impulses) }
         }
-        Stage::Flight(own) => {
-            let arrows = if own.is_free() { Arrows::Weight } else { Arrows::Resultant };
-            drawn(own.flying().map(Participant::alone).collect(), arrows)
+        Stage::Flight(flight) => {
+            let arrows = if flight.is_free() { Arrows::Weight } else { Arrows::Resultant };
+            drawn(flight.flying().map(Participant::alone).collect(), arrows)
         }
-        Stage::Fall(own) => drawn(alone(&own.body), Arrows::Weight),
-        Stage::Interact(own) if own.friction.is_some() => {
-            Drawn { mutual: true, ..drawn(several(&own.between), Arrows::Impulses) }
+        Stage::Fall(fall) => drawn(alone(&fall.body), Arrows::Weight),
+        Stage::Interact(interact) if interact.friction.is_some() => {
+            Drawn { mutual: true, ..drawn(several(&interact.between), Arrows::Impulses) }
         }
-        Stage::Interact(own) => drawn(several(&own.between), Arrows::Resultant),
-        Stage::SlideOff(own) => {
-            drawn([&own.body, &own.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)
+        Stage::Interact(interact) => drawn(several(&interact.between), Arrows::Resultant),
+        Stage::SlideOff(slide_off) => {
+            drawn([&slide_off.body, &slide_off.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)
         }
-        Stage::Push(own) => drawn(own.pushed().map(Participant::alone).collect(), Arrows::Forces),
-        Stage::Slide(own) => drawn(alone(&own.body), Arrows::Forces),
-        Stage::Tow(own) => drawn(own.both().map(|own| Participant::alone(&own.body)).to_vec(), Arrows::Forces),
-        Stage::Blow(own) => drawn(alone(&own.body), Arrows::Impulses),
-        Stage::Motion(own) => drawn(alone(&own.body), Arrows::Impulses),
+        Stage::Push(push) => drawn(push.pushed().map(Participant::alone).collect(), Arrows::Forces),
+        Stage::Slide(slide) => drawn(alone(&slide.body), Arrows::Forces),
+        Stage::Tow(tow) => drawn(tow.both().map(|towed| Participant::alone(&towed.body)).to_vec(), Arrows::Forces),
+        Stage::Blow(blow) => drawn(alone(&blow.body), Arrows::Impulses),
+        Stage::Motion(motion) => drawn(alone(&motion.body), Arrows::Impulses),
         Stage::Swing(_)
         | Stage::Connected(_)
         | Stage::Rotate(_)

@@ -31,10 +31,10 @@ pub(super) fn diagram(quantities: &Quantities<'_>, index: usize, stage: &Connect
     let loads = sides.iter().zip(strands).map(|(side, strand)| Load::of(quantities, index, side, strand));
     let loads = loads.collect::<Option<Vec<Load>>>()?;
     let duration = stage.duration.as_ref().and_then(|term| quantities.term(term));
-    let own = quantities.staged("dt", index);
-    let known = duration.as_ref().map_or_else(|| quantities.named(&own), |term| quantities.evaluate(term));
+    let duration_name = quantities.staged("dt", index);
+    let known = duration.as_ref().map_or_else(|| quantities.named(&duration_name), |term| quantities.evaluate(term));
     let lasting = Lasting {
-        label: duration.map_or_else(|| name_math(&own), |term| quantities.symbolic(&term)),
+        label: duration.map_or_else(|| name_math(&duration_name), |term| quantities.symbolic(&term)),
         time: known.or_else(|| time_of_gain(&sides, &loads)),
     };
     let loaded = sides.iter().zip(&loads);

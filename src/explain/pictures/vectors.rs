@@ -116,8 +116,8 @@ impl Quantities<'_> {
     fn of_string(&self, impulse: &Impulse) -> Option<String> {
         let Agent::Body(other) = &impulse.by else { return None };
         let jerked: Vec<_> = self.model().strings.iter().filter(|string| string.jerk == impulse.stage).collect();
-        let own = jerked.iter().find(|string| string.ends.contains(&impulse.on) && string.ends.contains(other))?;
-        (jerked.len() > 1).then(|| own.ends.concat())
+        let string = jerked.iter().find(|string| string.ends.contains(&impulse.on) && string.ends.contains(other))?;
+        (jerked.len() > 1).then(|| string.ends.concat())
     }
 
     /// The impulse along x and y.
@@ -156,8 +156,9 @@ impl Quantities<'_> {
 
     /// The impulse of weight over a fall; its value follows from the momenta.
     pub(super) fn impulse_of_weight(&self, body: &str, stage: usize) -> Labelled {
-        let own = self.scene().stages.get(stage);
-        let told = own.and_then(|own| if let Stage::Flight(flight) = own { flight.during.as_ref() } else { None });
+        let entry = self.scene().stages.get(stage);
+        let told =
+            entry.and_then(|entry| if let Stage::Flight(flight) = entry { flight.during.as_ref() } else { None });
         let told = told.and_then(|term| self.term(term)).map(|time| self.duration(&Expr::zero(), &time));
         let time = told.unwrap_or_else(|| name_math(&self.staged("dt", stage)));
         Labelled { label: product([self.weight_math(body, stage), time]), value: None }

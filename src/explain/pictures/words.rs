@@ -236,12 +236,12 @@ pub(super) fn launch_wording(
         }
     };
     let when = if instant == 1 { "at the start of the flight".to_owned() } else { quantities.when(instant) };
-    let own = situation_wording(quantities, &[(body.to_owned(), moving.clone())], &when);
+    let wording = situation_wording(quantities, &[(body.to_owned(), moving.clone())], &when);
     let path = if to_scale { "drawn to scale" } else { "only sketched" };
     Wording {
-        description: format!("{} {}", own.description, sentence(&lies)).trim_end().to_owned(),
-        caption: format!("{}; the path is {path}.", own.caption.trim_end_matches('.')),
-        ..own
+        description: format!("{} {}", wording.description, sentence(&lies)).trim_end().to_owned(),
+        caption: format!("{}; the path is {path}.", wording.caption.trim_end_matches('.')),
+        ..wording
     }
 }
 

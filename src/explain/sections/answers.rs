@@ -54,7 +54,7 @@ fn sentence(display: Display<'_>, part: &Part, detail: Detail) -> Vec<Inline> {
             });
             let mistaken: String = mistaken.filter(|_| detail == Detail::Full).collect();
             let mut words = Inline::line(&format!("{} ", part.label));
-            words.extend(Inline::line(&capitalised(option)).into_iter().map(|own| match own {
+            words.extend(Inline::line(&capitalised(option)).into_iter().map(|inline| match inline {
                 Inline::Text(text) => Inline::Strong(text),
                 other => other,
             }));
@@ -113,10 +113,10 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
 
 /// Whether the answer is asked in another unit than the steps computed in.
 fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
-    let own = &display.manner(number.symbol).measured;
+    let measured = &display.manner(number.symbol).measured;
     match &number.unit {
-        AskedUnit::Unit(unit) => *unit != own.unit && unit.factor() != own.unit.factor(),
-        AskedUnit::InTermsOf(letter, _) => own.letters != Some(Expr::from(*letter)),
+        AskedUnit::Unit(unit) => *unit != measured.unit && unit.factor() != measured.unit.factor(),
+        AskedUnit::InTermsOf(letter, _) => measured.letters != Some(Expr::from(*letter)),
     }
 }
 

@@ -36,7 +36,7 @@ pub(crate) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
     let literals = &display.worked.problem.model().literals;
     let told = display.worked.variant.all_given().iter();
     let mut told: Vec<Vec<Inline>> = told
-        .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(own, _)| own == symbol))
+        .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(literal, _)| literal == symbol))
         .map(|given| {
             let is_open = display.is_open(given.0);
             vec![Inline::Math(if is_open { display.name(given.0) } else { value(display, given) })]
@@ -99,8 +99,8 @@ fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) ->
             format!("along the line of impact, from {} towards {}", name(first), name(second))
         }
         Partners::Surface(_, surface) => {
-            let own = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
-            format!("perpendicularly away from {}", own.unwrap_or_else(|| format!("the {surface}")))
+            let name = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
+            format!("perpendicularly away from {}", name.unwrap_or_else(|| format!("the {surface}")))
         }
     };
     let quarters = f64::from(frame.normal.quarters % 4);
@@ -169,7 +169,7 @@ fn as_printed(display: Display<'_>, symbol: Symbol) -> Option<Math> {
     let (variant, problem) = (display.worked.variant, display.worked.problem);
     let value = number_math(Printed::written(&variant.printed_value(problem, symbol)?).plain());
     let printed = with_unit(value, &variant.unit(problem, symbol));
-    let calculation = calculation(display, symbol).map(|own| [own, Math::Operator(Operator::Equals)]);
+    let calculation = calculation(display, symbol).map(|math| [math, Math::Operator(Operator::Equals)]);
     let parts = [display.name(symbol), Math::Operator(Operator::Equals)].into_iter();
     Some(Math::Row(parts.chain(calculation.into_iter().flatten()).chain([printed]).collect()))
 }

@@ -85,7 +85,9 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
     let is_one = |e: &str| {
         let given = worked.variant.all_given().iter();
         e == "1"
-            || given.into_iter().any(|(own, value, _)| symbols.entry(*own).name == e && value.to_rational().is_one())
+            || given
+                .into_iter()
+                .any(|(symbol, value, _)| symbols.entry(*symbol).name == e && value.to_rational().is_one())
     };
     let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
     let by_momentum: BTreeSet<usize> =

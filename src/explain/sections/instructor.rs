@@ -56,7 +56,7 @@ pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
 fn counted(names: &[&str]) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     for name in names {
-        match counts.iter_mut().find(|(own, _)| own == name) {
+        match counts.iter_mut().find(|(listed, _)| listed == name) {
             Some((_, count)) => *count += 1,
             None => counts.push((name, 1)),
         }

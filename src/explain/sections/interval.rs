@@ -21,11 +21,12 @@ pub(crate) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> 
     let claim = &range.claim;
     let at = with_unit(Math::Number(interval.trial.at.to_f64().to_string()), &range.number.plain_unit());
     let measured = display.measured_along(display.worked.steps_tried(range, &interval.trial), &claim.left);
-    let left = measured.map(|own| match (&own.letters, &claim.left) {
+    let left = measured.map(|measured| match (&measured.letters, &claim.left) {
         (None, Expr::Symbol(symbol)) => Measured::new(display.unit(*symbol).clone()),
-        _ => own,
+        _ => measured,
     });
-    let left = left.map(|own| own.put(number_math(printed(interval.trial.left / display.size(&own), 3))));
+    let left =
+        left.map(|measured| measured.put(number_math(printed(interval.trial.left / display.size(&measured), 3))));
     let side = if interval.low.is_some_and(|low| !low.own) { "above" } else { "below" };
     let right = display.symbolic(&claim.right);
     let mut words = Inline::line(&format!("{} ", part.label));

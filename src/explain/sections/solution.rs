@@ -177,8 +177,8 @@ fn taking_part(worked: Worked<'_>, last: usize) -> Vec<String> {
     };
     let [now, later] = [true, false].map(on);
     let only_later = |body: &str| later.contains(body) && !now.contains(body);
-    let undivided = scene.bodies.iter().filter(|(own, _)| scene.division_of(own).is_empty());
-    undivided.filter(|(own, _)| !only_later(own)).map(|(_, body)| body.name.clone()).collect()
+    let undivided = scene.bodies.iter().filter(|(name, _)| scene.division_of(name).is_empty());
+    undivided.filter(|(name, _)| !only_later(name)).map(|(_, body)| body.name.clone()).collect()
 }
 
 /// The steps of the answer plan.
@@ -202,11 +202,12 @@ fn laws(
 fn ways_taken(display: Display<'_>) -> impl Iterator<Item = &str> {
     let leaf = display.worked.leaf();
     let used = leaf.answer_steps().iter().flat_map(|step| &step.equations);
-    let used: BTreeSet<usize> = used.filter_map(|own| leaf.system.equations.get(*own)).map(|own| own.tag).collect();
+    let used: BTreeSet<usize> =
+        used.filter_map(|place| leaf.system.equations.get(*place)).map(|equation| equation.tag).collect();
     let choices = &display.worked.problem.model().choices;
     choices.iter().zip(&leaf.words).filter_map(move |(ways, what)| {
         let way = ways.iter().find(|way| way.what == *what)?;
-        way.equations.iter().any(|own| used.contains(&own.tag)).then_some(way.what.as_str())
+        way.equations.iter().any(|equation| used.contains(&equation.tag)).then_some(way.what.as_str())
     })
 }
 

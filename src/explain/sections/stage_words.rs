@@ -57,7 +57,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
                 all => {
                     format!(
                         "the strings {} are jerked at the same time",
-                        list(&all.iter().map(|own| between(*own)).collect::<Vec<_>>())
+                        list(&all.iter().map(|pair| between(*pair)).collect::<Vec<_>>())
                     )
                 }
             }
@@ -67,7 +67,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{leading} pulls {trailing} along by the string")
         }
         Stage::Tow(tow) => {
-            let [front, rear] = tow.both().map(|own| name(&own.body));
+            let [front, rear] = tow.both().map(|towed| name(&towed.body));
             format!("{front} and {rear} move together")
         }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
@@ -146,8 +146,8 @@ fn pushed(scene: &Scene, push: &Push) -> String {
 }
 
 fn surface_name(scene: &Scene, surface: &str) -> String {
-    let own = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
-    own.unwrap_or_else(|| format!("the {surface}"))
+    let entry_name = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
+    entry_name.unwrap_or_else(|| format!("the {surface}"))
 }
 
 /// One sentence on what acts in a stage.
@@ -190,7 +190,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             let are = if bodies.len() > 1 { "are" } else { is };
             during(format!("{} {are} acted on by {}", list(&bodies), in_flight(scene, flight)))
         }
-        (Stage::Interact(own), [one, other]) if own.friction.is_some() => during(format!(
+        (Stage::Interact(interact), [one, other]) if interact.friction.is_some() => during(format!(
             "{} and {} are acted on by the friction between them, with equal and opposite forces along the axis",
             name(&one.on),
             name(&other.on)
@@ -225,13 +225,13 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         ),
         (Stage::Taut(_), [_, _, ..]) => jerking(&phrase),
         (Stage::Connected(connected), [one, other]) => {
-            during(connecting(scene, connected, &list(&[one, other].map(|own| name(&own.on)))))
+            during(connecting(scene, connected, &list(&[one, other].map(|impulse| name(&impulse.on)))))
         }
         (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
         (Stage::Tow(tow), _) => during(format!(
             "{} acts on {} with equal and opposite forces; all other forces are external",
             tow.joint(),
-            list(&tow.both().map(|own| name(&own.body)))
+            list(&tow.both().map(|towed| name(&towed.body)))
         )),
         (Stage::Bounces(_), _) => {
             during(format!("{body} {is} acted on by weight and, at each bounce, by {}", first.called))
@@ -267,7 +267,7 @@ fn beside_a_stream(scene: &Scene, stream: &Stream, called: &str) -> Vec<String> 
 
 /// What acts from outside on a body and on the one that carries it and gives way.
 fn supported(scene: &Scene, body: &str, on: &str) -> String {
-    let [body, on] = [body, on].map(|own| scene.called(own));
+    let [body, on] = [body, on].map(|body| scene.called(body));
     format!(
         "{body} and {on} are acted on by their weights and by the support; none of these forces has a component along the motion of {on}"
     )

@@ -105,9 +105,9 @@ impl<'a> Display<'a> {
 
     fn measured_by(self, powers: Powers, term: &Expr, unit: impl FnOnce(Dimension) -> Unit) -> Measured {
         let symbols = &self.worked.problem.model().symbols;
-        let own = term.dimension(symbols).unwrap_or_default();
+        let dimension = term.dimension(symbols).unwrap_or_default();
         if powers.is_empty() {
-            return Measured::new(unit(own));
+            return Measured::new(unit(dimension));
         }
         let mut powers: Vec<(Symbol, Rational)> = powers.into_iter().collect();
         powers.sort_by_key(|(letter, _)| symbols.entry(*letter).dimension != Dimension::MASS);
@@ -137,7 +137,7 @@ impl<'a> Display<'a> {
             let problem = self.worked.problem;
             let (measured, _) = self.measured(&symbol.into(), |_| self.unit_chosen(symbol));
             let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
-            let is_literal = problem.model().literals.iter().any(|(own, _)| *own == symbol);
+            let is_literal = problem.model().literals.iter().any(|(literal, _)| *literal == symbol);
             Manner {
                 measured,
                 name: (!is_literal).then(|| problem.math_of(symbol)),
@@ -159,7 +159,7 @@ impl<'a> Display<'a> {
     fn formula(self, symbol: Symbol) -> Option<&'a Expr> {
         let mut steps = self.worked.leaf().answer_steps().iter();
         let root = |step: &'a Step| match &step.roots[..] {
-            [Root { values }] => values.iter().find(|(own, _)| *own == symbol),
+            [Root { values }] => values.iter().find(|(root_of, _)| *root_of == symbol),
             _ => None,
         };
         match steps.find_map(root)? {
@@ -212,7 +212,7 @@ impl<'a> Display<'a> {
     fn asked_unit(self, symbol: Symbol) -> Option<Unit> {
         let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
         numbers.find_map(|number| match number {
-            NumberPart { symbol: own, unit: AskedUnit::Unit(unit), .. } if *own == symbol => Some(unit.clone()),
+            NumberPart { symbol: asked, unit: AskedUnit::Unit(unit), .. } if *asked == symbol => Some(unit.clone()),
             _ => None,
         })
     }

@@ -37,7 +37,7 @@ pub(crate) struct Figures {
 impl Figures {
     /// The figures of a number; none where no line asks for more than the usual ones.
     pub(crate) fn of(&self, item: Item) -> Option<usize> {
-        self.numbers.iter().find(|(own, _)| *own == item).map(|(_, figures)| *figures)
+        self.numbers.iter().find(|(counted, _)| *counted == item).map(|(_, figures)| *figures)
     }
 }
 
@@ -224,9 +224,9 @@ impl Line {
         let off = (self.computed(entries, places, None) - result.printed).abs();
         // 2.915 looks as if it were 2.92; only a number that is half-way itself may be rounded either way.
         let is_half_way = |off: f64| off >= result.half * (1.0 - SLACK);
-        if let (Rule::Same, [own]) = (&self.rule, &self.operands[..])
+        if let (Rule::Same, [operand]) = (&self.rule, &self.operands[..])
             && is_half_way(off)
-            && !is_half_way((entries[*own].value - result.printed).abs())
+            && !is_half_way((entries[*operand].value - result.printed).abs())
         {
             return false;
         }

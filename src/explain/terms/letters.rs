@@ -42,11 +42,11 @@ impl Letters {
         if worked.form.free.is_empty() {
             return letters;
         }
-        let literals = worked.problem.model().literals.iter().filter(|(_, own)| own.value.is_zero());
+        let literals = worked.problem.model().literals.iter().filter(|(_, quantity)| quantity.value.is_zero());
         let zeros = worked.zeros().chain(literals.map(|(symbol, _)| *symbol));
         letters.known.extend(zeros.map(|zero| (zero, Some(Growth::Zero))));
-        let own = |letter: &Symbol| (*letter, Some(Growth::By(Powers::from([(*letter, Rational::ONE)]))));
-        letters.known.extend(worked.form.free.iter().map(own));
+        let as_it_stands = |letter: &Symbol| (*letter, Some(Growth::By(Powers::from([(*letter, Rational::ONE)]))));
+        letters.known.extend(worked.form.free.iter().map(as_it_stands));
         for step in steps {
             for (unknown, closed) in step.roots.iter().flat_map(|root| &root.values) {
                 let growth = letters.solved(worked, (*unknown, closed), whole);
@@ -64,7 +64,7 @@ impl Letters {
         whole: &dyn Fn(Symbol) -> Option<Expr>,
     ) -> Option<Growth> {
         let number = Some(Growth::By(Powers::new()));
-        if !closed.symbols().iter().any(|own| self.is_open(*own) || self.is_zero(*own)) {
+        if !closed.symbols().iter().any(|symbol| self.is_open(*symbol) || self.is_zero(*symbol)) {
             return number;
         }
         let at_once = || match closed {
@@ -151,7 +151,7 @@ impl Letters {
                 let is_number = |growth: Growth| growth == Growth::Zero || growth == Growth::By(Powers::new());
                 arguments.iter().all(|argument| inner(argument).is_some_and(is_number)).then(number).flatten()
             }
-            Expr::Piecewise(own) => common(own.pieces.iter().map(|(_, value)| inner(value))),
+            Expr::Piecewise(piecewise) => common(piecewise.pieces.iter().map(|(_, value)| inner(value))),
         }
     }
 }
@@ -159,8 +159,8 @@ impl Letters {
 /// How terms grow that all grow alike.
 fn common(mut terms: impl Iterator<Item = Option<Growth>>) -> Option<Growth> {
     terms.try_fold(Growth::Zero, |common, term| match (common, term?) {
-        (Growth::Zero, own) | (own, Growth::Zero) => Some(own),
-        (common, own) => (common == own).then_some(common),
+        (Growth::Zero, growth) | (growth, Growth::Zero) => Some(growth),
+        (common, growth) => (common == growth).then_some(common),
     })
 }
 

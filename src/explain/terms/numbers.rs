@@ -63,7 +63,7 @@ impl Exact {
 impl Display<'_> {
     /// A value in its display unit, as it stands for its quantity in a term.
     pub(crate) fn leaf(self, symbol: Symbol) -> Leaf {
-        let known = |(own, _): &&(Symbol, Leaf)| *own == symbol;
+        let known = |(assumed, _): &&(Symbol, Leaf)| *assumed == symbol;
         if let Some((_, leaf)) = self.shown.leaves.borrow().iter().find(known) {
             return leaf.clone();
         }
@@ -113,7 +113,7 @@ impl Display<'_> {
         let mut told = self.worked.variant.all_given().iter();
         let printed = if manner.is_whole {
             Printed::written(&round_to_figures(value?.value.round(), 20)?)
-        } else if let Some((_, value, given)) = told.find(|(own, ..)| *own == symbol) {
+        } else if let Some((_, value, given)) = told.find(|(told_symbol, ..)| *told_symbol == symbol) {
             let same = *given == manner.measured.unit;
             if same { Printed::written(value) } else { converted(value, given, &manner.measured.unit)? }
         } else {
@@ -132,9 +132,9 @@ impl Display<'_> {
     /// A multiple of letters that is printed exactly: a whole one, or one that nothing but algebra gives.
     fn multiple(self, symbol: Symbol, letters: &Expr) -> Option<Exact> {
         let whole = self.worked.in_givens(symbol, &self.worked.alphabet().values)?;
-        let own = (whole.clone() / letters.clone()).simplify();
-        let is_algebra = own == (self.worked.in_givens(symbol, &BTreeMap::new())? / letters.clone()).simplify();
-        let number = own.as_number().filter(|number| number.is_int() || is_algebra)?;
+        let factor = (whole.clone() / letters.clone()).simplify();
+        let is_algebra = factor == (self.worked.in_givens(symbol, &BTreeMap::new())? / letters.clone()).simplify();
+        let number = factor.as_number().filter(|number| number.is_int() || is_algebra)?;
         let math = self.symbolic(&Expr::Number(number.clone()));
         Some(Exact { negative: math.begins_with_minus(), math, half: 0.05 })
     }
@@ -148,12 +148,12 @@ impl Display<'_> {
     /// To how many figures a number is printed where no line needs more: one more than is asked.
     fn usual(self, item: Item) -> usize {
         let asked = self.worked.problem.loaded().draft.significant_figures() + 1;
-        let own = |symbol: Symbol| {
+        let figures_of = |symbol: Symbol| {
             let numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
             numbers.filter(|number| number.symbol == symbol).map(|number| number.figures).max()
         };
-        let own = if let Item::Quantity(symbol) = item { own(symbol) } else { None };
-        FEWEST.max(asked).max(own.unwrap_or(0))
+        let figures_given = if let Item::Quantity(symbol) = item { figures_of(symbol) } else { None };
+        FEWEST.max(asked).max(figures_given.unwrap_or(0))
     }
 
     /// Enters a quantity into the ledger of a solution, as it will be printed.
@@ -254,9 +254,9 @@ impl Display<'_> {
 
     /// A number in the unit in which a part asks it; none where that is a quantity.
     pub(crate) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
-        let own = &self.manner(number.symbol).measured;
+        let measured = &self.manner(number.symbol).measured;
         match &number.unit {
-            AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
+            AskedUnit::Unit(unit) if *unit == measured.unit => measured.put(value),
             AskedUnit::Unit(unit) => with_unit(value, unit),
             AskedUnit::InTermsOf(..) => value,
         }

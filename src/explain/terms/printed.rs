@@ -58,7 +58,7 @@ pub(crate) fn as_taught(display: Display<'_>, number: &NumberPart) -> Vec<Inline
         return Vec::new();
     }
     let problem = display.worked.problem;
-    let unit_of = |own: Symbol| coherent_unit(problem.model().symbols.entry(own).dimension, problem.units());
+    let unit_of = |symbol: Symbol| coherent_unit(problem.model().symbols.entry(symbol).dimension, problem.units());
     vec![
         Inline::Text(" (".into()),
         Inline::Math(multiple(display, shown(number, answer.for_print()), *symbol)),

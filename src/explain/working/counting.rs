@@ -91,7 +91,7 @@ impl Trial<'_> {
         match side {
             Expr::Symbol(symbol) if *symbol != self.unknown => (side.clone(), Item::Quantity(*symbol)),
             _ => {
-                let tried = side.substitute(&|own| (own == self.unknown).then(|| number.clone()));
+                let tried = side.substitute(&|symbol| (symbol == self.unknown).then(|| number.clone()));
                 (tried, Item::Trial(self.unknown, self.number, place))
             }
         }

@@ -266,12 +266,12 @@ impl Derivation {
     /// The line that says what an unknown equals.
     fn solved(&mut self, unknown: Symbol, value: &Expr) -> usize {
         let source = self.sources.get(&unknown).and_then(|lines| lines.first()).copied().unwrap_or(0);
-        let own = Expr::from(unknown);
-        let is_stated = self.lines.get(source).is_some_and(|line| line.left == own && line.right == *value);
+        let left = Expr::from(unknown);
+        let is_stated = self.lines.get(source).is_some_and(|line| line.left == left && line.right == *value);
         if is_stated || self.is_of_numbers {
             return source;
         }
-        let place = self.push(&own, value, Origin::Solve { of: source, unknown });
+        let place = self.push(&left, value, Origin::Solve { of: source, unknown });
         self.sources.insert(unknown, vec![place]);
         place
     }
@@ -309,8 +309,9 @@ fn shown_integral(
     if matches!(statement, Statement::Equal { right, .. } if right != value) {
         integral.integrand = (-integral.integrand).simplify();
     }
-    let place =
-        |tag: &usize| before.iter().find(|(place, _)| system.equations.get(**place).is_some_and(|own| own.tag == *tag));
+    let place = |tag: &usize| {
+        before.iter().find(|(place, _)| system.equations.get(**place).is_some_and(|equation| equation.tag == *tag))
+    };
     let ends = instance.ends.iter().map(|tag| place(tag).map(|(place, number)| (*place, *number)));
     Some((Shown::Integral { of: left.clone(), integral }, Some(ends.collect::<Option<Stated>>()?)))
 }
@@ -336,18 +337,19 @@ fn shown_step(
 /// A term in which each quantity given piece by piece, between bounds whose values are known beforehand, is replaced by the piece
 /// that holds in every variant.
 fn decided(system: &System, term: &Expr) -> Expr {
-    let Expr::Piecewise(own) = term else { return term.map_children(|part| decided(system, part)) };
+    let Expr::Piecewise(piecewise) = term else { return term.map_children(|part| decided(system, part)) };
     let value = |term: &Expr| {
         let known = term.substitute(&|symbol| system.values.get(&symbol).cloned()).simplify();
         known.as_number().cloned()
     };
-    let at = value(&own.variable);
+    let at = value(&piecewise.variable);
     let holds = |until: &Option<Expr>| {
         let Some(until) = until else { return Some(true) };
         Some(at.clone()? <= value(until)?)
     };
     // An open bound before the piece that holds leaves all of it open.
-    let found = own.pieces.iter().map(|(until, piece)| (holds(until), piece)).find(|(holds, _)| *holds != Some(false));
+    let found =
+        piecewise.pieces.iter().map(|(until, piece)| (holds(until), piece)).find(|(holds, _)| *holds != Some(false));
     match found {
         Some((Some(true), piece)) => decided(system, piece),
         _ => term.clone(),

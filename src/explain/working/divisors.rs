@@ -107,7 +107,7 @@ fn has_sine_and_cosine(parts: &[Expr]) -> bool {
         });
         factors.filter_map(move |factor| match factor {
             Expr::Power(pair) => match &pair.0 {
-                Expr::Apply(own, angle) if *own == function => Some(angle.to_vec()),
+                Expr::Apply(applied, angle) if *applied == function => Some(angle.to_vec()),
                 _ => None,
             },
             _ => None,

@@ -30,7 +30,8 @@ pub(super) fn isolated([left, right]: [&Expr; 2], unknown: Symbol, is_negative: 
                     Expr::Sum(terms) => Expr::sum(terms.iter().map(|term| number.clone() * term.clone())),
                     _ => number * other,
                 };
-                other = Expr::product([other].into_iter().chain(factors.into_iter().map(|own| own.clone().powi(-1))));
+                other =
+                    Expr::product([other].into_iter().chain(factors.into_iter().map(|factor| factor.clone().powi(-1))));
                 inner
             }
             Expr::Power(pair) => {
@@ -53,7 +54,7 @@ pub(super) fn isolated([left, right]: [&Expr; 2], unknown: Symbol, is_negative: 
 /// The part that holds the unknown, and the others.
 fn apart(parts: &[Expr], unknown: Symbol) -> Option<(Expr, impl Iterator<Item = &Expr>)> {
     let place = parts.iter().position(|part| occurrences(part, Some(unknown)) > 0)?;
-    let others = parts.iter().enumerate().filter(move |(own, _)| *own != place).map(|(_, part)| part);
+    let others = parts.iter().enumerate().filter(move |(index, _)| *index != place).map(|(_, part)| part);
     Some((parts.get(place)?.clone(), others))
 }
 

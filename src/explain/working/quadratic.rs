@@ -64,7 +64,7 @@ pub(crate) struct Taught {
 /// The root of that place of a step whose unknown is found from a quadratic equation; `formula` is how it is computed.
 pub(crate) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
     step.moves.iter().find_map(|step_move| match step_move {
-        Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => {
+        Move::Quadratic { unknown: squared, a, b, c, .. } if *squared == unknown => {
             let [plus, minus] = quadratic_formula([a, b, c]);
             let taught = if place == 0 { plus } else { minus };
             let value = if c.is_zero() { formula.clone() } else { taught };
@@ -173,8 +173,11 @@ fn other_root([a, b, c]: [f64; 3], taken: f64) -> f64 {
 /// The equation in symbols once more, what is given as zero left out; nothing where that is nothing new.
 fn without_zeros(display: Display<'_>, unknown: Symbol, coefficients: [Expr; 3]) -> Vec<Block> {
     let values = display.worked.alphabet().values;
-    let zero: Vec<Symbol> =
-        coefficients.iter().flat_map(Expr::symbols).filter(|own| values.get(own).is_some_and(Expr::is_zero)).collect();
+    let zero: Vec<Symbol> = coefficients
+        .iter()
+        .flat_map(Expr::symbols)
+        .filter(|symbol| values.get(symbol).is_some_and(Expr::is_zero))
+        .collect();
     if zero.is_empty() {
         return Vec::new();
     }
@@ -238,7 +241,7 @@ fn formula(a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
 fn roots(display: Display<'_>, unknown: Symbol, coefficients: [&Coefficient; 3]) -> Option<Math> {
     let unit = &display.manner(unknown).measured;
     let taken = display.worked.variant.value(unknown)?.value;
-    let in_si = coefficients.map(|own| own.value * own.size);
+    let in_si = coefficients.map(|coefficient| coefficient.value * coefficient.size);
     let other = other_root(in_si, taken) / display.size(unit);
     let other = printed(other, display.figures(Item::OtherRoot(unknown), other));
     let other = unit.put(number_math(other));

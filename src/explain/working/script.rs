@@ -213,10 +213,10 @@ pub(super) fn stated_with(display: Display<'_>, line: &Line, simplified: &dyn Fn
     let [left, right] = [&line.left, &line.right].map(symbolic);
     match &line.shown {
         None => Math::relation(left, line.relation, right),
-        Some(Shown::Integral { of, integral: own }) => {
-            Math::relation(symbolic(of), line.relation, integral(display, own, simplified))
+        Some(Shown::Integral { of, integral: shown }) => {
+            Math::relation(symbolic(of), line.relation, integral(display, shown, simplified))
         }
-        Some(Shown::Series(own)) => Math::chain([left, series(own, &symbolic), right], Operator::Equals),
+        Some(Shown::Series(shown)) => Math::chain([left, series(shown, &symbolic), right], Operator::Equals),
         Some(Shown::Areas(areas)) => {
             Math::relation(left, Operator::Equals, Math::chain(areas.iter().map(symbolic), Operator::Plus))
         }
@@ -228,11 +228,11 @@ pub(super) fn stated_with(display: Display<'_>, line: &Line, simplified: &dyn Fn
 }
 
 /// `factor (e + e^2 + ...)`.
-fn series(own: &Series, symbolic: &dyn Fn(&Expr) -> Math) -> Math {
+fn series(series: &Series, symbolic: &dyn Fn(&Expr) -> Math) -> Math {
     let dots = Math::Text("...".to_owned());
-    let terms = own.terms.iter().map(symbolic).chain([dots]).chain(own.last.as_ref().map(symbolic));
+    let terms = series.terms.iter().map(symbolic).chain([dots]).chain(series.last.as_ref().map(symbolic));
     let sum = Math::Bracketed(Arc::new(Math::chain(terms, Operator::Plus)));
-    Math::Row(vec![symbolic(&own.factor), Math::Operator(Operator::Juxtapose), sum])
+    Math::Row(vec![symbolic(&series.factor), Math::Operator(Operator::Juxtapose), sum])
 }
 
 /// An integral in symbols.
@@ -277,7 +277,7 @@ pub(crate) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbo
         },
         _ => return None,
     };
-    let is_given = display.worked.variant.all_given().iter().any(|(own, ..)| *own == given);
+    let is_given = display.worked.variant.all_given().iter().any(|(given_symbol, ..)| *given_symbol == given);
     is_given.then_some((unknown, formula))
 }
 

@@ -73,7 +73,7 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             let number = derivation.lines.get(*of).and_then(|line| line.number);
             let mut words = said(format!(
                 "Evaluating the integral{}",
-                number.map_or_else(String::new, |own| format!(" in ({own})"))
+                number.map_or_else(String::new, |equation| format!(" in ({equation})"))
             ));
             let ends: Vec<_> = ends.iter().filter_map(|(place, number)| end(display, *place, *number)).collect();
             if !ends.is_empty() {

@@ -131,13 +131,14 @@ impl<'a> ShortSteps<'a> {
     /// Why the other roots are no solutions, unless that goes without saying.
     fn rejected(&self, position: usize, step: &Step) -> Vec<Block> {
         let worked = self.display.worked;
-        let value = |unknown: &Symbol| worked.variant.value(*unknown).map_or(f64::NAN, |own| own.value);
+        let value = |unknown: &Symbol| worked.variant.value(*unknown).map_or(f64::NAN, |number| number.value);
         let taken: Vec<f64> = step.unknowns.iter().map(value).collect();
         let is_negative = taken.first().is_some_and(|first| *first < 0.0);
         let mut blocks = Vec::new();
         for dead in worked.variant.dead().iter().filter(|dead| dead.step == Some(position)) {
             let values = || dead.values.iter().map(|value| value.value);
-            let is_mirrored = values().zip(&taken).all(|(other, own)| (other + own).abs() <= MIRRORED * own.abs());
+            let is_mirrored =
+                values().zip(&taken).all(|(other, mirrored)| (other + mirrored).abs() <= MIRRORED * mirrored.abs());
             if is_mirrored && is_negative {
                 blocks.push(Block::text(&format!("The positive root is not a solution: {}.", worked.why_dead(dead))));
             } else if !is_mirrored && values().all(f64::is_finite) {
@@ -306,8 +307,8 @@ impl<'a> ShortSteps<'a> {
                 }
             };
             let is_exact = display.is_exact_multiple(unknown) || formula.expr.is_zero();
-            let numbers =
-                numbers.filter(|own| Some(own) != symbols.as_ref() && own.latex() != value.latex() && !is_exact);
+            let numbers = numbers
+                .filter(|numbers| Some(numbers) != symbols.as_ref() && numbers.latex() != value.latex() && !is_exact);
             parts.extend(symbols.filter(|symbols| *symbols != name && *symbols != value));
             parts.extend(numbers);
         }

@@ -125,12 +125,12 @@ impl<'a> Steps<'a> {
             blocks.extend(trials);
             return;
         }
-        let own;
+        let general;
         let formula = match formula {
             Formula::Fixed(formula) => formula.as_deref(),
             Formula::Varies => {
-                own = self.formula(step, unknown, closed);
-                own.as_ref()
+                general = self.formula(step, unknown, closed);
+                general.as_ref()
             }
         };
         blocks.push(self.value(unknown, formula));
@@ -143,7 +143,7 @@ impl<'a> Steps<'a> {
     pub(super) fn afterwards(&mut self, unknown: Symbol, formula: Option<&Term>, quadrant: &str) -> Vec<Block> {
         let mut blocks = Vec::new();
         let is_turned = |value: f64| self.display.worked.whole_turns(unknown, value) != 0.0;
-        if self.display.worked.variant.value(unknown).is_some_and(|own| is_turned(own.value)) {
+        if self.display.worked.variant.value(unknown).is_some_and(|number| is_turned(number.value)) {
             blocks.push(Block::text("Less a whole turn of 360° this is the same direction."));
         }
         let wants_quadrant = |formula: &Term| formula.has_angle && self.display.is_outside_arctangent(&formula.expr);
@@ -208,7 +208,7 @@ impl<'a> Steps<'a> {
         self.formula_part(unknown)?;
         let whole = self.in_givens(unknown).filter(|whole| formula != Some(whole))?;
         // Then its value is the whole formula.
-        let is_printed = !self.display.is_free(unknown) && whole.all_symbols(&|own| self.display.is_open(own));
+        let is_printed = !self.display.is_free(unknown) && whole.all_symbols(&|symbol| self.display.is_open(symbol));
         (!is_printed).then_some(whole)
     }
 
@@ -252,7 +252,8 @@ impl<'a> Steps<'a> {
             numbers = Some(self.display.as_told(&whole));
         }
         let is_exact = self.display.is_exact_multiple(unknown);
-        let numbers = numbers.filter(|own| *own != formula.symbols && own.latex() != value.latex() && !is_exact);
+        let numbers =
+            numbers.filter(|numbers| *numbers != formula.symbols && numbers.latex() != value.latex() && !is_exact);
         match numbers {
             // The equation from which it comes stands just above, with the same symbols.
             Some(numbers) if is_too_wide(&formula.symbols) => {

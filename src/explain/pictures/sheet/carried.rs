@@ -33,8 +33,8 @@ pub(in super::super) fn on_face(
     let bodies = [stage.body.as_str(), on];
     let rises = stage.way == Some(UpOrDown::Up);
     let rightwards = (compass.place([1.0, 0.0])[0] > 0.0) != quantities.is_backwards(stage.direction.as_ref());
-    let [own, carrier] = bodies.map(|body| quantities.velocity(body, index + 1));
-    let brow = if rises { stage.until != Some(Halt::Together) } else { carrier.is_some() && own != carrier };
+    let [passenger, carrier] = bodies.map(|body| quantities.velocity(body, index + 1));
+    let brow = if rises { stage.until != Some(Halt::Together) } else { carrier.is_some() && passenger != carrier };
     let angle = |side: usize| if (side == 1) == rises { SKETCHED } else { 0.0 };
     let carried = Carried {
         ends: [0, 1].map(|side| end(quantities, compass, bodies, index + 1 + side, (angle(side), None))).to_vec(),
@@ -95,7 +95,7 @@ fn drawing(
     carried: Carried,
     [place, holds, both]: [String; 3],
 ) -> Drawing {
-    let is_told = |own: &MovingBody| !own.vectors.is_empty();
+    let is_told = |moving: &MovingBody| !moving.vectors.is_empty();
     let tells = |end: &CarriedEnd| {
         let height = end.angle != 0.0 && carried.height.is_some();
         height || end.label.is_some() || is_told(&end.rider) || is_told(&end.carrier)

@@ -84,8 +84,8 @@ pub(in super::super) fn cushion(quantities: &Quantities<'_>, compass: &Compass, 
     let axes = quantities.scene().axes.rectangular();
     let [_, _] = axes[..] else { return None };
     let (position, sense) = axes.iter().enumerate().find_map(|(position, (_, senses))| match &away {
-        own if *own == senses.positive => Some((position, 1.0)),
-        own if *own == senses.negative => Some((position, -1.0)),
+        direction if *direction == senses.positive => Some((position, 1.0)),
+        direction if *direction == senses.negative => Some((position, -1.0)),
         _ => None,
     })?;
     let body = &blow.body;
@@ -128,7 +128,7 @@ fn stands_on_floor(quantities: &Quantities<'_>, impact: &Impact, [across, down]:
 /// The direction in which the first body comes nearer to the second: where no line of impact is stated, they lie so.
 fn approach(quantities: &Quantities<'_>, impact: &Impact) -> Option<[f64; 2]> {
     let Partners::Bodies(first, second) = impact.partners()? else { return None };
-    let (own, other) = (quantities.velocity(first, 1)?, quantities.velocity(second, 1)?);
-    let approach = [own[0] - other[0], own[1] - other[1]];
+    let (first_velocity, second_velocity) = (quantities.velocity(first, 1)?, quantities.velocity(second, 1)?);
+    let approach = [first_velocity[0] - second_velocity[0], first_velocity[1] - second_velocity[1]];
     (approach != [0.0, 0.0]).then_some(approach)
 }

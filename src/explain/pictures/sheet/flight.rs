@@ -53,7 +53,7 @@ pub(in super::super) fn drawing(
     let direction = velocity.map(|velocity| compass.angle(velocity));
     let moving = quantities.body(body, quantities.motion(compass, body, index + 1));
     let resisted = resisted(quantities, compass, index, flight);
-    let is_true = resisted.is_some_and(|own| own.end.is_some());
+    let is_true = resisted.is_some_and(|resisted| resisted.end.is_some());
     let wording = launch_wording(quantities, body, (&moving, index + 1), (&target, is_true));
     let launch = Launch { body: moving, direction, target, resisted };
     Some(Situation { wording, layout: Layout::Launch(launch), axes: compass.marks() }.drawing())
@@ -94,8 +94,8 @@ fn target(quantities: &Quantities<'_>, body: &str, index: usize, flight: &stage:
         matches!(quantities.scene().stages.get(index + 1), Some(Stage::Impact(impact)) if impact.against.is_some());
     let distance = quantities.evaluate(&way).map(|_| quantities.unsigned(&way));
     let falls = |stage: &Stage| {
-        let Stage::Flight(own) = stage else { return None };
-        self::way(quantities, [body, &start], own.until.as_ref()?, Axis::Y)
+        let Stage::Flight(flight) = stage else { return None };
+        self::way(quantities, [body, &start], flight.until.as_ref()?, Axis::Y)
     };
     let ground = quantities.scene().stages.iter().find_map(falls);
     strikes.then(|| Target::Wall(distance, ground.and_then(|way| depth(quantities, &way))))

@@ -67,15 +67,15 @@ impl Quantities<'_> {
         if !matches!(self.scene().stages.get(stage), Some(Stage::Blow(_))) {
             return Vec::new();
         }
-        let own = self.model().impulses.iter().filter(|impulse| impulse.stage == stage && impulse.on == body);
-        let known = own.map(|impulse| self.impulse(impulse)).filter(|impulse| impulse.value.is_some());
+        let impulses = self.model().impulses.iter().filter(|impulse| impulse.stage == stage && impulse.on == body);
+        let known = impulses.map(|impulse| self.impulse(impulse)).filter(|impulse| impulse.value.is_some());
         known.map(|impulse| Moving::impulse(impulse.placed(compass))).collect()
     }
 
     /// The pushes and pulls on a body in a stage that are given.
     pub(in super::super) fn forces_on(&self, compass: &Compass, body: &str, stage: usize) -> Vec<Moving> {
-        let own = self.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
-        let pulls = own.filter(|force| force.kind == ForceKind::Pull).filter_map(|force| self.force(compass, force));
+        let forces = self.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
+        let pulls = forces.filter(|force| force.kind == ForceKind::Pull).filter_map(|force| self.force(compass, force));
         let resisted = self.against_resistance(body, stage).into_iter();
         pulls.chain(resisted.map(|force| Moving::force(force.placed(compass)))).collect()
     }
@@ -87,7 +87,11 @@ impl Quantities<'_> {
             push.forces.iter().filter_map(|force| if let Force::Pull(pull) = force { Some(pull) } else { None });
         let told: Vec<Labelled> = pulls.filter_map(|pull| self.pull_along(pull)).collect();
         let is_whole = told.len() == push.forces.len();
-        let resistance = push.resistance.as_ref().filter(|_| is_whole).and_then(|own| self.resisting(own, body, stage));
+        let resistance = push
+            .resistance
+            .as_ref()
+            .filter(|_| is_whole)
+            .and_then(|resistance| self.resisting(resistance, body, stage));
         if resistance.is_some() { told.into_iter().chain(resistance).collect() } else { Vec::new() }
     }
 

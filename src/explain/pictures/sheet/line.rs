@@ -134,17 +134,17 @@ fn bodies(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Vec<(
 
 /// Bodies that come apart in a stage are drawn as one before it, with the first velocity that is told of one of them.
 fn until_they_part(quantities: &Quantities<'_>, stage: usize, bodies: Vec<(String, MovingBody)>) -> Vec<MovingBody> {
-    let Some(Stage::Separate(own)) = quantities.scene().stages.get(stage) else { return alone(bodies) };
-    let parts = own.into.iter().map(|part| (body_math(part), quantities.form(part))).collect();
-    let (mut whole, rest): (Vec<_>, Vec<_>) = match &own.from {
+    let Some(Stage::Separate(separate)) = quantities.scene().stages.get(stage) else { return alone(bodies) };
+    let parts = separate.into.iter().map(|part| (body_math(part), quantities.form(part))).collect();
+    let (mut whole, rest): (Vec<_>, Vec<_>) = match &separate.from {
         Some(whole) => bodies.into_iter().partition(|(body, _)| body == whole),
-        None => bodies.into_iter().partition(|(body, _)| own.into.contains(body)),
+        None => bodies.into_iter().partition(|(body, _)| separate.into.contains(body)),
     };
     let Some(first) = whole.iter().position(|(_, body)| body.is_told()).or((!whole.is_empty()).then_some(0)) else {
         return alone(rest);
     };
     let (_, body) = whole.swap_remove(first);
-    let name = if own.from.is_some() { body.name.clone() } else { Math::Row(Vec::new()) };
+    let name = if separate.from.is_some() { body.name.clone() } else { Math::Row(Vec::new()) };
     let joined = MovingBody { name, ..body }.joined(parts);
     [joined].into_iter().chain(alone(rest)).collect()
 }
@@ -165,13 +165,13 @@ fn is_struck(quantities: &Quantities<'_>, body: &str, stage: usize) -> bool {
 /// The bodies from back to front: in an impact, the second body lies ahead of the first, and what tows ahead of what is towed.
 fn order(quantities: &Quantities<'_>, stage: usize) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
-    let place = |order: &Vec<String>, body: &str| order.iter().position(|own| own == body);
-    for own in &quantities.scene().stages {
-        let pairs = if let Stage::Tow(tow) = own {
+    let place = |order: &Vec<String>, body: &str| order.iter().position(|name| name == body);
+    for stage in &quantities.scene().stages {
+        let pairs = if let Stage::Tow(tow) = stage {
             vec![[tow.rear.body.as_str(), tow.front.body.as_str()]]
-        } else if let Stage::Taut(taut) = own {
+        } else if let Stage::Taut(taut) = stage {
             taut.ends()
-        } else if let Stage::Impact(impact) = own
+        } else if let Stage::Impact(impact) = stage
             && let Some(Partners::Bodies(first, second)) = impact.partners()
         {
             vec![[first, second]]
@@ -216,7 +216,7 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
     let scene = quantities.scene();
     let mut near = scene.stages.iter().enumerate().skip(stage).take(2);
     let (at, spring) =
-        near.find_map(|(at, own)| if let Stage::Spring(spring) = own { Some((at, spring)) } else { None })?;
+        near.find_map(|(at, stage)| if let Stage::Spring(spring) = stage { Some((at, spring)) } else { None })?;
     let place = match spring.ends()? {
         Ends::Free(first, second) if at == stage && names.starts_with(&[first, second]) => LineSpring::Between,
         Ends::Free(..) => return None,
@@ -240,10 +240,10 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
 /// What connects bodies that follow each other in a stage: the position of the one behind, and what ties it to the next.
 fn tied(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Vec<(usize, Tie)> {
     let stages = &quantities.scene().stages;
-    let Some(own) = stages.get(stage) else { return Vec::new() };
-    let (tie, pairs) = if let Stage::Taut(taut) = own {
+    let Some(entry) = stages.get(stage) else { return Vec::new() };
+    let (tie, pairs) = if let Stage::Taut(taut) = entry {
         (Tie::Slack, taut.ends())
-    } else if let Stage::Tow(tow) = own {
+    } else if let Stage::Tow(tow) = entry {
         (Tie::Firm, vec![[tow.rear.body.as_str(), tow.front.body.as_str()]])
     } else if let Some((_, taut)) = strung::jerked(stages, stage) {
         // What is struck pulls the others along at once.
@@ -252,7 +252,7 @@ fn tied(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Vec<(usize
         return Vec::new();
     };
     let is_tied =
-        |behind: &str, ahead: &str| pairs.iter().any(|own| *own == [behind, ahead] || *own == [ahead, behind]);
+        |behind: &str, ahead: &str| pairs.iter().any(|tied| *tied == [behind, ahead] || *tied == [ahead, behind]);
     let next = names.windows(2).enumerate();
     next.filter(|(_, pair)| is_tied(pair[0], pair[1])).map(|(behind, _)| (behind, tie)).collect()
 }
@@ -274,8 +274,8 @@ fn hung(quantities: &Quantities<'_>, names: &[&str]) -> Option<usize> {
         stages.find_map(|stage| if let Stage::Swing(swing) = stage { Some(swing.body.as_str()) } else { None })?;
     let members = quantities.scene().members(body);
     let resting = |name: &&&str| quantities.velocity(name, 1).is_some_and(|velocity| velocity == [0.0, 0.0]);
-    let own = names.iter().filter(|name| members.contains(name));
-    let chosen = own.clone().find(resting).or_else(|| own.clone().next_back())?;
+    let named_members = names.iter().filter(|name| members.contains(name));
+    let chosen = named_members.clone().find(resting).or_else(|| named_members.clone().next_back())?;
     names.iter().position(|name| name == chosen)
 }
 
@@ -283,7 +283,7 @@ fn hung(quantities: &Quantities<'_>, names: &[&str]) -> Option<usize> {
 fn has_wall(quantities: &Quantities<'_>, stage: usize) -> bool {
     let later = quantities.scene().stages.iter().enumerate().skip(stage + 1);
     let walls = later.filter(
-        |(_, own)| matches!(own, Stage::Impact(impact) if matches!(impact.partners(), Some(Partners::Surface(..)))),
+        |(_, stage)| matches!(stage, Stage::Impact(impact) if matches!(impact.partners(), Some(Partners::Surface(..)))),
     );
     let frames = walls.filter_map(|(index, _)| quantities.model().frames.get(index)?.as_ref());
     let mut normals = frames.filter_map(|frame| quantities.direction(&frame.normal));

@@ -54,7 +54,8 @@ fn rest(quantities: &Quantities<'_>, strand: &Strand) -> Rest {
 
 /// The two sides of a string that stays taut.
 pub(in super::super) fn sides_of<'a>(quantities: &Quantities<'_>, stage: &'a Connected) -> [Side<'a>; 2] {
-    let [trailing, leading] = [&stage.trailing, &stage.leading].map(|own| (own.body.as_str(), rest(quantities, own)));
+    let [trailing, leading] =
+        [&stage.trailing, &stage.leading].map(|strand| (strand.body.as_str(), rest(quantities, strand)));
     let [one, other] = sides(trailing, leading);
     [Side { strands: stage.trailing.strands(), ..one }, Side { strands: stage.leading.strands(), ..other }]
 }

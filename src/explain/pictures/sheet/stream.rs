@@ -48,26 +48,26 @@ pub(in super::super) fn drawing(
     // The body moves along the stream.
     let moves = stage.moves.as_ref().and_then(|moves| quantities.term(moves)).filter(|moves| !moves.is_zero());
     let moves = moves.and_then(|moves| arrow(quantities, compass, &moves, &flowing.direction));
-    let own: Vec<Moving> =
+    let stream_arrows: Vec<Moving> =
         moves.into_iter().chain(force(quantities, compass, &stage.body).map(Moving::force)).collect();
     // What grain falls on from above, and what moves level, is a belt.
     let level = libm::sin(compass.axis_angle(0)).abs() < LEVEL && quantities.axes.len() == 1;
     let form = if flowing.speed.is_zero() && level { Form::Belt } else { Form::Block };
     let drawn = |vectors| MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(form) };
-    let mut wording = body_wording(quantities, index, &stage.body, &drawn(own.clone()));
+    let mut wording = body_wording(quantities, index, &stage.body, &drawn(stream_arrows.clone()));
     let mut vectors = Vec::new();
     let vane = flowing.leaving.as_ref().and_then(|leaving| {
-        let [first, second] = [&flowing.direction, leaving].map(|own| quantities.direction(own));
+        let [first, second] = [&flowing.direction, leaving].map(|direction| quantities.direction(direction));
         Some(Vane {
             name: body_math(&stage.body),
             directions: [compass.angle(first?), compass.angle(second?)],
             jet: [arriving.clone(), departing.clone()],
-            vectors: own.clone(),
+            vectors: stream_arrows.clone(),
             angle: quantities.angle_mark(compass, leaving),
         })
     });
     for (does, vector) in
-        [("meets", arriving.map(|own| own.arriving().in_stream())), ("leaves", departing.map(Moving::in_stream))]
+        [("meets", arriving.map(|moving| moving.arriving().in_stream())), ("leaves", departing.map(Moving::in_stream))]
     {
         let Some(vector) = vector else { continue };
         let with = list(&arrows(&drawn(vec![vector.clone()]), true));
@@ -78,7 +78,7 @@ pub(in super::super) fn drawing(
         }
         vectors.push(vector);
     }
-    vectors.extend(own);
+    vectors.extend(stream_arrows);
     if vectors.is_empty() && quantities.scope() == Scope::Solved {
         return None;
     }

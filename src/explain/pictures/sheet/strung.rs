@@ -39,7 +39,7 @@ pub(in super::super) fn drawing(
     let directions: Vec<_> = quantities.model().strings.iter().filter(|string| string.jerk == jerk).collect();
     let lines: Vec<[f64; 2]> =
         directions.iter().map(|string| quantities.direction(&string.direction)).collect::<Option<_>>()?;
-    let place = |body: &str| names.iter().position(|own| *own == body);
+    let place = |body: &str| names.iter().position(|name| *name == body);
     let joined: Vec<[usize; 2]> =
         taut.ends().into_iter().map(|[one, other]| Some([place(one)?, place(other)?])).collect::<Option<_>>()?;
     let places = places(names.len(), &joined, &lines)?;

@@ -110,9 +110,9 @@ pub(in super::super) fn angle(
         },
         Place::Angle(None) => {
             let since = quantities.timeline.naming_instant(&stage.body, instant);
-            let own = quantities.model().symbol_of(&format!("angle_{}{since}", stage.body));
-            let own = own.map(|symbol| quantities.angle_or_sketch(&Expr::from(symbol)));
-            own.filter(|(_, label)| label.is_some()).unwrap_or_else(|| (from_height(quantities, index, stage), None))
+            let angle = quantities.model().symbol_of(&format!("angle_{}{since}", stage.body));
+            let angle = angle.map(|symbol| quantities.angle_or_sketch(&Expr::from(symbol)));
+            angle.filter(|(_, label)| label.is_some()).unwrap_or_else(|| (from_height(quantities, index, stage), None))
         }
     };
     // It swings up to the side to which it moves, and comes down from the other one.
