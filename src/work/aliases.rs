@@ -118,9 +118,9 @@ impl Aliases {
                 continue;
             }
             for name in shortened(model.name(symbol)) {
-                let own = name.kind.spelling().into_owned();
-                let others = LETTERS.iter().filter(|(letter, _)| *letter == own).flat_map(|(_, others)| *others);
-                for letter in std::iter::once(own.as_str()).chain(others.copied()) {
+                let usual = name.kind.spelling().into_owned();
+                let others = LETTERS.iter().filter(|(letter, _)| *letter == usual).flat_map(|(_, others)| *others);
+                for letter in std::iter::once(usual.as_str()).chain(others.copied()) {
                     for spelling in spellings(&name, letter) {
                         self.add(&spelling, &symbol.into());
                     }
@@ -138,9 +138,9 @@ impl Aliases {
             if name.kind != QuantityKind::Velocity || name.instant != Some(Instant::Number(2)) || has(3) {
                 continue;
             }
-            for own in [Name { subject: String::new(), ..name.clone() }, name.clone()] {
-                let own = Name { instant: None, ..own };
-                for spelling in spellings(&own, "v") {
+            for timed in [Name { subject: String::new(), ..name.clone() }, name.clone()] {
+                let timeless = Name { instant: None, ..timed };
+                for spelling in spellings(&timeless, "v") {
                     self.add(&format!("{spelling}'"), &symbol.into());
                 }
             }
@@ -161,7 +161,7 @@ impl Aliases {
             }
             let components = ["", "x", "y", "z"].map(|axis| format!("{key}{axis}"));
             for (place, key) in components.iter().enumerate() {
-                let alias = self.0.get(key).filter(|own| place == 0 || own.name.contains('.'));
+                let alias = self.0.get(key).filter(|alias| place == 0 || alias.name.contains('.'));
                 if let Some(alias) = alias {
                     // A prime may stand anywhere in a name, which is read as it is written.
                     let name = if primes.is_empty() { &alias.name } else { word };
@@ -180,14 +180,14 @@ impl Aliases {
 /// A name and the shorter ones that it may have.
 fn shortened(name: &Name) -> Vec<Name> {
     let whole = [name.clone(), Name { stage: None, ..name.clone() }];
-    let timeless = whole.iter().map(|own| Name { instant: None, ..own.clone() });
+    let timeless = whole.iter().map(|name| Name { instant: None, ..name.clone() });
     let mut names: Vec<Name> = whole.iter().cloned().chain(timeless).collect();
-    let nobodys = names.iter().map(|own| Name { subject: String::new(), ..own.clone() });
+    let nobodys = names.iter().map(|name| Name { subject: String::new(), ..name.clone() });
     names.extend(nobodys.collect::<Vec<_>>());
     let mut kept: Vec<Name> = Vec::new();
-    for own in names {
-        if !kept.contains(&own) && own.stage.is_none() {
-            kept.push(own);
+    for name in names {
+        if !kept.contains(&name) && name.stage.is_none() {
+            kept.push(name);
         }
     }
     kept

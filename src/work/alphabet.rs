@@ -79,7 +79,7 @@ fn functions(worked: Worked<'_>, alphabet: &mut Alphabet) {
         // Against the axis, a letter may as well be the size of the force.
         let is_along =
             !matches!(&first.integrand, Expr::Product(factors) if factors.first() == Some(&Expr::integer(-1)));
-        let is_one = others.iter().all(|own| own.integrand == first.integrand);
+        let is_one = others.iter().all(|integral| integral.integrand == first.integrand);
         if !is_along || !is_one || model.symbols.find(letter).is_some() {
             continue;
         }
@@ -90,8 +90,8 @@ fn functions(worked: Worked<'_>, alphabet: &mut Alphabet) {
     let all = || by_letter.values().flatten();
     for integral in all() {
         let limits = [integral.low.clone(), integral.high.clone()];
-        let alike = |own: &&&Integral| own.low == integral.low && own.high == integral.high;
-        if all().filter(|own| own.variable == integral.variable).all(|own| alike(&own)) {
+        let alike = |other: &&&Integral| other.low == integral.low && other.high == integral.high;
+        if all().filter(|other| other.variable == integral.variable).all(|other| alike(&other)) {
             alphabet.limits.insert(model.symbols.entry(integral.variable).name.clone(), limits);
         }
     }
@@ -160,12 +160,13 @@ fn alone(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
     let used = ground.used_symbols();
     let open: Vec<Symbol> = used.iter().copied().filter(|symbol| !ground.told.contains(symbol)).collect();
     for symbol in &wanted {
-        let own = letter(*symbol);
+        let written = letter(*symbol);
         // Of what is told, only what belongs to no body is written with the letter alone.
         let told = ground.told.iter().filter(|told| model.name(**told).subject.is_empty());
-        let others = wanted.iter().chain(&open).chain(told).filter(|other| *other != symbol && letter(**other) == own);
-        if others.count() == 0 && own.chars().count() == 1 && own != "e" {
-            alphabet.shorten(own, (*symbol).into());
+        let others =
+            wanted.iter().chain(&open).chain(told).filter(|other| *other != symbol && letter(**other) == written);
+        if others.count() == 0 && written.chars().count() == 1 && written != "e" {
+            alphabet.shorten(written, (*symbol).into());
         }
     }
 }
@@ -203,14 +204,14 @@ fn numbered(worked: Worked<'_>, alphabet: &mut Alphabet) {
 fn once(worked: Worked<'_>, alphabet: &mut Alphabet) {
     let model = worked.problem.model();
     let shorter: [fn(&Name) -> Name; 2] =
-        [|own| Name { instant: None, ..own.clone() }, |own| Name { subject: String::new(), ..own.clone() }];
+        [|name| Name { instant: None, ..name.clone() }, |name| Name { subject: String::new(), ..name.clone() }];
     for shorter in shorter {
         for (symbol, _) in model.symbols.iter() {
-            let own = model.name(symbol);
-            if own.subject.is_empty() || own.instant.is_none() {
+            let name = model.name(symbol);
+            if name.subject.is_empty() || name.instant.is_none() {
                 continue;
             }
-            let short = shorter(own);
+            let short = shorter(name);
             let alike = model.symbols.iter().filter(|(other, _)| shorter(model.name(*other)) == short);
             if alike.count() == 1 {
                 alphabet.shorten(&short.to_string(), symbol.into());
@@ -247,10 +248,10 @@ fn components(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
 /// Members of a sequence of which the last is asked, `h_1` and `h_2` beside `h_n`: their law with another count.
 fn members(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
     let model = worked.problem.model();
-    for own in &ground.system.equations {
-        let Statement::Equal { left: Expr::Symbol(last), right } = &own.statement else { continue };
+    for equation in &ground.system.equations {
+        let Statement::Equal { left: Expr::Symbol(last), right } = &equation.statement else { continue };
         let Some((letter, count)) = model.symbols.entry(*last).name.split_once('_') else { continue };
-        let Some(count) = model.symbols.find(count).filter(|own| right.contains(*own)) else { continue };
+        let Some(count) = model.symbols.find(count).filter(|symbol| right.contains(*symbol)) else { continue };
         // What belongs to the last member says nothing of another.
         let suffix = format!("_{}", model.symbols.entry(count).name);
         if right.symbols().iter().any(|symbol| model.symbols.entry(*symbol).name.ends_with(&suffix)) {
@@ -269,7 +270,7 @@ fn unions(worked: Worked<'_>, alphabet: &mut Alphabet) {
     let scene = &worked.problem.loaded().draft.scene;
     let subjects: BTreeSet<&str> =
         model.symbols.iter().map(|(symbol, _)| model.name(symbol).subject.as_str()).collect();
-    for union in subjects.into_iter().filter(|own| scene.members(own).len() > 1) {
+    for union in subjects.into_iter().filter(|subject| scene.members(subject).len() > 1) {
         let masses = scene.members(union).into_iter().map(|part| model.symbols.find(&format!("m_{part}")));
         if let Some(masses) = masses.collect::<Option<Vec<_>>>() {
             alphabet.shorten(&format!("m_{union}"), Expr::sum(masses.into_iter().map(Expr::from)));
@@ -300,8 +301,8 @@ fn masses(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
     let masses: Vec<(&String, Expr)> = bodies.iter().filter_map(|body| Some((*body, mass(worked, body)?))).collect();
     let is_same = |one: &Expr, other: &Expr| {
         let mut values = ground.places().map(|place| {
-            let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
-            [one, other].map(|own| own.evaluate(&value))
+            let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |number| number.value);
+            [one, other].map(|side| side.evaluate(&value))
         });
         values.all(|[one, other]| (one - other).abs() <= SAME * one.abs())
     };
@@ -315,7 +316,7 @@ fn masses(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
         alphabet.shorten(&format!("m_{body}"), mass);
     }
     let normal: Vec<Symbol> =
-        model.symbols.iter().filter(|(_, entry)| entry.name.starts_with("N_")).map(|(own, _)| own).collect();
+        model.symbols.iter().filter(|(_, entry)| entry.name.starts_with("N_")).map(|(symbol, _)| symbol).collect();
     if let [only] = normal.as_slice() {
         alphabet.shorten("F_N", (*only).into());
         alphabet.shorten("N", (*only).into());

@@ -17,7 +17,7 @@ pub(crate) fn without_clash(line: &Written, sets: &[Meanings]) -> Result<Vec<Mea
     let (mut kept, mut first) = (Vec::new(), None);
     for set in sets {
         match clash(line, set, &line.symbols).filter(|_| is_measured(set)) {
-            Some(own) => _ = first.get_or_insert(own),
+            Some(name) => _ = first.get_or_insert(name),
             None => kept.push(set.clone()),
         }
     }
@@ -30,8 +30,8 @@ pub(crate) fn without_clash(line: &Written, sets: &[Meanings]) -> Result<Vec<Mea
 /// The dimensions that clash in a line, in words.
 fn clash(line: &Written, meanings: &Meanings, symbols: &SymbolTable) -> Option<String> {
     let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
-    line.statements().find_map(|own| {
-        let [left, right] = [&own.left, &own.right].map(|side| meanings.put_into(line, side));
+    line.statements().find_map(|statement| {
+        let [left, right] = [&statement.left, &statement.right].map(|side| meanings.put_into(line, side));
         let found = left.common_dimension(&right, symbols).err()?;
         Some(found.sentence(symbols, &unit))
     })

@@ -28,20 +28,20 @@ pub(crate) fn elsewhere(
     let model = worked.problem.model();
     let mentioned = line.quantities();
     for symbol in &mentioned {
-        let own = model.name(*symbol);
+        let other_name = model.name(*symbol);
         for (other, _) in model.symbols.iter().filter(|(other, _)| other != symbol && !mentioned.contains(other)) {
             let name = model.name(other);
             let at_once = |name: &Name| Name { instant: None, ..name.clone() };
             let of_anybody = |name: &Name| Name { subject: String::new(), ..name.clone() };
-            let moved = if at_once(own) == at_once(name) {
+            let moved = if at_once(other_name) == at_once(name) {
                 Elsewhere::Instant
-            } else if of_anybody(own) == of_anybody(name) {
+            } else if of_anybody(other_name) == of_anybody(name) {
                 Elsewhere::Body
             } else {
                 continue;
             };
             if place.value(other).is_none()
-                || place.value(other).map(|own| own.value) == place.value(*symbol).map(|own| own.value)
+                || place.value(other).map(|number| number.value) == place.value(*symbol).map(|number| number.value)
             {
                 continue;
             }
@@ -55,9 +55,12 @@ pub(crate) fn elsewhere(
 }
 
 fn exchanged(line: &Written, symbol: Symbol, other: Symbol) -> Written {
-    let put = |side: &momentous_expr::Expr| side.substitute(&|own| (own == symbol).then(|| other.into()));
-    let statement =
-        |own: &Statement| Statement { left: put(&own.left), right: put(&own.right), compared: own.compared };
+    let put = |side: &momentous_expr::Expr| side.substitute(&|replaced| (replaced == symbol).then(|| other.into()));
+    let statement = |statement: &Statement| Statement {
+        left: put(&statement.left),
+        right: put(&statement.right),
+        compared: statement.compared,
+    };
     let stated = line
         .stated
         .iter()

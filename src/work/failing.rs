@@ -40,8 +40,8 @@ impl Judge<'_> {
     /// holds between the limits.
     fn of_function(&self, line: &Written, place: Place<'_>, sets: &[Meanings], variable: Symbol) -> Option<Verdict> {
         let limits = self.alphabet.limits.get(&line.symbols.entry(variable).name)?;
-        let number = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
-        let [low, high] = limits.each_ref().map(|own| own.evaluate(&number));
+        let number = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |number| number.value);
+        let [low, high] = limits.each_ref().map(|limit| limit.evaluate(&number));
         let holds = |set: &Meanings| {
             let at_share = |share: f64| {
                 let between = Bounded::exactly(low + share * (high - low));
@@ -62,7 +62,7 @@ impl Judge<'_> {
         self.worked.variant.all_given().iter().any(|(_, value, unit)| {
             let is_other = unit.dimension() != Dimension::NONE && !units.has(unit);
             let printed = value.to_rational();
-            is_other && line.numbers.iter().any(|own| own.unit.is_none() && own.value == printed)
+            is_other && line.numbers.iter().any(|number| number.unit.is_none() && number.value == printed)
         })
     }
 
@@ -72,7 +72,7 @@ impl Judge<'_> {
         let value = |symbol: Symbol| place.value(symbol);
         let at = At { value: &value, units, turned: &self.turned };
         let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
-        let is_held = here.iter().any(|own| matches!(own, Holds::Yes | Holds::AsFigures));
+        let is_held = here.iter().any(|holds| matches!(holds, Holds::Yes | Holds::AsFigures));
         is_held.then(|| self.holding(line, place, sets, &here))
     }
 

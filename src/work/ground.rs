@@ -99,19 +99,22 @@ impl Ground {
             if worked.form.free.is_empty() { told.iter().copied().chain(solved).collect() } else { told.clone() };
         // A mass that nothing tells may be any: it drops out of whatever is true.
         let model = worked.problem.model();
-        let masses =
-            model.symbols.iter().map(|(symbol, _)| symbol).filter(|own| model.name(*own).kind == QuantityKind::Mass);
+        let masses = model
+            .symbols
+            .iter()
+            .map(|(symbol, _)| symbol)
+            .filter(|symbol| model.name(*symbol).kind == QuantityKind::Mass);
         let is_open = |symbol: &Symbol| !base.contains(symbol) && Way::new(&leaf.system, &base, &[*symbol]).is_none();
         let open: Vec<Symbol> = masses.filter(is_open).collect();
         base.extend(open);
         let instances = &worked.problem.model().instances;
-        let equations = leaf.system.equations.iter().enumerate().filter_map(|(place, own)| {
-            let Statement::Equal { left, right } = &own.statement else { return None };
-            let law = instances.get(own.tag).map(|instance: &Instance| instance.law);
+        let equations = leaf.system.equations.iter().enumerate().filter_map(|(place, equation)| {
+            let Statement::Equal { left, right } = &equation.statement else { return None };
+            let law = instances.get(equation.tag).map(|instance: &Instance| instance.law);
             Some(Stated {
                 place,
                 residual: Expr::sum([left.clone(), -right.clone()]),
-                tag: own.tag,
+                tag: equation.tag,
                 is_used: used.contains(&place),
                 is_naming: law.is_some_and(is_naming),
             })
@@ -199,12 +202,12 @@ impl Ground {
 
     /// The quantities in the equations that give the answers.
     pub(crate) fn used_symbols(&self) -> BTreeSet<Symbol> {
-        self.equations.iter().filter(|own| own.is_used).flat_map(|own| own.residual.symbols()).collect()
+        self.equations.iter().filter(|stated| stated.is_used).flat_map(|stated| stated.residual.symbols()).collect()
     }
 
     /// The positions of the used equations in the system.
     pub(crate) fn used(&self) -> BTreeSet<usize> {
-        self.equations.iter().filter(|own| own.is_used).map(|own| own.place).collect()
+        self.equations.iter().filter(|stated| stated.is_used).map(|stated| stated.place).collect()
     }
 }
 
@@ -214,7 +217,7 @@ impl Place<'_> {
         if let Some(value) = self.base.get(&symbol) {
             return Some(*value);
         }
-        let solutions = self.ground.way(symbol)?.solve(&|own| self.base.get(&own).copied());
+        let solutions = self.ground.way(symbol)?.solve(&|symbol| self.base.get(&symbol).copied());
         solutions.first()?.get(&symbol).copied()
     }
 }

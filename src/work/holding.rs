@@ -27,9 +27,9 @@ impl Judge<'_> {
                 At { value: &value, units: self.units, turned: &self.turned }.line(line, set)
             };
             let found: Vec<Holds> = self.ground.places().map(holds).collect();
-            found.iter().all(|own| matches!(own, Holds::Yes | Holds::Open))
+            found.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
         };
-        let exactly = sets.iter().zip(here).filter(|(set, own)| **own == Holds::Yes && set.is_general(line));
+        let exactly = sets.iter().zip(here).filter(|(set, holds)| **holds == Holds::Yes && set.is_general(line));
         let mut is_general_here = false;
         for (set, _) in exactly {
             is_general_here = true;
@@ -37,14 +37,14 @@ impl Judge<'_> {
                 return self.classed(line, place, set, true);
             }
         }
-        let rounded = sets.iter().zip(here).find(|(set, own)| **own <= Holds::AsFigures && !set.is_general(line));
+        let rounded = sets.iter().zip(here).find(|(set, holds)| **holds <= Holds::AsFigures && !set.is_general(line));
         match rounded {
             Some((set, _)) if !(line.numbers.is_empty() || is_general_here && line.is_in_symbols()) => {
                 self.classed(line, place, set, false)
             }
             _ if is_general_here
                 && self.counts()
-                && line.statements().any(|own| has_numeric_power(&own.residual())) =>
+                && line.statements().any(|statement| has_numeric_power(&statement.residual())) =>
             {
                 // A number that counts was written as an exponent, which other variants have otherwise.
                 self.classed(line, place, &sets[0], false)
@@ -58,8 +58,9 @@ impl Judge<'_> {
     fn counts(&self) -> bool {
         let model = self.worked.problem.model();
         let is_pure = |symbol: &&Symbol| model.symbols.entry(**symbol).dimension == Dimension::NONE;
-        let is_whole =
-            |symbol: &Symbol| self.base.get(symbol).is_some_and(|own| own.value.fract() == 0.0 && own.value > 1.0);
+        let is_whole = |symbol: &Symbol| {
+            self.base.get(symbol).is_some_and(|number| number.value.fract() == 0.0 && number.value > 1.0)
+        };
         self.ground.told.iter().filter(is_pure).any(is_whole)
     }
 
@@ -69,7 +70,8 @@ impl Judge<'_> {
             return Found::of(Verdict::Identity);
         }
         let statements: Vec<_> = line.statements().cloned().collect();
-        let residuals: Vec<Expr> = statements.iter().map(|own| self.in_values(line, set, &own.residual())).collect();
+        let residuals: Vec<Expr> =
+            statements.iter().map(|statement| self.in_values(line, set, &statement.residual())).collect();
         let unknown: BTreeSet<Symbol> =
             residuals.iter().flat_map(Expr::symbols).filter(|symbol| !self.ground.told.contains(symbol)).collect();
         if unknown.is_empty() {
@@ -78,9 +80,9 @@ impl Judge<'_> {
         let slopes = Slopes::new(&self.ground, place, &unknown);
         let mut support = Support::default();
         for residual in &residuals {
-            let own = slopes.support(place, residual);
-            support.laws.extend(own.laws);
-            support.is_step |= own.is_step;
+            let of_residual = slopes.support(place, residual);
+            support.laws.extend(of_residual.laws);
+            support.is_step |= of_residual.is_step;
         }
         let wanted = self.answers_asked();
         let answers: Vec<Symbol> = line
@@ -88,9 +90,11 @@ impl Judge<'_> {
             .iter()
             .flatten()
             .filter(|chain| {
-                chain.iter().any(|own| [&own.left, &own.right].into_iter().any(|side| self.is_known(line, side)))
+                chain.iter().any(|statement| {
+                    [&statement.left, &statement.right].into_iter().any(|side| self.is_known(line, side))
+                })
             })
-            .flat_map(|chain| chain.iter().flat_map(|own| [&own.left, &own.right]))
+            .flat_map(|chain| chain.iter().flat_map(|statement| [&statement.left, &statement.right]))
             .filter_map(|side| match side {
                 Expr::Symbol(symbol) if wanted.contains(symbol) => Some(*symbol),
                 _ => None,
@@ -102,10 +106,13 @@ impl Judge<'_> {
             (true, true, true) => Verdict::Follows,
             (true, true, false) => Verdict::AsFigures,
         };
-        let is_value = |own: &Statement| [&own.left, &own.right].iter().any(|side| line.number_alone(side).is_some());
+        let is_value = |statement: &Statement| {
+            [&statement.left, &statement.right].iter().any(|side| line.number_alone(side).is_some())
+        };
         let shows_laws = is_general
-            || !statements.iter().all(|own| {
-                is_value(own) && [&own.left, &own.right].iter().any(|side| line.letter_alone(side).is_some())
+            || !statements.iter().all(|statement| {
+                is_value(statement)
+                    && [&statement.left, &statement.right].iter().any(|side| line.letter_alone(side).is_some())
             });
         let accepted = Accepted { residuals, support: support.clone(), answers, shows_laws };
         Found { support, accepted: Some(accepted), ..Found::of(verdict) }
@@ -114,7 +121,7 @@ impl Judge<'_> {
     /// Whether a side holds nothing but numbers, what is given and the letters in which a formula is asked.
     fn is_known(&self, line: &Written, side: &Expr) -> bool {
         let letters = self.worked.form.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Formula(own) => self.worked.formula(own),
+            PartKind::Formula(formula) => self.worked.formula(formula),
             _ => None,
         });
         let units = self.worked.form.units();
@@ -139,8 +146,8 @@ impl Judge<'_> {
                 Meaning::Constant => Some(Expr::Number(number.value.clone())),
                 Meaning::Computed => {
                     let factor = number.unit.as_ref().map(Unit::factor);
-                    let rational = factor.as_ref().map_or(Rational::ONE, |own| own.rational.clone());
-                    let turns = factor.map_or(0, |own| i64::from(own.pi));
+                    let rational = factor.as_ref().map_or(Rational::ONE, |factor| factor.rational.clone());
+                    let turns = factor.map_or(0, |factor| i64::from(factor.pi));
                     let value = Expr::Number(&number.value * rational);
                     Some(if turns == 0 { value } else { value * Expr::Pi.powi(turns) })
                 }
@@ -152,15 +159,15 @@ impl Judge<'_> {
 /// The quantities of a part that can be written as a line.
 pub(crate) fn written_answers(part: &PartKind) -> Vec<Symbol> {
     match part {
-        PartKind::Number(own) => vec![own.symbol],
-        PartKind::Vector(own) => own.components.iter().map(|component| component.symbol).collect(),
-        PartKind::Formula(own) => vec![own.symbol],
+        PartKind::Number(number) => vec![number.symbol],
+        PartKind::Vector(vector) => vector.components.iter().map(|component| component.symbol).collect(),
+        PartKind::Formula(formula) => vec![formula.symbol],
         _ => Vec::new(),
     }
 }
 
 /// Whether a term has a number as the exponent of another.
 fn has_numeric_power(term: &Expr) -> bool {
-    let is_own = matches!(term, Expr::Power(pair) if pair.1.as_number().is_some_and(|own| own.is_int() && *own > Rational::from(2)));
+    let is_own = matches!(term, Expr::Power(pair) if pair.1.as_number().is_some_and(|exponent| exponent.is_int() && *exponent > Rational::from(2)));
     is_own || term.children().any(has_numeric_power)
 }

@@ -68,9 +68,10 @@ impl At<'_> {
     /// Whether all that a line states holds.
     pub(crate) fn line(&self, line: &Written, meanings: &Meanings) -> Holds {
         let chain = |chain: &Vec<Statement>| {
-            chain.iter().map(|own| self.statement(line, own, meanings)).max().unwrap_or(Holds::Yes)
+            chain.iter().map(|statement| self.statement(line, statement, meanings)).max().unwrap_or(Holds::Yes)
         };
-        let alternatives = |own: &Vec<Vec<Statement>>| own.iter().map(chain).min().unwrap_or(Holds::Yes);
+        let alternatives =
+            |alternatives: &Vec<Vec<Statement>>| alternatives.iter().map(chain).min().unwrap_or(Holds::Yes);
         line.stated.iter().map(alternatives).max().unwrap_or(Holds::Open)
     }
 
@@ -85,8 +86,8 @@ impl At<'_> {
         let rough = |symbol: Symbol| value(symbol).value;
         // A value that is zero as far as its bound shows is as large as what cancelled in it.
         let amount = |symbol: Symbol| {
-            let own = value(symbol);
-            if own.value.abs() <= own.error { own.error / f64::EPSILON } else { own.value.abs() }
+            let known = value(symbol);
+            if known.value.abs() <= known.error { known.error / f64::EPSILON } else { known.value.abs() }
         };
         let (mut size, mut reach, mut rounds) = (0.0_f64, 0.0_f64, false);
         residual.slopes(&rough, 1.0, &mut |symbol, slope| {
@@ -108,7 +109,7 @@ impl At<'_> {
             reach = reach.max(RESULT * evaluate(&statement.left, &value).value.abs());
         }
         let alone = [&statement.left, &statement.right].into_iter().find_map(|side| line.number_alone(side));
-        if let Some((number, half)) = alone.and_then(|own| Some((own, half_of_last_place(&own.value)?))) {
+        if let Some((number, half)) = alone.and_then(|number| Some((number, half_of_last_place(&number.value)?))) {
             reach = reach.max(half.to_f64().value() * self.unit_of(number.unit.as_ref()));
         }
         let is_nothing = difference.value.abs() <= difference.error + AGREE * size;
@@ -137,10 +138,10 @@ impl At<'_> {
     }
 
     fn of(&self, line: &Written, symbol: Symbol, meanings: &Meanings) -> Bounded {
-        let measured = |own: Symbol| {
-            let found = (self.value)(own).unwrap_or_else(Bounded::not_real);
-            let found = if self.turned.contains(&own) { found.neg() } else { found };
-            self.in_units(found, line.symbols.entry(own).dimension)
+        let measured = |symbol: Symbol| {
+            let found = (self.value)(symbol).unwrap_or_else(Bounded::not_real);
+            let found = if self.turned.contains(&symbol) { found.neg() } else { found };
+            self.in_units(found, line.symbols.entry(symbol).dimension)
         };
         let Some(number) = line.number(symbol) else { return measured(symbol) };
         match meanings.of(symbol) {
@@ -175,7 +176,10 @@ pub(crate) fn coherent_value(number: &WrittenNumber, units: BareUnits) -> f64 {
 /// The quantities whose values a line gives.
 pub(crate) fn results(line: &Written) -> Vec<Symbol> {
     let statements = line.statements().filter(|statement| is_result(line, statement));
-    statements.flat_map(|own| [&own.left, &own.right]).filter_map(|side| line.letter_alone(side)).collect()
+    statements
+        .flat_map(|statement| [&statement.left, &statement.right])
+        .filter_map(|side| line.letter_alone(side))
+        .collect()
 }
 
 /// Whether a statement gives the value of one quantity.

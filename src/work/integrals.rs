@@ -71,7 +71,8 @@ impl IntegralFault {
 /// The first integral of a side; nothing where there is none.
 pub(crate) fn first(side: &str) -> Option<Result<WrittenIntegral, IntegralFault>> {
     let side = UPRIGHT.iter().fold(side.to_owned(), |side, upright| side.replace(upright, "d"));
-    let (at, sign) = SIGNS.iter().filter_map(|sign| Some((sign_at(&side, sign)?, *sign))).min_by_key(|own| own.0)?;
+    let (at, sign) =
+        SIGNS.iter().filter_map(|sign| Some((sign_at(&side, sign)?, *sign))).min_by_key(|found| found.0)?;
     let (before, rest) = (&side[..at], &side[at + sign.len()..]);
     let (limits, rest) = match limits(rest) {
         Ok(parts) => parts,
@@ -95,8 +96,8 @@ fn sign_at(side: &str, sign: &str) -> Option<usize> {
         let before = side[..*at].chars().next_back();
         let behind = side[at + sign.len()..].chars().next();
         !is_word
-            || !before.is_some_and(|own| own.is_alphabetic() || own == '\\' || own == '_')
-                && behind.is_some_and(|own| own == '_' || own == ' ')
+            || !before.is_some_and(|sign| sign.is_alphabetic() || sign == '\\' || sign == '_')
+                && behind.is_some_and(|sign| sign == '_' || sign == ' ')
     })
 }
 
@@ -144,7 +145,7 @@ fn group(text: &str) -> (&str, &str) {
     let is_inside = |(at, sign): (usize, char)| {
         sign.is_alphanumeric() || matches!(sign, '.' | '_' | '\'') || at == 0 && matches!(sign, '\\' | '-')
     };
-    let end = text.char_indices().find(|own| !is_inside(*own)).map_or(text.len(), |(at, _)| at);
+    let end = text.char_indices().find(|place| !is_inside(*place)).map_or(text.len(), |(at, _)| at);
     text.split_at(end)
 }
 
@@ -170,11 +171,11 @@ fn differential(text: &str) -> Option<(usize, usize)> {
         let behind = &text[at + 1..];
         let letter = behind.trim_start();
         let command =
-            letter.strip_prefix('\\').map(|word| word.find(|own: char| !own.is_alphabetic()).unwrap_or(word.len()));
+            letter.strip_prefix('\\').map(|word| word.find(|sign: char| !sign.is_alphabetic()).unwrap_or(word.len()));
         let length = match command {
             Some(length) if length > 1 => 1 + length,
             Some(_) => return None,
-            None => letter.chars().next().filter(|own| own.is_alphabetic())?.len_utf8(),
+            None => letter.chars().next().filter(|sign| sign.is_alphabetic())?.len_utf8(),
         };
         let gap = behind.len() - letter.len();
         let ends = letter[length..].chars().next().is_none_or(|next| !next.is_alphabetic() && next != '_');
@@ -188,19 +189,20 @@ mod tests {
     use super::{IntegralFault, between_limits, first};
 
     fn parts(side: &str) -> Option<Result<[String; 6], IntegralFault>> {
-        first(side).map(|own| {
-            own.map(|own| {
-                let [low, high] = own.limits.unwrap_or_default();
-                [own.before, low, high, own.integrand, own.variable, own.behind].map(|part| part.trim().to_owned())
+        first(side).map(|side| {
+            side.map(|between| {
+                let [low, high] = between.limits.unwrap_or_default();
+                [between.before, low, high, between.integrand, between.variable, between.behind]
+                    .map(|part| part.trim().to_owned())
             })
         })
     }
 
     #[test]
     fn a_term_between_limits_is_taken_apart() {
-        let own = between_limits("k [t^2/2]_0^{t_1} + 3").unwrap();
-        assert_eq!([own.before, own.term, own.behind], ["k ", "t^2/2", " + 3"]);
-        assert_eq!(own.limits, ["0", "t_1"]);
+        let between = between_limits("k [t^2/2]_0^{t_1} + 3").unwrap();
+        assert_eq!([between.before, between.term, between.behind], ["k ", "t^2/2", " + 3"]);
+        assert_eq!(between.limits, ["0", "t_1"]);
         assert_eq!(between_limits("J_A[hit] = [3 + 4]"), None);
     }
 

@@ -102,8 +102,8 @@ impl<'a> Judge<'a> {
         let mut names: Vec<&str> = laws.iter().map(|law| law.name).collect();
         names.dedup();
         let message = self.message(&found, &names);
-        for own in &found.mistakes {
-            self.mistakes.push((own.of.id, self.lines));
+        for mistake in &found.mistakes {
+            self.mistakes.push((mistake.of.id, self.lines));
         }
         let mut ids: Vec<&'static str> = laws.iter().map(|law| law.id).collect();
         ids.dedup();
@@ -112,7 +112,7 @@ impl<'a> Judge<'a> {
             text: text.trim().to_owned(),
             verdict: found.verdict,
             laws: ids,
-            mistakes: found.mistakes.iter().map(|own| own.of.id).collect(),
+            mistakes: found.mistakes.iter().map(|mistake| mistake.of.id).collect(),
             message,
             is_in_letters: self.is_in_letters,
         }
@@ -260,7 +260,7 @@ impl<'a> Judge<'a> {
             NoLine::Unreadable(fault) => because(said(&fault, &self.printed_names())),
         })?;
         let mut best: Option<(Found, Written)> = None;
-        let in_units: Vec<Written> = readings.iter().filter_map(|own| self.in_unit_of_result(own)).collect();
+        let in_units: Vec<Written> = readings.iter().filter_map(|written| self.in_unit_of_result(written)).collect();
         for mut reading in readings.into_iter().chain(in_units) {
             self.measure_results(&mut reading);
             let found = self.judged(&reading, search);
@@ -277,7 +277,7 @@ impl<'a> Judge<'a> {
         if found.verdict.is_wrong() {
             // Of several values of one quantity the last counts: a list of guesses is worth no more than one.
             let guessed = results(&reading);
-            self.accepted.iter_mut().for_each(|own| own.answers.retain(|answer| !guessed.contains(answer)));
+            self.accepted.iter_mut().for_each(|accepted| accepted.answers.retain(|answer| !guessed.contains(answer)));
         }
         self.before = Some(reading);
         found
@@ -295,8 +295,9 @@ impl<'a> Judge<'a> {
         let at = At { value: &value, units: self.units, turned: &self.turned };
         let sets = meanings(line, self.worked);
         // Where a bare number may be that of a given, its dimension is not known.
-        let has_given =
-            sets.iter().any(|set| line.numbers.iter().any(|own| own.unit.is_none() && set.is_given(own.symbol)));
+        let has_given = sets
+            .iter()
+            .any(|set| line.numbers.iter().any(|number| number.unit.is_none() && set.is_given(number.symbol)));
         let sets = match without_clash(line, &sets) {
             Ok(sets) => sets,
             Err(_) if has_given || line.has_own => sets,

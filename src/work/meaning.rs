@@ -73,11 +73,12 @@ pub(crate) fn meanings(line: &Written, worked: Worked<'_>) -> Vec<Meanings> {
         line.numbers.iter().map(|number| (number.symbol, choices(number, worked, in_symbols))).collect();
     // However many numbers there are, they may all be constants, or all be given.
     let each = |first: &dyn Fn(&[Meaning]) -> Option<Meaning>| {
-        let set = choices.iter().filter_map(|(symbol, own)| Some((*symbol, first(own)?)));
+        let set = choices.iter().filter_map(|(symbol, meanings)| Some((*symbol, first(meanings)?)));
         Meanings(set.collect())
     };
-    let constants = each(&|own| own.iter().find(|own| **own == Meaning::Constant).or(own.first()).copied());
-    let givens = each(&|own| own.first().copied());
+    let constants =
+        each(&|meanings| meanings.iter().find(|meaning| **meaning == Meaning::Constant).or(meanings.first()).copied());
+    let givens = each(&|meanings| meanings.first().copied());
     let mut sets = vec![Meanings::default()];
     for (symbol, choices) in &choices {
         let longer = |set: &Meanings| {
@@ -91,7 +92,7 @@ pub(crate) fn meanings(line: &Written, worked: Worked<'_>) -> Vec<Meanings> {
         sets = sets.iter().flat_map(longer).take(MOST).collect();
     }
     sets.extend([constants, givens]);
-    let computed = |set: &Meanings| set.0.values().filter(|own| **own == Meaning::Computed).count();
+    let computed = |set: &Meanings| set.0.values().filter(|meaning| **meaning == Meaning::Computed).count();
     sets.sort_by_key(computed);
     sets.dedup();
     sets
@@ -123,16 +124,21 @@ fn is_given(number: &WrittenNumber, worked: Worked<'_>, symbol: Symbol, reversed
         return false;
     }
     let model = worked.problem.model();
-    let literal =
-        || model.literals.iter().find(|(own, _)| *own == symbol).map(|(_, own)| (own.value.clone(), own.unit.clone()));
+    let literal = || {
+        model
+            .literals
+            .iter()
+            .find(|(literal, _)| *literal == symbol)
+            .map(|(_, quantity)| (quantity.value.clone(), quantity.unit.clone()))
+    };
     let Some((value, unit)) = worked.variant.given(symbol).or_else(literal) else { return false };
     let value = value.to_rational();
     let dimension = model.symbols.entry(symbol).dimension;
     match &number.unit {
-        Some(own) => {
-            own.dimension() == dimension
-                && own.factor().pi == unit.factor().pi
-                && written * own.factor().rational == value * unit.factor().rational
+        Some(written_unit) => {
+            written_unit.dimension() == dimension
+                && written_unit.factor().pi == unit.factor().pi
+                && written * written_unit.factor().rational == value * unit.factor().rational
         }
         None if written == value => true,
         None => {

@@ -37,11 +37,12 @@ impl Judge<'_> {
     }
 
     fn mistaken(&self, found: &Found) -> String {
-        let earlier = found.mistakes.iter().find_map(|own| self.mistakes.iter().find(|(id, _)| *id == own.of.id));
+        let earlier =
+            found.mistakes.iter().find_map(|mistake| self.mistakes.iter().find(|(id, _)| *id == mistake.of.id));
         if let Some((_, line)) = earlier {
             return format!("Follows from the mistake in line {line}.");
         }
-        let asked: Vec<&str> = found.mistakes.iter().take(1).map(|own| own.of.ask).collect();
+        let asked: Vec<&str> = found.mistakes.iter().take(1).map(|mistake| mistake.of.ask).collect();
         format!("Does not follow. {}", asked.concat())
     }
 }

@@ -45,7 +45,7 @@ impl Judge<'_> {
             return None;
         }
         // A slip in a letter of the sheet is none of one's own.
-        let is_slip = !is_own && self.printed_names().iter().any(|own| own.eq_ignore_ascii_case(name));
+        let is_slip = !is_own && self.printed_names().iter().any(|printed| printed.eq_ignore_ascii_case(name));
         if !is_loose && (!is_unknown || is_slip) {
             return None;
         }
@@ -57,11 +57,12 @@ impl Judge<'_> {
         }
         let read = rest.iter().map(|side| term(side, &self.alphabet, self.mark));
         // A letter that was introduced in words only stands for what the other sides say.
-        let read = read.filter(|own| !own.as_ref().is_err_and(is_unknown_name)).collect::<Result<Vec<_>, _>>().ok()?;
+        let read =
+            read.filter(|reading| !reading.as_ref().is_err_and(is_unknown_name)).collect::<Result<Vec<_>, _>>().ok()?;
         let is_whole = read.len() == rest.len() && rest.len() > 1;
         let found = if is_whole { self.stated(&rest.join(" = ")) } else { Found::of(Verdict::Definition) };
         let is_in_letters =
-            |(own, line): &&(Expr, Written)| own.symbols().iter().any(|symbol| line.number(*symbol).is_none());
+            |(sum, line): &&(Expr, Written)| sum.symbols().iter().any(|symbol| line.number(*symbol).is_none());
         // Where a short name in it may stand for several quantities, it stands for that with which the rest of the line holds.
         let held = self.before.as_ref().filter(|_| is_whole && found.verdict.is_true());
         let held = held.and_then(|line| Some((line.statements().next()?.left.clone(), line.clone())));
@@ -86,9 +87,9 @@ impl Judge<'_> {
 
     /// The number that several sides are: the first, where the last is as it was rounded.
     fn number(&self, sides: &[(Expr, Written)]) -> Option<Rational> {
-        let value = |(own, line): &(Expr, Written)| {
+        let value = |(sum, line): &(Expr, Written)| {
             let units = self.units;
-            own.evaluate(&|symbol| line.number(symbol).map_or(f64::NAN, |own| coherent_value(own, units)))
+            sum.evaluate(&|symbol| line.number(symbol).map_or(f64::NAN, |number| coherent_value(number, units)))
         };
         let last = value(sides.last()?);
         let first = value(sides.first()?);

@@ -24,9 +24,10 @@ impl Judge<'_> {
         };
         let laws: Vec<LawNeeded> = needed.into_iter().map(|position| self.law(position, &established)).collect();
         let answers: Vec<AnswerNeeded> = self.answers();
-        let reached = laws.iter().filter(|own| own.established).map(|own| own.points);
-        let reached = reached.chain(answers.iter().filter(|own| own.established).map(|own| own.points)).sum();
-        let out_of = laws.iter().map(|own| own.points).chain(answers.iter().map(|own| own.points)).sum();
+        let reached = laws.iter().filter(|law| law.established).map(|law| law.points);
+        let reached =
+            reached.chain(answers.iter().filter(|answer| answer.established).map(|answer| answer.points)).sum();
+        let out_of = laws.iter().map(|law| law.points).chain(answers.iter().map(|answer| answer.points)).sum();
         (WorkReport { lines, laws, answers, points: reached, out_of }, next)
     }
 
@@ -34,8 +35,8 @@ impl Judge<'_> {
     fn needed(&self) -> Vec<usize> {
         let mut needed: Vec<usize> = Vec::new();
         for place in self.worked.leaf().answer_steps().iter().flat_map(|step| &step.equations) {
-            let position = self.ground.equations.iter().position(|own| own.place == *place && !own.is_naming);
-            needed.extend(position.filter(|own| !needed.contains(own)));
+            let position = self.ground.equations.iter().position(|stated| stated.place == *place && !stated.is_naming);
+            needed.extend(position.filter(|position| !needed.contains(position)));
         }
         needed
     }
@@ -44,14 +45,14 @@ impl Judge<'_> {
     fn established(&self) -> BTreeSet<usize> {
         let place = self.ground.place(&self.base);
         let mentioned: BTreeSet<Symbol> =
-            self.accepted.iter().flat_map(|own| &own.residuals).flat_map(Expr::symbols).collect();
+            self.accepted.iter().flat_map(|line| &line.residuals).flat_map(Expr::symbols).collect();
         if self.accepted.is_empty() {
             return BTreeSet::new();
         }
         let slopes = Slopes::new(&self.ground, place, &mentioned);
-        let steps = || self.accepted.iter().filter(|own| own.shows_laws);
-        let mut established = slopes.established(place, steps().flat_map(|own| &own.residuals));
-        established.extend(steps().flat_map(|own| &own.support.laws));
+        let steps = || self.accepted.iter().filter(|line| line.shows_laws);
+        let mut established = slopes.established(place, steps().flat_map(|line| &line.residuals));
+        established.extend(steps().flat_map(|line| &line.support.laws));
         established
     }
 
@@ -88,7 +89,7 @@ impl Judge<'_> {
     }
 
     fn answers_given(&self) -> BTreeSet<Symbol> {
-        self.accepted.iter().flat_map(|own| own.answers.iter().copied()).collect()
+        self.accepted.iter().flat_map(|line| line.answers.iter().copied()).collect()
     }
 
     fn step_of_law(&self, position: usize) -> NextStep {
@@ -101,7 +102,7 @@ impl Judge<'_> {
             Because::Definition => String::new(),
             reason => format!(": {reason}"),
         };
-        let equation = match self.ground.system.equations.get(stated.place).map(|own| &own.statement) {
+        let equation = match self.ground.system.equations.get(stated.place).map(|equation| &equation.statement) {
             Some(Statement::Equal { left, right }) => Some([left, right]),
             _ => None,
         };
@@ -127,7 +128,7 @@ impl Judge<'_> {
             Some(format!("{name} = {value} {}", self.worked.problem.unit_name(number)).trim_end().to_owned())
         });
         let formula = self.worked.form.parts.iter().find_map(|part| match &part.kind {
-            PartKind::Formula(own) if own.symbol == wanted => self.worked.formula(own),
+            PartKind::Formula(formula) if formula.symbol == wanted => self.worked.formula(formula),
             _ => None,
         });
         let value = value.or_else(|| Some(format!("{name} = {}", self.text(&formula?, false))));
@@ -156,7 +157,9 @@ impl Judge<'_> {
             match given {
                 Some((value, unit)) if unit.is_none() => format!("({value})"),
                 Some((value, unit)) => format!("({value} {unit})"),
-                None if problem.model().literals.iter().any(|(own, _)| *own == symbol) => format!("({})", entry.name),
+                None if problem.model().literals.iter().any(|(literal, _)| *literal == symbol) => {
+                    format!("({})", entry.name)
+                }
                 None => entry.name.clone(),
             }
         })
@@ -166,7 +169,7 @@ impl Judge<'_> {
     fn resolved(&self, term: &Expr) -> Expr {
         let Expr::Piecewise(piecewise) = term else { return term.map_children(|part| self.resolved(part)) };
         let place = self.ground.place(&self.base);
-        let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
+        let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |number| number.value);
         let at = piecewise.variable.evaluate(&value);
         let holds = |until: &Option<Expr>| until.as_ref().is_none_or(|until| at <= until.evaluate(&value));
         let piece = piecewise.pieces.iter().find(|(until, _)| holds(until));

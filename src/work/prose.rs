@@ -116,7 +116,7 @@ pub(crate) fn equation(text: &str) -> Option<String> {
     }
     let start = before(&text[..sign]);
     let end = behind(text, sign);
-    (start > 0 || end < text.len()).then(|| text[start..end].trim().to_owned()).filter(|own| !own.is_empty())
+    (start > 0 || end < text.len()).then(|| text[start..end].trim().to_owned()).filter(|words| !words.is_empty())
 }
 
 /// Whether a text is a sentence: two words follow each other in it.
@@ -129,7 +129,7 @@ pub(crate) fn is_sentence(text: &str) -> bool {
 fn before(text: &str) -> usize {
     let words = words(text);
     let leads = |word: &str| {
-        [&LEADS[..], &NOUNS[..]].iter().any(|own| own.contains(&word.to_lowercase().trim_end_matches(',')))
+        [&LEADS[..], &NOUNS[..]].iter().any(|words| words.contains(&word.to_lowercase().trim_end_matches(',')))
     };
     let lead = words.iter().rposition(|(_, word)| leads(word));
     let Some((lead, (start, word))) = lead.and_then(|lead| Some((lead, *words.get(lead)?))) else { return 0 };
@@ -162,8 +162,8 @@ fn behind(text: &str, sign: usize) -> usize {
     let tail = words.iter().rposition(|(_, word)| !is_word(word)).map_or(0, |last| last + 1);
     let begins = |place: usize| {
         let follows_comma =
-            place.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|(_, own)| own.ends_with(','));
-        follows_comma || words.get(place).is_some_and(|(_, own)| BEHIND.contains(&own.trim_end_matches(',')))
+            place.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|(_, word)| word.ends_with(','));
+        follows_comma || words.get(place).is_some_and(|(_, word)| BEHIND.contains(&word.trim_end_matches(',')))
     };
     let Some(start) = (tail..words.len()).find(|place| *place > 0 && begins(*place)) else { return text.len() };
     if words[start..].iter().any(|(_, word)| is_turned(word)) {

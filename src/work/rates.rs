@@ -27,7 +27,7 @@ pub(crate) fn named(line: &str, is_name: &dyn Fn(&str) -> bool) -> String {
 fn next(text: &str, from: usize) -> Option<(usize, usize, String)> {
     let rest = text.get(from..)?;
     let found = [quotient(rest), fraction(rest), dotted(rest)];
-    let (start, end, of) = found.into_iter().flatten().min_by_key(|own| own.0)?;
+    let (start, end, of) = found.into_iter().flatten().min_by_key(|place| place.0)?;
     Some((from + start, from + end, bare(of)))
 }
 
@@ -36,10 +36,10 @@ fn quotient(text: &str) -> Option<(usize, usize, &str)> {
     text.match_indices("/dt").find_map(|(at, sign)| {
         let end = at + sign.len();
         let start = text[..at]
-            .rfind(|own: char| !is_of_name(own))
+            .rfind(|sign: char| !is_of_name(sign))
             .map_or(0, |place| place + text[place..].chars().next().map_or(1, char::len_utf8));
         let of = text[start..at].strip_prefix('d').filter(|of| !of.is_empty())?;
-        let is_word = text[end..].starts_with(|own: char| own.is_alphanumeric() || own == '_');
+        let is_word = text[end..].starts_with(|sign: char| sign.is_alphanumeric() || sign == '_');
         (!is_word).then_some((start, end, of))
     })
 }
@@ -63,7 +63,7 @@ fn dotted(text: &str) -> Option<(usize, usize, &str)> {
         return Some((start, start + "\\dot{".len() + end + 1, &inner[..end]));
     }
     let letter = behind.trim_start();
-    let first = letter.chars().next().filter(|own| own.is_alphabetic())?;
+    let first = letter.chars().next().filter(|sign| sign.is_alphabetic())?;
     let at = text.len() - letter.len();
     Some((start, at + first.len_utf8(), &text[at..at + first.len_utf8()]))
 }

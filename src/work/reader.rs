@@ -145,15 +145,15 @@ impl Reader<'_> {
             let value = self.integral(&integral)?;
             text = format!("{} {} {}", integral.before, self.insert(value), integral.behind);
         }
-        while let Some(own) = integrals::between_limits(&text) {
-            let value = self.between_limits(&own)?;
-            text = format!("{} ({}) {}", own.before, self.insert(value), own.behind);
+        while let Some(between) = integrals::between_limits(&text) {
+            let value = self.between_limits(&between)?;
+            text = format!("{} ({}) {}", between.before, self.insert(value), between.behind);
         }
         while let Some(series) = series::first(&text) {
             let terms = series.terms.iter().map(|term| self.term(term, variable)).collect::<Result<Vec<_>, _>>()?;
             // A number that stands in several terms is the same in all of them.
-            let first = |own: &WrittenNumber| {
-                let is_same = |other: &&WrittenNumber| other.value == own.value && other.unit == own.unit;
+            let first = |number: &WrittenNumber| {
+                let is_same = |other: &&WrittenNumber| other.value == number.value && other.unit == number.unit;
                 self.written.numbers.iter().find(is_same).map(|other| Expr::from(other.symbol))
             };
             let same = |symbol: Symbol| self.written.number(symbol).and_then(first);
@@ -168,7 +168,7 @@ impl Reader<'_> {
         let read = read.map_err(NoLine::Unreadable)?;
         self.is_doubtful |= read.is_doubtful;
         self.written.numbers.extend(read.numbers);
-        let inserted = |symbol: Symbol| self.inserted.iter().find(|(own, _)| *own == symbol);
+        let inserted = |symbol: Symbol| self.inserted.iter().find(|(known, _)| *known == symbol);
         let Alphabet { others, loose, .. } = self.alphabet;
         let is_short = |symbol: &Symbol| others.contains_key(symbol) || loose.contains(symbol);
         for number in read.term.symbols().into_iter().filter_map(|symbol| self.alphabet.number(symbol)) {
@@ -192,9 +192,9 @@ impl Reader<'_> {
     }
 
     /// The difference of a term at two limits: of the variable over which the scene integrates.
-    fn between_limits(&mut self, own: &BetweenLimits) -> Result<Expr, NoLine> {
-        let term = self.term(&own.term, None)?;
-        let [low, high] = [self.term(&own.limits[0], None)?, self.term(&own.limits[1], None)?];
+    fn between_limits(&mut self, between: &BetweenLimits) -> Result<Expr, NoLine> {
+        let term = self.term(&between.term, None)?;
+        let [low, high] = [self.term(&between.limits[0], None)?, self.term(&between.limits[1], None)?];
         let is_variable =
             |symbol: &Symbol| self.alphabet.limits.contains_key(&self.written.symbols.entry(*symbol).name);
         let variable = term.symbols().into_iter().find(is_variable).ok_or(NoLine::Integral(IntegralFault::Variable))?;

@@ -86,8 +86,8 @@ impl WorkReport {
     /// Whether the lines hold all answers and none is wrong.
     #[must_use]
     pub fn is_right(&self) -> bool {
-        let has_answers = !self.answers.is_empty() && self.answers.iter().all(|own| own.established);
-        has_answers && !self.lines.iter().any(|own| own.verdict.is_wrong())
+        let has_answers = !self.answers.is_empty() && self.answers.iter().all(|answer| answer.established);
+        has_answers && !self.lines.iter().any(|line| line.verdict.is_wrong())
     }
 }
 
@@ -104,8 +104,8 @@ impl NextStep {
 /// For people: each line with what is said of it, then what is shown and what is missing.
 impl fmt::Display for WorkReport {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for own in &self.lines {
-            writeln!(out, "{:>3}  {}\n     {}", own.line, own.text, own.message)?;
+        for line in &self.lines {
+            writeln!(out, "{:>3}  {}\n     {}", line.line, line.text, line.message)?;
         }
         writeln!(out)?;
         for law in &self.laws {

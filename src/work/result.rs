@@ -19,24 +19,24 @@ impl Judge<'_> {
     pub(crate) fn measure_results(&self, line: &mut Written) {
         let mut results: Vec<(Symbol, Symbol)> = Vec::new();
         for chain in line.stated.iter().flatten() {
-            let sides = || chain.iter().flat_map(|own| [&own.left, &own.right]);
+            let sides = || chain.iter().flat_map(|statement| [&statement.left, &statement.right]);
             let letter = sides().find_map(|side| line.letter_alone(side));
             let Some(letter) = letter else { continue };
-            let bare = sides().filter_map(|side| line.number_alone(side)).filter(|own| own.unit.is_none());
-            results.extend(bare.map(|own| (own.symbol, letter)));
+            let bare = sides().filter_map(|side| line.number_alone(side)).filter(|number| number.unit.is_none());
+            results.extend(bare.map(|number| (number.symbol, letter)));
         }
         let place = self.ground.place(&self.base);
         for (number, symbol) in results {
             let dimension = line.symbols.entry(symbol).dimension;
-            let Some(own) = line.numbers.iter_mut().find(|own| own.symbol == number) else { continue };
+            let Some(result) = line.numbers.iter_mut().find(|written| written.symbol == number) else { continue };
             let value = place.value(symbol).map_or(f64::NAN, |value| value.value.abs());
             let fits = |unit: &&Unit| {
-                let written = own.value.to_f64().value() * unit.factor().to_f64();
+                let written = result.value.to_f64().value() * unit.factor().to_f64();
                 (written - value).abs() <= FITS * value
             };
             let units = self.units_of(symbol, dimension);
             let Some(unit) = units.iter().find(fits).or(units.first()).filter(|unit| !unit.is_none()) else { continue };
-            own.unit = Some(unit.clone());
+            result.unit = Some(unit.clone());
             line.symbols.measure(number, dimension);
         }
     }
@@ -46,7 +46,7 @@ impl Judge<'_> {
         let mut scaled = line.clone();
         let mut is_changed = false;
         for chain in scaled.stated.iter_mut().flatten() {
-            let unit = chain.last().and_then(|own| match &own.right {
+            let unit = chain.last().and_then(|statement| match &statement.right {
                 Expr::Symbol(number) => line.number(*number)?.unit.clone(),
                 _ => None,
             });
@@ -56,10 +56,10 @@ impl Judge<'_> {
             let is_bare = |side: &Expr| {
                 let symbols = side.symbols();
                 !symbols.is_empty()
-                    && symbols.iter().all(|symbol| line.number(*symbol).is_some_and(|own| own.unit.is_none()))
+                    && symbols.iter().all(|symbol| line.number(*symbol).is_some_and(|number| number.unit.is_none()))
             };
-            for own in chain {
-                for side in [&mut own.left, &mut own.right] {
+            for statement in chain {
+                for side in [&mut statement.left, &mut statement.right] {
                     if is_bare(side) {
                         *side = factor.clone() * side.clone();
                         is_changed = true;

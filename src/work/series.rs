@@ -57,7 +57,7 @@ pub(crate) fn terms(sum: &str) -> Vec<String> {
         match sign {
             '(' | '[' | '{' => depth += 1,
             ')' | ']' | '}' => depth -= 1,
-            '+' | '-' | '−' if depth == 0 && terms.last().is_some_and(|own| !own.trim().is_empty()) => {
+            '+' | '-' | '−' if depth == 0 && terms.last().is_some_and(|so_far| !so_far.trim().is_empty()) => {
                 terms.push(String::new());
             }
             _ => {}

@@ -74,11 +74,11 @@ fn with_lists(line: &str) -> String {
 fn with_arguments_apart(line: &str) -> String {
     let mut text = String::with_capacity(line.len());
     for sign in line.chars() {
-        let is_function = |own: &str| {
-            let before = text.strip_suffix(own);
+        let is_function = |name: &str| {
+            let before = text.strip_suffix(name);
             before.is_some_and(|before| !before.ends_with(|sign: char| sign.is_alphabetic() || sign == '_'))
         };
-        if sign.is_ascii_digit() && FUNCTIONS.iter().any(|own| is_function(own)) {
+        if sign.is_ascii_digit() && FUNCTIONS.iter().any(|function| is_function(function)) {
             text.push(' ');
         }
         text.push(sign);
@@ -102,7 +102,7 @@ fn with_plain_indices(line: &str) -> String {
         let Some(end) = end else { break };
         let index = ["\\text", "\\mathrm", "{", "}", " "]
             .iter()
-            .fold(behind[..end].to_owned(), |index, own| index.replace(own, ""));
+            .fold(behind[..end].to_owned(), |index, word| index.replace(word, ""));
         text.extend([before, "_{", &index.replace(',', "_"), "}"]);
         rest = &behind[end + 1..];
     }

@@ -135,7 +135,7 @@ pub(crate) type Sides = Vec<Vec<Chain>>;
 
 /// The statements of a line, one after another.
 pub(crate) fn statements(line: &str) -> Vec<String> {
-    split(&unset(line), &ARROWS).iter().flat_map(|own| joined(own)).flat_map(|own| listed(&own)).collect()
+    split(&unset(line), &ARROWS).iter().flat_map(|part| joined(part)).flat_map(|part| listed(&part)).collect()
 }
 
 /// Takes a line apart; nothing where no sides are compared in it.
@@ -146,8 +146,8 @@ pub(crate) fn sides(line: &str) -> Option<Sides> {
         .map(|statement| {
             split(statement, &ALTERNATIVES)
                 .iter()
-                .flat_map(|own| both_signs(own))
-                .filter_map(|own| chain(&own))
+                .flat_map(|text| both_signs(text))
+                .filter_map(|text| chain(&text))
                 .collect()
         })
         .filter(|alternatives: &Vec<Chain>| !alternatives.is_empty())
@@ -268,8 +268,10 @@ fn without_words(text: &str) -> &str {
 /// What stands behind a reason in words: `no friction, so T_2 = T_1`.
 fn behind_reason(text: &str) -> Option<&str> {
     let compared = SIGNS.iter().filter_map(|(sign, _)| text.find(sign)).min()?;
-    let (at, conclusion) =
-        CONCLUSIONS.iter().filter_map(|word| Some((text[..compared].rfind(word)?, *word))).max_by_key(|own| own.0)?;
+    let (at, conclusion) = CONCLUSIONS
+        .iter()
+        .filter_map(|word| Some((text[..compared].rfind(word)?, *word)))
+        .max_by_key(|place_and_word| place_and_word.0)?;
     let is_word = |sign: char| sign.is_alphabetic() || matches!(sign, ' ' | ',' | '-' | '\'');
     text[..at].chars().all(is_word).then(|| text[at + conclusion.len()..].trim_start())
 }

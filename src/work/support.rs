@@ -37,19 +37,19 @@ impl Basis {
         if length == 0.0 || !length.is_finite() {
             return None;
         }
-        let mut rest: Row = row.iter().map(|own| own / length).collect();
+        let mut rest: Row = row.iter().map(|part| part / length).collect();
         // Twice is enough (Kahan, in Parlett, The Symmetric Eigenvalue Problem, 6.9).
         for _ in 0..2 {
-            for own in &self.0 {
-                let along = dot(own, &rest);
-                rest.iter_mut().zip(own).for_each(|(rest, own)| *rest -= along * own);
+            for base in &self.0 {
+                let along = dot(base, &rest);
+                rest.iter_mut().zip(base).for_each(|(rest, component)| *rest -= along * component);
             }
         }
         let left = norm(&rest);
         if left < NOTHING {
             return None;
         }
-        Some(rest.into_iter().map(|own| own / left).collect())
+        Some(rest.into_iter().map(|part| part / left).collect())
     }
 
     fn add(&mut self, row: &Row) {
@@ -79,26 +79,26 @@ pub(crate) struct Support {
 impl Slopes {
     /// The slopes at a place, for lines in some quantities.
     pub(crate) fn new(ground: &Ground, place: Place<'_>, mentioned: &BTreeSet<Symbol>) -> Self {
-        let all = ground.equations.iter().flat_map(|own| own.residual.symbols()).chain(mentioned.iter().copied());
+        let all = ground.equations.iter().flat_map(|stated| stated.residual.symbols()).chain(mentioned.iter().copied());
         let unknowns: BTreeSet<Symbol> = all.filter(|symbol| !ground.told.contains(symbol)).collect();
         let valued: Vec<(Symbol, f64)> =
             unknowns.into_iter().filter_map(|symbol| Some((symbol, place.value(symbol)?.value))).collect();
         let sizes = valued.iter().map(|(_, value)| if *value == 0.0 { 1.0 } else { value.abs() }).collect();
         let unknowns = valued.into_iter().map(|(symbol, _)| symbol).collect();
-        let letters = ground.equations.iter().map(|own| own.residual.symbols()).collect();
+        let letters = ground.equations.iter().map(|stated| stated.residual.symbols()).collect();
         let mut slopes =
             Self { unknowns, sizes, names: Basis::default(), laws: Vec::new(), whole: Vec::new(), letters };
         let rows = ground
             .equations
             .iter()
             .enumerate()
-            .filter_map(|(position, own)| Some((position, own, slopes.row(place, &own.residual)?)));
+            .filter_map(|(position, stated)| Some((position, stated, slopes.row(place, &stated.residual)?)));
         let rows: Vec<_> = rows.collect();
-        for (.., row) in rows.iter().filter(|(_, own, _)| own.is_naming) {
+        for (.., row) in rows.iter().filter(|(_, stated, _)| stated.is_naming) {
             slopes.names.add(row);
         }
-        let mut laws: Vec<_> = rows.iter().filter(|(_, own, _)| !own.is_naming).collect();
-        laws.sort_by_key(|(_, own, _)| !own.is_used);
+        let mut laws: Vec<_> = rows.iter().filter(|(_, stated, _)| !stated.is_naming).collect();
+        laws.sort_by_key(|(_, stated, _)| !stated.is_used);
         let nothing = Basis::default();
         slopes.whole = laws.iter().filter_map(|(position, _, row)| Some((*position, nothing.rest(row)?))).collect();
         slopes.laws = laws.iter().filter_map(|(position, _, row)| Some((*position, slopes.names.rest(row)?))).collect();
@@ -108,7 +108,7 @@ impl Slopes {
     /// The slopes of a term by the unknowns, each in the unknown's own size; none where one has no value.
     fn row(&self, place: Place<'_>, residual: &Expr) -> Option<Row> {
         let mut row = vec![0.0; self.unknowns.len()];
-        let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |own| own.value);
+        let value = |symbol: Symbol| place.value(symbol).map_or(f64::NAN, |number| number.value);
         let mut is_known = true;
         residual.slopes(&value, 1.0, &mut |symbol, slope| {
             if let Ok(at) = self.unknowns.binary_search(&symbol) {
@@ -116,7 +116,7 @@ impl Slopes {
             }
             is_known &= slope.is_finite();
         });
-        (is_known && row.iter().all(|own| own.is_finite())).then_some(row)
+        (is_known && row.iter().all(|part| part.is_finite())).then_some(row)
     }
 
     /// The laws of a line with that difference of its sides.
@@ -128,7 +128,9 @@ impl Slopes {
             // Of equations that say the same here, the one in the same letters.
             let same = rows.iter().filter(|(_, law)| is_multiple(law, rest)).map(|(position, _)| *position);
             let apart = |position: &usize| {
-                self.letters.get(*position).map_or(usize::MAX, |own| own.symmetric_difference(&letters).count())
+                self.letters
+                    .get(*position)
+                    .map_or(usize::MAX, |letters_of_law| letters_of_law.symmetric_difference(&letters).count())
             };
             same.min_by_key(apart)
         };
@@ -158,10 +160,10 @@ impl Slopes {
         let project = |basis: &[(Row, Vec<f64>)], row: &Row, count: usize| {
             let (mut rest, mut parts) = (row.clone(), vec![0.0; count]);
             for _ in 0..2 {
-                for (own, sum) in basis {
-                    let along = dot(own, &rest);
-                    rest.iter_mut().zip(own).for_each(|(rest, own)| *rest -= along * own);
-                    parts.iter_mut().zip(sum).for_each(|(part, own)| *part += along * own);
+                for (base, sum) in basis {
+                    let along = dot(base, &rest);
+                    rest.iter_mut().zip(base).for_each(|(rest, component)| *rest -= along * component);
+                    parts.iter_mut().zip(sum).for_each(|(part, coefficient)| *part += along * coefficient);
                 }
             }
             (rest, parts)
@@ -170,7 +172,7 @@ impl Slopes {
             let (mut rest, parts) = project(&basis, law, chosen.len());
             let left = norm(&rest);
             if left >= NOTHING {
-                rest = rest.into_iter().map(|own| own / left).collect();
+                rest = rest.into_iter().map(|part| part / left).collect();
                 let sum = parts.iter().map(|part| -part / left).chain([1.0 / left]).collect();
                 basis.push((rest, sum));
                 chosen.push(*position);

@@ -68,7 +68,8 @@ impl<'a> Bodies<'a> {
         let model = worked.problem.model();
         let bodies = worked.problem.loaded().draft.scene.bodies.keys();
         let mass = |body: &'a String| Some((body.as_str(), mass(worked, body)?));
-        let has = |axis: &str| model.symbols.iter().any(|(own, _)| model.name(own).component.as_deref() == Some(axis));
+        let has =
+            |axis: &str| model.symbols.iter().any(|(symbol, _)| model.name(symbol).component.as_deref() == Some(axis));
         let axes: Vec<Option<&str>> = AXES.into_iter().filter(|axis| has(axis)).map(Some).collect();
         let axes = if axes.is_empty() { vec![None] } else { axes };
         Self { worked, masses: bodies.filter_map(mass).collect(), axes }
@@ -81,8 +82,8 @@ impl<'a> Bodies<'a> {
 
     /// A quantity of each body along an axis; nothing where some body has none.
     fn each(&self, kind: &QuantityKind, instant: usize, axis: Option<&str>) -> Option<Vec<Expr>> {
-        let own = |(body, _): &(&str, Expr)| self.quantity(kind.clone(), body, instant, axis);
-        self.masses.iter().map(own).collect()
+        let quantity_of = |(body, _): &(&str, Expr)| self.quantity(kind.clone(), body, instant, axis);
+        self.masses.iter().map(quantity_of).collect()
     }
 
     fn instants(&self) -> BTreeSet<usize> {
@@ -96,7 +97,7 @@ impl<'a> Bodies<'a> {
 
     /// The sum of a quantity of each body times its mass.
     fn weighted(&self, quantities: &[Expr]) -> Expr {
-        Expr::sum(self.masses.iter().zip(quantities).map(|((_, mass), own)| mass.clone() * own.clone()))
+        Expr::sum(self.masses.iter().zip(quantities).map(|((_, mass), quantity)| mass.clone() * quantity.clone()))
     }
 
     fn motion(&self, aliases: &mut Aliases, instant: usize, total: &Expr) {
@@ -122,13 +123,16 @@ impl<'a> Bodies<'a> {
                 add(aliases, letter, "", *axis, &momentum);
             }
             add(aliases, "v", "G", *axis, &mean);
-            let relative: Vec<Expr> = velocities.iter().map(|own| Expr::sum([own.clone(), -mean.clone()])).collect();
-            for ((body, _), own) in self.masses.iter().zip(&relative) {
-                add(aliases, "v_rel_", body, *axis, own);
+            let relative: Vec<Expr> =
+                velocities.iter().map(|velocity| Expr::sum([velocity.clone(), -mean.clone()])).collect();
+            for ((body, _), velocity) in self.masses.iter().zip(&relative) {
+                add(aliases, "v_rel_", body, *axis, velocity);
             }
-            squares.push(self.weighted(&velocities.iter().map(|own| own.clone().powi(2)).collect::<Vec<_>>()));
+            squares
+                .push(self.weighted(&velocities.iter().map(|velocity| velocity.clone().powi(2)).collect::<Vec<_>>()));
             mean_squares.push(total.clone() * mean.powi(2));
-            relative_squares.push(self.weighted(&relative.into_iter().map(|own| own.powi(2)).collect::<Vec<_>>()));
+            relative_squares
+                .push(self.weighted(&relative.into_iter().map(|velocity| velocity.powi(2)).collect::<Vec<_>>()));
         }
         let half = |squares: Vec<Expr>| Expr::ratio(1, 2) * Expr::sum(squares);
         let [all, mean, relative] = [squares, mean_squares, relative_squares].map(half);
@@ -143,7 +147,7 @@ impl<'a> Bodies<'a> {
     fn changes(&self, aliases: &mut Aliases) {
         for (body, mass) in &self.masses {
             for (instant, axis) in
-                self.instants().into_iter().flat_map(|own| self.axes.iter().map(move |axis| (own, *axis)))
+                self.instants().into_iter().flat_map(|instant| self.axes.iter().map(move |axis| (instant, *axis)))
             {
                 let velocity = |instant| self.quantity(QuantityKind::Velocity, body, instant, axis);
                 let (Some(before), Some(after)) = (velocity(instant), velocity(instant + 1)) else { continue };

@@ -9,7 +9,7 @@ const MOST_NAMED: usize = 4;
 /// Why a side cannot be read, as a clause; `names` are those of the problem.
 pub(crate) fn said(fault: &Unreadable, names: &[String]) -> String {
     let UnreadableKind::UnknownName { name, .. } = &fault.kind else { return fault.to_string() };
-    let begins = |own: &&String| own.starts_with(&format!("{name}_")) && !own.contains(['(', ' ']);
+    let begins = |unread: &&String| unread.starts_with(&format!("{name}_")) && !unread.contains(['(', ' ']);
     let longer: Vec<&str> = names.iter().filter(begins).take(MOST_NAMED).map(String::as_str).collect();
     match longer.as_slice() {
         [] => format!("`{name}` is no letter of this problem"),

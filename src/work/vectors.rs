@@ -167,7 +167,7 @@ impl Vectors {
 
     fn unit_vector(&self, rest: &str, before: &str, axis: usize) -> Option<(String, usize)> {
         let (place, length) = AXES.iter().enumerate().find_map(|(place, _)| {
-            let spelling = UNIT_VECTORS[place].iter().find(|own| rest.starts_with(**own)).map(|own| own.len());
+            let spelling = UNIT_VECTORS[place].iter().find(|unit| rest.starts_with(**unit)).map(|unit| unit.len());
             let letter = LETTERS[place];
             let is_alone = || !self.letters.contains(&letter) && word(rest) == 1 && !before.ends_with(['\\', '_', '.']);
             spelling.or_else(|| (rest.starts_with(letter) && is_alone()).then_some(1)).map(|length| (place, length))

@@ -30,9 +30,14 @@ impl Way {
         let plan = plan(system, known, wanted).ok()?;
         let finds = plan.steps.iter().flat_map(|step| step.unknowns.iter().copied()).collect();
         let equations = plan.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
-        let mentioned = plan.steps.iter().flat_map(|step| &step.equations).filter_map(|own| system.equations.get(*own));
+        let mentioned =
+            plan.steps.iter().flat_map(|step| &step.equations).filter_map(|equation| system.equations.get(*equation));
         let mentioned: BTreeSet<Symbol> = mentioned.flat_map(momentous_solve::Equation::symbols).collect();
-        let judged = system.conditions.iter().flat_map(|own| [own.left.symbols(), own.right.symbols()]).flatten();
+        let judged = system
+            .conditions
+            .iter()
+            .flat_map(|condition| [condition.left.symbols(), condition.right.symbols()])
+            .flatten();
         let mentioned: BTreeSet<Symbol> = mentioned.into_iter().chain(judged).collect();
         let inputs: Vec<Symbol> = known.intersection(&mentioned).copied().collect();
         let audit = Audit { answer_steps: plan.steps.len(), plan, checks: Vec::new() };
@@ -52,13 +57,16 @@ impl Way {
 
     /// The values of what it finds, in each solution.
     pub(crate) fn solve(&self, value: &dyn Fn(Symbol) -> Option<Bounded>) -> Vec<Values> {
-        let Some(inputs) = self.inputs.iter().map(|own| value(*own)).collect::<Option<Vec<_>>>() else {
+        let Some(inputs) = self.inputs.iter().map(|symbol| value(*symbol)).collect::<Option<Vec<_>>>() else {
             return Vec::new();
         };
         let mut memory = Workspace::default();
         let outcome = self.program.run(&inputs, &mut memory);
-        let first: Values =
-            outcome.values().filter(|(symbol, _)| self.finds(*symbol)).map(|(symbol, own)| (symbol, *own)).collect();
+        let first: Values = outcome
+            .values()
+            .filter(|(symbol, _)| self.finds(*symbol))
+            .map(|(symbol, number)| (symbol, *number))
+            .collect();
         if first.is_empty() {
             return Vec::new();
         }

@@ -75,8 +75,8 @@ impl Alphabet {
     /// Adds a short name for the first of several terms; it may stand for the others, and for anything where it is loose. Where there is a name with the
     /// same letters, that one may stand for them too.
     pub(crate) fn name(&mut self, name: &str, terms: &[Expr], is_loose: bool) {
-        let own = letters(name);
-        let known = self.names.iter().copied().find(|symbol| letters(&self.symbols.entry(*symbol).name) == own);
+        let spelt = letters(name);
+        let known = self.names.iter().copied().find(|symbol| letters(&self.symbols.entry(*symbol).name) == spelt);
         if known.is_some_and(|known| self.is_settled(known, name)) {
             return;
         }
@@ -158,7 +158,7 @@ impl Alphabet {
             let all = instead.iter().chain(&self.short);
             all.into_iter().find(|(short, _)| *short == symbol && Some(*short) != variable)
         };
-        term.substitute(&|symbol| short(symbol).map(|(_, own)| own.clone()))
+        term.substitute(&|symbol| short(symbol).map(|(_, short_form)| short_form.clone()))
     }
 }
 
@@ -211,7 +211,7 @@ impl Written {
         let Some(before) = before else { return written };
         // The alphabet may have grown since, so that its new names have the places of those numbers.
         let mut places: BTreeMap<Symbol, Symbol> = BTreeMap::new();
-        for number in before.numbers.iter().filter(|own| !alphabet.numbers.contains_key(&own.symbol)) {
+        for number in before.numbers.iter().filter(|number| !alphabet.numbers.contains_key(&number.symbol)) {
             let name = format!("number {}", written.symbols.len());
             let dimension = before.symbols.entry(number.symbol).dimension;
             let symbol = written.symbols.intern(SymbolEntry { name, dimension, meaning: String::new() });
@@ -251,18 +251,18 @@ impl Written {
     /// Whether each term holds a quantity and each bare number may be a constant, so that bare numbers are pure.
     pub(crate) fn is_in_symbols(&self) -> bool {
         let is_measured =
-            |own: &WrittenNumber| own.unit.as_ref().is_some_and(|unit| unit.dimension() != Dimension::NONE);
+            |number: &WrittenNumber| number.unit.as_ref().is_some_and(|unit| unit.dimension() != Dimension::NONE);
         self.is_made_of(
-            |own| own.unit.is_some() || is_constant(&own.value),
-            |own| is_measured(own) || own.value.is_zero(),
+            |number| number.unit.is_some() || is_constant(&number.value),
+            |number| is_measured(number) || number.value.is_zero(),
         )
     }
 
     /// Whether each term holds a letter or is zero, and each number is a constant of a formula: no value stands in it.
     pub(crate) fn is_in_letters(&self) -> bool {
         self.is_made_of(
-            |own| own.unit.is_none() && is_constant(&own.value),
-            |own| own.unit.is_none() && own.value.is_zero(),
+            |number| number.unit.is_none() && is_constant(&number.value),
+            |number| number.unit.is_none() && number.value.is_zero(),
         )
     }
 
@@ -278,12 +278,15 @@ impl Written {
             Expr::Sum(terms) => terms.iter().all(has_letter),
             other => has_letter(other),
         };
-        self.numbers.iter().all(is_such) && self.statements().all(|own| side(&own.left) && side(&own.right))
+        self.numbers.iter().all(is_such)
+            && self.statements().all(|statement| side(&statement.left) && side(&statement.right))
     }
 
     /// The quantities in it, without its numbers.
     pub(crate) fn quantities(&self) -> BTreeSet<Symbol> {
-        let symbols = self.statements().flat_map(|own| own.left.symbols().into_iter().chain(own.right.symbols()));
+        let symbols = self
+            .statements()
+            .flat_map(|statement| statement.left.symbols().into_iter().chain(statement.right.symbols()));
         symbols.filter(|symbol| self.number(*symbol).is_none()).collect()
     }
 

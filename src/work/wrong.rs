@@ -88,13 +88,13 @@ impl WrongSystem {
         self.mistaken.wrong.iter().filter_map(|place| self.mistaken.system.equations.get(*place)).any(|equation| {
             let Statement::Equal { left, right } = &equation.statement else { return false };
             let mut ratios: Vec<f64> = Vec::new();
-            for (place, own) in differences {
+            for (place, difference) in differences {
                 let value = |symbol: Symbol| place.value(symbol).unwrap_or_else(Bounded::not_real);
                 let [left, right]: [Bounded; 2] = [left, right].map(|side| evaluate(side, &value));
                 let wrong = Difference { value: left.value - right.value, size: left.value.abs() + right.value.abs() };
-                match (own.is_nothing(), wrong.is_nothing()) {
+                match (difference.is_nothing(), wrong.is_nothing()) {
                     (true, true) => {}
-                    (false, false) if wrong.value.is_finite() => ratios.push(own.value / wrong.value),
+                    (false, false) if wrong.value.is_finite() => ratios.push(difference.value / wrong.value),
                     _ => return false,
                 }
             }
@@ -133,7 +133,7 @@ impl WrongSystems {
         let wanted: BTreeSet<Symbol> = line.quantities().difference(&ground.told).copied().collect();
         let apart = differences(ground, place, (line, meanings), at);
         let direct: Vec<&WrongSystem> =
-            systems.0.iter().filter(|system| apart.iter().any(|own| system.is_in(own))).collect();
+            systems.0.iter().filter(|system| apart.iter().any(|line| system.is_in(line))).collect();
         // Better those from which it follows without the law that they replace.
         let fails = |system: &WrongSystem, way: &Way| {
             way.uses(&system.mistaken.wrong)
@@ -155,7 +155,7 @@ impl WrongSystems {
                 let elsewhere = || {
                     let places = ground.places().take(VARIANTS);
                     let found: Vec<Holds> = places.map(|place| holds(&way, place, (line, set, at))).collect();
-                    found.iter().all(|own| matches!(own, Holds::Yes | Holds::Open))
+                    found.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
                 };
                 match here {
                     Holds::Yes if set.is_general(line) => elsewhere(),
@@ -185,11 +185,11 @@ fn holds(way: &Way, place: Place<'_>, (line, meanings, at): (&Written, &Meanings
 
 /// Those made in the fewest places, of laws before those of data; each once.
 fn likeliest(mut follows: Vec<Follows>) -> Vec<Follows> {
-    let rank = |own: &Follows| (own.places, own.instance.is_none());
+    let rank = |follows: &Follows| (follows.places, follows.instance.is_none());
     follows.sort_by_key(rank);
     let first = follows.first().map(rank);
     let mut named = BTreeSet::new();
-    follows.retain(|own| Some(rank(own)) == first && named.insert(own.of.id));
+    follows.retain(|follows| Some(rank(follows)) == first && named.insert(follows.of.id));
     follows
 }
 
