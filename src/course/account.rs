@@ -156,7 +156,7 @@ impl Deciding<'_> {
         if self.dropped {
             return GradeMark::Dropped;
         }
-        let by_hand = self.by_hand.and_then(|own| own.points.as_deref()?.parse::<Rational>().ok());
+        let by_hand = self.by_hand.and_then(|decision| decision.points.as_deref()?.parse::<Rational>().ok());
         if let Some(points) = by_hand {
             return GradeMark::ByHand { points };
         }
@@ -180,24 +180,24 @@ impl<'a> Accounts<'a> {
     /// The accounts of a ledger.
     #[must_use]
     pub fn of(ledger: Ledger<'a>) -> Self {
-        let mut own = Self {
+        let mut account = Self {
             items: ledger.items.iter().collect(),
             corrections: BTreeMap::new(),
             sheets: BTreeMap::new(),
             last: ledger.last,
             by_hand: BTreeMap::new(),
         };
-        own.items.sort_by_key(|item| item.position);
+        account.items.sort_by_key(|item| item.position);
         for correction in ledger.corrections {
-            own.corrections.entry(correction.item).or_default().push(correction);
+            account.corrections.entry(correction.item).or_default().push(correction);
         }
         for sheet in ledger.sheets {
-            own.sheets.entry((sheet.member, sheet.item)).or_default().push(sheet);
+            account.sheets.entry((sheet.member, sheet.item)).or_default().push(sheet);
         }
         for set in ledger.by_hand {
-            own.by_hand.entry(set.sheet).or_default().push(set);
+            account.by_hand.entry(set.sheet).or_default().push(set);
         }
-        own
+        account
     }
 
     /// The items that count, in their order.
@@ -215,7 +215,10 @@ impl<'a> Accounts<'a> {
     pub fn account(&self, member: Key<Member>) -> Account {
         let standings: Vec<Standing> = self.items.iter().map(|item| self.standing(member, item)).collect();
         Account {
-            total: standings.iter().filter_map(|own| own.mark.points()).fold(Rational::ZERO, |sum, own| sum + own),
+            total: standings
+                .iter()
+                .filter_map(|standing| standing.mark.points())
+                .fold(Rational::ZERO, |sum, points| sum + points),
             out_of: self.counted().fold(0, |sum, item| sum.saturating_add(item.points)),
             standings,
         }
@@ -234,8 +237,8 @@ impl<'a> Accounts<'a> {
             item: item.key,
             out_of: item.points,
             mark: deciding.mark(),
-            by_hand: deciding.by_hand.and_then(|own| said(&own.reason, &own.comment)),
-            corrected: correction.and_then(|own| said(&own.reason, &own.comment)),
+            by_hand: deciding.by_hand.and_then(|decision| said(&decision.reason, &decision.comment)),
+            corrected: correction.and_then(|correction| said(&correction.reason, &correction.comment)),
         }
     }
 
@@ -244,14 +247,14 @@ impl<'a> Accounts<'a> {
         let sheets = self.sheets.get(&(member, item.key)).map_or(&[][..], Vec::as_slice);
         let set = |sheet: &Sheet| self.by_hand.get(&sheet.key).map_or(&[][..], Vec::as_slice);
         let counting = sheets.iter().find(|sheet| sheet.issue == item.issue);
-        let exactly = |own: &&&Override| own.rule == OverrideRule::Exactly;
-        let kept = sheets.iter().flat_map(|sheet| set(sheet)).filter(|own| own.rule == OverrideRule::AtLeast);
+        let exactly = |decision: &&&Override| decision.rule == OverrideRule::Exactly;
+        let kept = sheets.iter().flat_map(|sheet| set(sheet)).filter(|decision| decision.rule == OverrideRule::AtLeast);
         Deciding {
             item,
             dropped: item.dropped,
             full_marks: has_full_marks(self.corrections.get(&item.key).map_or(&[][..], Vec::as_slice)),
             by_hand: counting.and_then(|sheet| set(sheet).iter().rfind(exactly).copied()),
-            at_least: kept.filter_map(|own| own.points.as_deref()?.parse().ok()).max(),
+            at_least: kept.filter_map(|decision| decision.points.as_deref()?.parse().ok()).max(),
             score: counting.and_then(|sheet| Score::of(self.last.get(&sheet.key)?)),
         }
     }
@@ -259,7 +262,9 @@ impl<'a> Accounts<'a> {
 
 /// Whether everybody has full marks after these corrections of an item: one gave them, and none after it was free to take them back.
 fn has_full_marks(corrections: &[&Correction]) -> bool {
-    corrections.iter().fold(false, |full, own| own.choice == CorrectionChoice::FullMarks || (full && own.never_lower))
+    corrections.iter().fold(false, |full, correction| {
+        correction.choice == CorrectionChoice::FullMarks || (full && correction.never_lower)
+    })
 }
 
 /// The points that somebody types for an item, as a record keeps them: `4.5`, `4,5` or `9/2`; nothing lets those of marking count again.

@@ -41,7 +41,7 @@ pub fn worth(
     phase: &Phase,
 ) -> Option<Rational> {
     let rules = policy.rules();
-    if history.is_some_and(|own| !own.is_open(&rules)) {
+    if history.is_some_and(|history| !history.is_open(&rules)) {
         return None;
     }
     let factor = match phase {
@@ -49,7 +49,7 @@ pub fn worth(
         Phase::Late(late) => late.factor.clone(),
         Phase::NotOpen | Phase::Over | Phase::Closed => return None,
     };
-    let shown = |of: Option<&str>| hints.iter().filter(|own| own.part.as_deref() == of).count();
+    let shown = |of: Option<&str>| hints.iter().filter(|hint| hint.part.as_deref() == of).count();
     let [hints, further] = [None, Some(part)].map(|of| u32::try_from(shown(of)).unwrap_or(u32::MAX));
     Some(rules.left(history.map_or(0, PartHistory::made), Seen { hints, further }) * factor)
 }

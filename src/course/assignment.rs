@@ -117,7 +117,8 @@ impl Item {
     /// `corrections` are those of the assignment, the earliest first.
     #[must_use]
     pub fn right_digest<'a>(&'a self, corrections: &'a [Correction]) -> Option<&'a str> {
-        let last = corrections.iter().rfind(|own| own.item == self.key).map(|own| own.to.as_str());
+        let last =
+            corrections.iter().rfind(|correction| correction.item == self.key).map(|correction| correction.to.as_str());
         last.or(self.digest.as_deref())
     }
 }

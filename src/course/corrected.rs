@@ -82,10 +82,10 @@ pub enum Remarked {
 /// loads.
 #[must_use]
 pub fn effects(sheets: &[WorkedSheet<'_>], policy: &Policy, problem: Option<&Arc<Problem>>) -> Vec<Effect> {
-    let effect = |own: &WorkedSheet<'_>| Effect {
-        sheet: own.sheet.key,
-        member: own.sheet.member,
-        after: own.remarked(policy, problem),
+    let effect = |worked: &WorkedSheet<'_>| Effect {
+        sheet: worked.sheet.key,
+        member: worked.sheet.member,
+        after: worked.remarked(policy, problem),
     };
     sheets.iter().map(effect).collect()
 }

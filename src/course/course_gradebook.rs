@@ -72,25 +72,25 @@ impl CourseGradebook {
     /// The grades of these students.
     #[must_use]
     pub fn of(grading: &Grading, assignments: &[MarkedAssignment<'_>], students: &[(&Member, &Person)]) -> Self {
-        let column = |own: &MarkedAssignment<'_>| CourseColumn {
-            assignment: own.assignment.key,
-            title: own.assignment.title.clone(),
-            out_of: own.marks.out_of,
-            weight: grading.weight(&own.assignment.key.to_string(), own.marks.out_of),
+        let column = |marked: &MarkedAssignment<'_>| CourseColumn {
+            assignment: marked.assignment.key,
+            title: marked.assignment.title.clone(),
+            out_of: marked.marks.out_of,
+            weight: grading.weight(&marked.assignment.key.to_string(), marked.marks.out_of),
         };
         let row = |(place, (member, person)): (usize, &(&Member, &Person))| {
             let reached: Vec<Reached> = assignments
                 .iter()
-                .map(|own| Reached {
-                    assignment: own.assignment.key.to_string(),
-                    points: own.marks.rows.get(place).map_or(Rational::ZERO, |row| row.total.clone()),
-                    out_of: own.marks.out_of,
-                    is_over: own.is_over.get(place).is_some_and(|is_over| *is_over),
+                .map(|marked| Reached {
+                    assignment: marked.assignment.key.to_string(),
+                    points: marked.marks.rows.get(place).map_or(Rational::ZERO, |row| row.total.clone()),
+                    out_of: marked.marks.out_of,
+                    is_over: marked.is_over.get(place).is_some_and(|is_over| *is_over),
                 })
                 .collect();
             let grade = grading.grade(&reached);
-            let has_any = |own: &MarkedAssignment<'_>| {
-                let marks = own.marks.rows.get(place).map_or(&[][..], |row| row.marks.as_slice());
+            let has_any = |marked: &MarkedAssignment<'_>| {
+                let marks = marked.marks.rows.get(place).map_or(&[][..], |row| row.marks.as_slice());
                 marks.iter().any(|mark| *mark != GradeMark::Missing)
             };
             let cells = assignments.iter().zip(reached).zip(grade.parts);
@@ -100,7 +100,10 @@ impl CourseGradebook {
                 name: person.shown().to_owned(),
                 section: member.section.clone(),
                 cells: cells
-                    .map(|((own, reached), part)| CourseCell { points: has_any(own).then_some(reached.points), part })
+                    .map(|((marked, reached), part)| CourseCell {
+                        points: has_any(marked).then_some(reached.points),
+                        part,
+                    })
                     .collect(),
                 share: grade.share,
             }
@@ -112,7 +115,8 @@ impl CourseGradebook {
     #[must_use]
     pub fn to_csv(&self) -> String {
         let front = FRONT.map(str::to_owned);
-        let headings = self.columns.iter().map(|own| format!("{} ({})", own.title, own.out_of));
+        let headings =
+            self.columns.iter().map(|course_column| format!("{} ({})", course_column.title, course_column.out_of));
         let head = line(front.into_iter().chain(headings).chain(["grade_percent".to_owned()]));
         let rows = self.rows.iter().map(|row| {
             let front = [&row.login, &row.name, &row.section].map(Clone::clone);

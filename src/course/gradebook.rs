@@ -56,13 +56,13 @@ impl Gradebook {
     pub fn of(accounts: &Accounts<'_>, students: &[(&Member, &Person)]) -> Self {
         let row = |(member, person): &(&Member, &Person)| {
             let Account { standings, total, .. } = accounts.account(member.key);
-            let counted = standings.into_iter().filter(|own| own.mark != GradeMark::Dropped);
+            let counted = standings.into_iter().filter(|standing| standing.mark != GradeMark::Dropped);
             GradeRow {
                 member: member.key,
                 login: person.login.clone(),
                 name: person.shown().to_owned(),
                 section: member.section.clone(),
-                marks: counted.map(|own| own.mark).collect(),
+                marks: counted.map(|standing| standing.mark).collect(),
                 total,
             }
         };
@@ -74,7 +74,7 @@ impl Gradebook {
         let columns: Vec<Column> = accounts.counted().map(column).collect();
         Self {
             rows: students.iter().map(row).collect(),
-            out_of: columns.iter().fold(0, |sum, own| sum.saturating_add(own.points)),
+            out_of: columns.iter().fold(0, |sum, column| sum.saturating_add(column.points)),
             columns,
         }
     }

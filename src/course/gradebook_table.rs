@@ -29,7 +29,7 @@ impl Gradebook {
     /// The table, as comma-separated values. No cell is a formula to a spreadsheet.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let headings = self.columns.iter().map(|own| own.heading.as_str());
+        let headings = self.columns.iter().map(|column| column.heading.as_str());
         let head = line(FRONT.into_iter().chain(headings).chain(BACK).map(str::to_owned));
         let rows = self.rows.iter().map(|row| {
             let front = [&row.login, &row.name, &row.section].map(Clone::clone);
@@ -51,7 +51,7 @@ impl Gradebook {
             found.ok_or_else(|| vec![format!("there is no column `{heading}`")])
         };
         let [login, total] = [column("login")?, column("total")?];
-        let places = self.columns.iter().map(|own| column(&own.heading)).collect::<Result<Vec<usize>, _>>()?;
+        let places = self.columns.iter().map(|listed| column(&listed.heading)).collect::<Result<Vec<usize>, _>>()?;
         let (mut read, mut faults) = (Vec::new(), Vec::new());
         while let Some((line, row)) = table.next_row() {
             let grades = row.and_then(|row| {
@@ -79,14 +79,14 @@ impl Gradebook {
     #[must_use]
     pub fn differing(&self, read: &[ReadGrades]) -> Vec<String> {
         let written = |points: Option<&Rational>| points.map(decimal);
-        let same = |own: &ReadGrades| {
-            self.rows.iter().find(|row| row.login == own.login).is_some_and(|row| {
+        let same = |grades: &ReadGrades| {
+            self.rows.iter().find(|row| row.login == grades.login).is_some_and(|row| {
                 let marks = row.marks.iter().map(|mark| written(GradeMark::points(mark)));
-                marks.eq(own.marks.iter().map(|points| written(points.as_ref())))
-                    && decimal(&row.total) == decimal(&own.total)
+                marks.eq(grades.marks.iter().map(|points| written(points.as_ref())))
+                    && decimal(&row.total) == decimal(&grades.total)
             })
         };
-        read.iter().filter(|own| !same(own)).map(|own| own.login.clone()).collect()
+        read.iter().filter(|grades| !same(grades)).map(|grades| grades.login.clone()).collect()
     }
 }
 

@@ -64,11 +64,11 @@ impl Grading {
     /// assignment always stays.
     #[must_use]
     pub fn grade(&self, reached: &[Reached]) -> CourseGrade {
-        let share = |own: &Reached| &own.points / Rational::from(own.out_of);
-        let part = |own: &Reached| match self.weight(&own.assignment, own.out_of) {
+        let share = |reached: &Reached| &reached.points / Rational::from(reached.out_of);
+        let part = |reached: &Reached| match self.weight(&reached.assignment, reached.out_of) {
             0 => Part::Weightless,
-            _ if own.out_of == 0 => Part::Weightless,
-            _ if !own.is_over => Part::Open,
+            _ if reached.out_of == 0 => Part::Weightless,
+            _ if !reached.is_over => Part::Open,
             _ => Part::Counts,
         };
         let mut parts: Vec<Part> = reached.iter().map(part).collect();
@@ -84,9 +84,9 @@ impl Grading {
             }
         }
         let counted: Vec<&Reached> = counting(&parts).into_iter().filter_map(|place| reached.get(place)).collect();
-        let weight = |own: &Reached| Rational::from(self.weight(&own.assignment, own.out_of));
-        let whole = counted.iter().fold(Rational::ZERO, |sum, own| sum + weight(own));
-        let sum = counted.iter().fold(Rational::ZERO, |sum, own| sum + weight(own) * share(own));
+        let weight = |reached: &Reached| Rational::from(self.weight(&reached.assignment, reached.out_of));
+        let whole = counted.iter().fold(Rational::ZERO, |sum, reached| sum + weight(reached));
+        let sum = counted.iter().fold(Rational::ZERO, |sum, reached| sum + weight(reached) * share(reached));
         CourseGrade { share: (!counted.is_empty()).then(|| sum / whole), parts }
     }
 }
@@ -107,7 +107,7 @@ mod tests {
         let by_points = Grading::default().grade(&all);
         assert_eq!(by_points.share, fraction(13, 30));
         assert_eq!(by_points.parts, [Part::Counts, Part::Counts, Part::Open, Part::Weightless]);
-        let weights: BTreeMap<_, _> = all.iter().take(2).map(|own| (own.assignment.clone(), 1)).collect();
+        let weights: BTreeMap<_, _> = all.iter().take(2).map(|reached| (reached.assignment.clone(), 1)).collect();
         assert_eq!(Grading { weights: weights.clone(), dropped: 0 }.grade(&all).share, fraction(21, 40));
         let without = Grading { weights, dropped: 1 }.grade(&all);
         assert_eq!((without.share, without.parts[1]), (fraction(4, 5), Part::LeftOut));

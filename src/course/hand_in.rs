@@ -152,7 +152,7 @@ impl HandIn<'_> {
         let parts = self.exercise.worked().form.parts.iter().enumerate();
         let asked = |(place, part): (usize, &Part)| {
             let text = self.text(&part.id)?;
-            let is_new = history.get(place).is_none_or(|own| own.text() != text);
+            let is_new = history.get(place).is_none_or(|history| history.text() != text);
             let figures = self.exercise.figures_wanted(part, text, self.decimal).filter(|_| is_new)?;
             let label = ('a'..='z').cycle().nth(place)?;
             Some(format!("({label}) is to have {figures} significant figures"))
@@ -168,8 +168,8 @@ impl HandIn<'_> {
         let history = self.last.map(|last| last.history.parts()).unwrap_or_default();
         let typed = self.exercise.worked().form.parts.iter().enumerate().filter_map(|(place, part)| {
             let text = self.text(&part.id)?;
-            let own = history.get(place).unwrap_or(&nothing);
-            (text != own.text()).then(|| own.entry(text, &rules))
+            let history = history.get(place).unwrap_or(&nothing);
+            (text != history.text()).then(|| history.entry(text, &rules))
         });
         let entries: Vec<Entry> = typed.collect();
         match () {
@@ -181,7 +181,7 @@ impl HandIn<'_> {
 
     /// The work that is typed, where it differs from the one that was handed in last.
     fn new_work(&self) -> Option<&str> {
-        let before = self.work_before().map_or("", |own| own.text.as_str());
+        let before = self.work_before().map_or("", |work| work.text.as_str());
         self.text(WORK).filter(|text| self.exercise.takes_work() && *text != before)
     }
 
@@ -191,7 +191,7 @@ impl HandIn<'_> {
 
     /// How often work was handed in before.
     fn work_made(&self) -> u32 {
-        self.work_before().map_or(0, |own| own.made)
+        self.work_before().map_or(0, |work| work.made)
     }
 
     /// New work, where it is taken: it has as many attempts as a part.
@@ -213,36 +213,37 @@ impl HandIn<'_> {
 
     /// What is typed at a part, where something is.
     fn text(&self, id: &str) -> Option<&str> {
-        let own = self.answers.iter().find(|(typed, _)| self.exercise.usual_name(typed) == id);
-        own.map(|(_, text)| text.trim()).filter(|text| !text.is_empty())
+        let answer = self.answers.iter().find(|(typed, _)| self.exercise.usual_name(typed) == id);
+        answer.map(|(_, text)| text.trim()).filter(|text| !text.is_empty())
     }
 
     /// What is kept of it. Whether it may be taken is not asked.
     pub(super) fn marked(&self, late: Option<Late>) -> StoredReport {
         let shown = |part: Option<&str>| {
-            let own = self.hints.iter().filter(|own| own.part.as_deref() == part && own.at <= self.at);
-            u32::try_from(own.count()).unwrap_or(u32::MAX)
+            let shown = self.hints.iter().filter(|hint| hint.part.as_deref() == part && hint.at <= self.at);
+            u32::try_from(shown.count()).unwrap_or(u32::MAX)
         };
         let parts = &self.exercise.worked().form.parts;
         let work = self.work(late.as_ref());
         let typed = self.answers.iter().map(|(part, text)| (part.as_str(), text.as_str()));
         let typed = typed.filter(|(part, _)| *part != WORK || !self.exercise.takes_work());
-        let own = Try {
-            answers: typed.chain(work.as_ref().map(|own| (WORK, own.text.as_str()))).collect(),
-            work_factor: work.as_ref().map_or(Rational::ONE, |own| own.factor.clone()),
+        let attempt = Try {
+            answers: typed.chain(work.as_ref().map(|work| (WORK, work.text.as_str()))).collect(),
+            work_factor: work.as_ref().map_or(Rational::ONE, |stored_work| stored_work.factor.clone()),
             hints: shown(None),
             further_hints: parts.iter().map(|part| (part.id.as_str(), shown(Some(&part.id)))).collect(),
             factor: late.as_ref().map_or(Rational::ONE, |late| late.factor.clone()),
         };
         let mut history = self.last.map_or_else(History::default, |last| last.history.clone());
         let mut marker = self.exercise.marker(self.decimal).with_attempts(self.policy.rules());
-        let report = marker.mark_next(self.exercise.worked(), &mut history, &own);
-        let stored = report.parts.into_iter().zip(history.parts()).map(|(part, own)| self.stored(part, own));
+        let report = marker.mark_next(self.exercise.worked(), &mut history, &attempt);
+        let stored =
+            report.parts.into_iter().zip(history.parts()).map(|(part, part_history)| self.stored(part, part_history));
         StoredReport { parts: stored.collect(), total: report.total.0, out_of: report.out_of, late, history, work }
     }
 
     /// What is kept of a part.
-    fn stored(&self, part: PartReport, own: &PartHistory) -> StoredPart {
+    fn stored(&self, part: PartReport, history: &PartHistory) -> StoredPart {
         let asked = self.exercise.part(&part.id);
         let echo = |text: &str| self.exercise.echo(asked?, text, self.decimal);
         let since = match part.entry {
@@ -254,20 +255,20 @@ impl HandIn<'_> {
             // A formula can be read and yet not be judged.
             _ => Some(part.message.clone().into_owned()),
         });
-        let (mistakes, hints) = part.diagnosis.map(|own| (own.codes, own.hints)).unwrap_or_default();
+        let (mistakes, hints) = part.diagnosis.map(|diagnosis| (diagnosis.codes, diagnosis.hints)).unwrap_or_default();
         StoredPart {
             out_of: part.out_of,
             entry: part.entry,
             since,
-            read: echo(own.text()).and_then(Result::ok),
+            read: echo(history.text()).and_then(Result::ok),
             unread: unread.flatten(),
-            made: own.made(),
+            made: history.made(),
             verdict: part.verdict,
             points: part.points.0,
             message: part.message.into_owned(),
             mistakes: mistakes.into_iter().map(str::to_owned).collect(),
             hints,
-            follows_from: part.follows.map(|own| own.from).unwrap_or_default(),
+            follows_from: part.follows.map(|follows| follows.from).unwrap_or_default(),
             own_values: part.own_values,
             id: part.id,
         }

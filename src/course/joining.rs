@@ -36,9 +36,9 @@ impl Code {
     /// A code as people type it; nothing where no code can be meant.
     #[must_use]
     pub fn read(typed: &str) -> Option<Self> {
-        let code: String = typed.chars().filter(|own| !own.is_whitespace() && *own != '-').collect();
+        let code: String = typed.chars().filter(|sign| !sign.is_whitespace() && *sign != '-').collect();
         let code = code.to_ascii_uppercase();
-        (code.len() == LENGTH && code.bytes().all(|own| CHARACTERS.contains(&own))).then_some(Self(code))
+        (code.len() == LENGTH && code.bytes().all(|byte| CHARACTERS.contains(&byte))).then_some(Self(code))
     }
 
     /// Its characters alone, as they stand in an address.

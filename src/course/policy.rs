@@ -164,17 +164,17 @@ mod tests {
     #[test]
     fn names_are_those_of_stored_policies() {
         let stored = |value: serde_json::Value| value.as_str().unwrap().to_owned();
-        for own in Release::ALL {
-            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        for release in Release::ALL {
+            assert_eq!(stored(serde_json::to_value(release).unwrap()), release.name());
         }
-        for own in SolutionRelease::ALL {
-            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        for release in SolutionRelease::ALL {
+            assert_eq!(stored(serde_json::to_value(release).unwrap()), release.name());
         }
-        for own in Unsubmitted::ALL {
-            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        for unsubmitted in Unsubmitted::ALL {
+            assert_eq!(stored(serde_json::to_value(unsubmitted).unwrap()), unsubmitted.name());
         }
-        for own in Solvers::ALL {
-            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        for solvers in Solvers::ALL {
+            assert_eq!(stored(serde_json::to_value(solvers).unwrap()), solvers.name());
         }
     }
 }

@@ -92,7 +92,7 @@ impl Policy {
         }
         let release = |text: &str, names: &[&str; 2]| match text.trim() {
             "" => Ok(0),
-            text => names.iter().position(|own| *own == text).ok_or_else(|| choose(names)),
+            text => names.iter().position(|name| *name == text).ok_or_else(|| choose(names)),
         };
         let verdicts =
             faults.take("verdicts", release(&form.verdicts, &Release::NAMES)).and_then(|at| Release::ALL.get(at));
@@ -241,12 +241,12 @@ mod tests {
             ("solvers", "no", "solvers: choose `shown` or `hidden`"),
         ] {
             let faults = Policy::read(&form(field, text), "Europe/Berlin").unwrap_err();
-            let said: Vec<String> = faults.iter().map(|own| format!("{}: {}", own.field, own.message)).collect();
+            let said: Vec<String> = faults.iter().map(|fault| format!("{}: {}", fault.field, fault.message)).collect();
             assert!(said.len() == 1 && said[0].starts_with(fault), "{field}: {text}: {said:?}");
         }
         let faults =
             Policy::read(&PolicyForm { attempts: "x".into(), verdicts: "y".into(), ..PolicyForm::default() }, "UTC");
-        let fields: Vec<&str> = faults.unwrap_err().iter().map(|own| own.field).collect();
+        let fields: Vec<&str> = faults.unwrap_err().iter().map(|fault| fault.field).collect();
         assert_eq!(fields, ["attempts", "opens", "due", "closes", "verdicts"]);
     }
 
@@ -263,7 +263,7 @@ mod tests {
         fn what_is_read_is_in_order_and_is_typed_again(minutes in prop::array::uniform4(0_u32..200_000), late: bool, zone in 0..3_usize) {
             let zone = ["UTC", "Europe/Berlin", "Asia/Kathmandu"][zone];
             let start = Moment::from_millis(1_790_000_040_000);
-            let typed = minutes.map(|own| start.after(i64::from(own) * 60_000).typed(zone));
+            let typed = minutes.map(|number| start.after(i64::from(number) * 60_000).typed(zone));
             let [opens, due, late_until, closes] = typed;
             let late_until = if late { late_until } else { String::new() };
             let form = PolicyForm { opens, due, late_until, closes, ..PolicyForm::default() };

@@ -56,14 +56,14 @@ pub enum NotRedacted {
 /// # Errors
 /// A [`NotRedacted`].
 pub fn redacted(attempts: &[Attempt], order: &Redaction) -> Result<Vec<Attempt>, NotRedacted> {
-    let is_ordered = |own: &&Attempt| (own.sheet, own.number) == (order.sheet, order.number);
+    let is_ordered = |attempt: &&Attempt| (attempt.sheet, attempt.number) == (order.sheet, order.number);
     let ordered = attempts.iter().find(is_ordered).ok_or(NotRedacted::NoAttempt)?;
     if order.reason.trim().is_empty() {
         return Err(NotRedacted::NoReason);
     }
     let removed = ordered.answers.get(&order.part).ok_or(NotRedacted::NoAnswer)?;
     let mut changed = Vec::new();
-    for attempt in attempts.iter().filter(|own| own.sheet == order.sheet) {
+    for attempt in attempts.iter().filter(|attempt| attempt.sheet == order.sheet) {
         let without = without(attempt, &order.part, removed)?;
         if without.answers != attempt.answers || without.report.get() != attempt.report.get() {
             changed.push(without);
@@ -77,11 +77,12 @@ fn without(attempt: &Attempt, part: &str, removed: &str) -> Result<Attempt, NotR
     let mut attempt = attempt.clone();
     let mut report = StoredReport::of(&attempt).map_err(|_| NotRedacted::Report)?;
     let is_changed = attempt.answers.get_mut(part).is_some_and(|text| replace(text, removed));
-    let mut unread = report.parts.iter_mut().filter(|own| is_changed && own.id == part && own.unread.is_some());
-    if let Some(own) = unread.next() {
+    let mut unread =
+        report.parts.iter_mut().filter(|stored| is_changed && stored.id == part && stored.unread.is_some());
+    if let Some(stored) = unread.next() {
         // What is said of a text that cannot be read may quote it.
-        own.unread = Some(UNREAD.to_owned());
-        UNREAD.clone_into(&mut own.message);
+        stored.unread = Some(UNREAD.to_owned());
+        UNREAD.clone_into(&mut stored.message);
     }
     // Work stands on in the reports of later attempts that say nothing of it.
     let stands_on = report.work.as_mut().filter(|_| part == WORK).is_some_and(|work| replace(&mut work.text, removed));
@@ -93,7 +94,8 @@ fn without(attempt: &Attempt, part: &str, removed: &str) -> Result<Attempt, NotR
 
 /// Replaces each line of a text that stands in another one; whether there was one.
 fn replace(text: &mut String, removed: &str) -> bool {
-    let stands = |line: &str| !line.trim().is_empty() && removed.lines().any(|own| own.trim() == line.trim());
+    let stands =
+        |line: &str| !line.trim().is_empty() && removed.lines().any(|line_removed| line_removed.trim() == line.trim());
     if !text.lines().any(stands) {
         return false;
     }

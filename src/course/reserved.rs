@@ -16,8 +16,8 @@ impl Reserved {
     /// Adds the problems of an assignment where it is open at a moment for anybody, students with an extension included, or closed so
     /// lately that answers may still be on their way.
     pub fn add(&mut self, assignment: &Assignment, items: &[Item], extensions: &[Extension], at: Moment) {
-        let own = |extension: &&Extension| extension.assignment == assignment.key;
-        let closes = extensions.iter().filter(own).map(|extension| extension.closes);
+        let is_for_assignment = |extension: &&Extension| extension.assignment == assignment.key;
+        let closes = extensions.iter().filter(is_for_assignment).map(|extension| extension.closes);
         let closes = closes.fold(assignment.policy.closes, Moment::max);
         if (assignment.policy.opens..=closes.after(RELEASED_AFTER)).contains(&at) {
             let items = items.iter().filter(|item| item.assignment == assignment.key && !item.dropped);

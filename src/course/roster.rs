@@ -103,24 +103,24 @@ impl RosterRow {
         while let Some((line, row)) = table.next_row() {
             let read = row.and_then(|row| {
                 let cell = |column: Option<usize>| column.map_or("", |place| row.cell(place)).to_owned();
-                let own = Self { login: cell(Some(login)), name: cell(name), section: cell(section) };
-                own.check().map(|()| own)
+                let row = Self { login: cell(Some(login)), name: cell(name), section: cell(section) };
+                row.check().map(|()| row)
             });
-            let own = match read {
-                Ok(own) => own,
+            let row = match read {
+                Ok(row) => row,
                 Err(message) => {
                     faults.push(format!("line {line}: {message}"));
                     continue;
                 }
             };
-            if let Some(first) = lines.insert(own.login.clone(), line) {
-                faults.push(format!("line {line}: `{}` is already in line {first}", excerpt(&own.login)));
+            if let Some(first) = lines.insert(row.login.clone(), line) {
+                faults.push(format!("line {line}: `{}` is already in line {first}", excerpt(&row.login)));
             }
             if rows.len() == MOST {
                 faults.push(format!("line {line}: a roster has at most {MOST} students"));
                 break;
             }
-            rows.push(own);
+            rows.push(row);
         }
         if rows.is_empty() && faults.is_empty() {
             faults.push("there are no students".to_owned());
@@ -153,7 +153,7 @@ impl RosterRow {
 /// # Errors
 /// The logins that belong to staff of the course.
 pub fn roster_changes(rows: &[RosterRow], course: &[(Member, Person)]) -> Result<Vec<RosterChange>, Vec<String>> {
-    let known: BTreeMap<&str, &(Member, Person)> = course.iter().map(|own| (own.1.login.as_str(), own)).collect();
+    let known: BTreeMap<&str, &(Member, Person)> = course.iter().map(|place| (place.1.login.as_str(), place)).collect();
     let is_staff = |row: &&RosterRow| known.get(row.login.as_str()).is_some_and(|(member, _)| member.role.is_staff());
     let staff: Vec<String> = rows.iter().filter(is_staff).map(|row| row.login.clone()).collect();
     if !staff.is_empty() {
@@ -181,9 +181,9 @@ pub fn roster_changes(rows: &[RosterRow], course: &[(Member, Person)]) -> Result
             });
         }
     }
-    let stays = |own: &(Member, Person)| rows.iter().any(|row| row.login == own.1.login);
-    let is_student = |own: &&(Member, Person)| own.0.role == Role::Student && own.0.left.is_none();
-    let gone = course.iter().filter(is_student).filter(|own| !stays(own));
+    let stays = |place: &(Member, Person)| rows.iter().any(|row| row.login == place.1.login);
+    let is_student = |place: &&(Member, Person)| place.0.role == Role::Student && place.0.left.is_none();
+    let gone = course.iter().filter(is_student).filter(|place| !stays(place));
     let gone = gone.map(|(member, person)| RosterChange::Gone { member: member.key, name: person.shown().to_owned() });
     Ok(new.into_iter().chain(changed).chain(gone).collect())
 }
@@ -221,7 +221,7 @@ pub fn roster_records(
             | RosterChange::Moved { member, .. }
             | RosterChange::Gone { member, .. } => (*member, None),
         };
-        let Some((member, person)) = course.1.iter().find(|own| own.0.key == key) else { continue };
+        let Some((member, person)) = course.1.iter().find(|place| place.0.key == key) else { continue };
         let mut rename = |to: &String| {
             people.entry(person.key).or_insert_with(|| person.clone()).name.clone_from(to);
         };
@@ -232,14 +232,14 @@ pub fn roster_records(
         if let Some(row) = row.filter(|row| !row.name.is_empty() && row.name != person.name) {
             rename(&row.name);
         }
-        let own = members.entry(key).or_insert_with(|| member.clone());
+        let changed = members.entry(key).or_insert_with(|| member.clone());
         match change {
             RosterChange::Back { row, .. } => {
-                own.left = None;
-                own.section.clone_from(&row.section);
+                changed.left = None;
+                changed.section.clone_from(&row.section);
             }
-            RosterChange::Moved { to, .. } => own.section.clone_from(to),
-            _ => own.left = Some(at),
+            RosterChange::Moved { to, .. } => changed.section.clone_from(to),
+            _ => changed.left = Some(at),
         }
     }
     fresh.people.extend(people.into_values());

@@ -72,7 +72,7 @@ fn number(text: &str) -> Option<Rational> {
     is_short
         .then(|| digits.parse::<u64>().ok())
         .flatten()
-        .map(|own| Rational::from(own) / Rational::from(10_u64.pow(places)))
+        .map(|scaled| Rational::from(scaled) / Rational::from(10_u64.pow(places)))
 }
 
 impl FromStr for Share {
@@ -81,7 +81,7 @@ impl FromStr for Share {
     fn from_str(text: &str) -> Result<Self, NoShare> {
         let text = text.trim();
         let found = match text.strip_suffix('%') {
-            Some(percent) => number(percent.trim()).map(|own| own / Rational::from(100)),
+            Some(percent) => number(percent.trim()).map(|number| number / Rational::from(100)),
             None => fraction(text),
         };
         found.filter(|share| *share <= Rational::ONE).map(Self).ok_or(NoShare)

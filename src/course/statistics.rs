@@ -92,5 +92,5 @@ pub fn statistics<'a>(
 /// The mean of numbers; nothing where there are none.
 fn mean<'a>(numbers: impl ExactSizeIterator<Item = &'a Rational>) -> Option<Rational> {
     let count = u32::try_from(numbers.len()).ok().filter(|count| *count > 0)?;
-    Some(numbers.fold(Rational::ZERO, |sum, own| sum + own) / Rational::from(count))
+    Some(numbers.fold(Rational::ZERO, |sum, number| sum + number) / Rational::from(count))
 }

@@ -209,12 +209,12 @@ impl StoredPart {
     #[must_use]
     pub fn next_hint(&self, shown: &[HintShown], window: &Window, at: Moment) -> Option<NextHint> {
         let text = self.hints.get(self.shown_here(shown) + 1).filter(|_| window.shows_verdicts(at))?;
-        let before = shown.iter().filter(|own| self.is_on(own)).map(|own| own.number).max();
+        let before = shown.iter().filter(|hint| self.is_on(hint)).map(|hint| hint.number).max();
         Some(NextHint { number: before.unwrap_or(0).saturating_add(1), text: text.clone() })
     }
 
     fn shown_here(&self, shown: &[HintShown]) -> usize {
-        shown.iter().filter(|own| self.is_on(own) && self.since.is_some_and(|since| own.at >= since)).count()
+        shown.iter().filter(|hint| self.is_on(hint) && self.since.is_some_and(|since| hint.at >= since)).count()
     }
 
     fn is_on(&self, hint: &HintShown) -> bool {

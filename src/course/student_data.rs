@@ -90,14 +90,14 @@ impl<'a> StudentData<'a> {
         drafts: &'a [Draft],
         at: Moment,
     ) -> Self {
-        let sheets = sheets.iter().filter(|(own, _)| own.sheet.member == member.key);
+        let sheets = sheets.iter().filter(|(worked, _)| worked.sheet.member == member.key);
         Self {
             course: &course.title,
             login: &person.login,
             name: &person.name,
             section: &member.section,
             left: member.left,
-            sheets: sheets.map(|(own, by_hand)| SheetData::of(own, by_hand, at)).collect(),
+            sheets: sheets.map(|(worked, by_hand)| SheetData::of(worked, by_hand, at)).collect(),
             extensions,
             drafts,
         }
@@ -105,30 +105,30 @@ impl<'a> StudentData<'a> {
 }
 
 impl<'a> SheetData<'a> {
-    fn of(own: &'a WorkedSheet<'a>, by_hand: &'a [Override], at: Moment) -> Self {
-        let issued = &own.sheet.issued;
+    fn of(worked: &'a WorkedSheet<'a>, by_hand: &'a [Override], at: Moment) -> Self {
+        let issued = &worked.sheet.issued;
         let attempt = |(place, attempt): (usize, &'a super::handed_in::Attempt)| AttemptData {
             number: attempt.number,
             received: attempt.received,
             answers: &attempt.answers,
-            report: own.reports.get(place).map(|report: &StoredReport| report.shown(&own.window, at)),
+            report: worked.reports.get(place).map(|report: &StoredReport| report.shown(&worked.window, at)),
         };
-        let released = own.window.shows_verdicts(at);
-        let by_hand = by_hand.iter().filter(|own| released && !own.reason.is_empty());
+        let released = worked.window.shows_verdicts(at);
+        let by_hand = by_hand.iter().filter(|decision| released && !decision.reason.is_empty());
         Self {
             problem: &issued.problem,
             form: issued.form.as_deref(),
             statement: &issued.statement,
-            seen: own.sheet.seen,
-            attempts: own.attempts.iter().enumerate().map(attempt).collect(),
-            hints: own.hints,
+            seen: worked.sheet.seen,
+            attempts: worked.attempts.iter().enumerate().map(attempt).collect(),
+            hints: worked.hints,
             by_hand: by_hand
-                .map(|own| ByHandData {
-                    points: own.points.as_deref(),
-                    rule: own.rule,
-                    reason: &own.reason,
-                    comment: &own.comment,
-                    at: own.at,
+                .map(|decision| ByHandData {
+                    points: decision.points.as_deref(),
+                    rule: decision.rule,
+                    reason: &decision.reason,
+                    comment: &decision.comment,
+                    at: decision.at,
                 })
                 .collect(),
         }

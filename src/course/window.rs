@@ -84,8 +84,8 @@ impl Window {
     #[must_use]
     pub fn of(policy: &Policy, extension: Option<&Extension>, zone: &str) -> Self {
         let Policy { opens, due, late_until, closes, .. } = *policy;
-        let (due, late_until, closes) =
-            extension.map_or((due, late_until, closes), |own| (own.due, own.late_until, own.closes));
+        let (due, late_until, closes) = extension
+            .map_or((due, late_until, closes), |extension| (extension.due, extension.late_until, extension.closes));
         Self {
             opens,
             due,
@@ -281,12 +281,12 @@ mod tests {
             reason: " ill ".into(),
             ..ExtensionForm::default()
         };
-        let own = Extension::read(&form, &assignment, Key::new([3; 16]), ZONE).unwrap();
-        assert_eq!(own.reason, "ill");
-        let [all, own] = [Window::of(&policy, None, ZONE), Window::of(&policy, Some(&own), ZONE)];
+        let own_window = Extension::read(&form, &assignment, Key::new([3; 16]), ZONE).unwrap();
+        assert_eq!(own_window.reason, "ill");
+        let [all, own_window] = [Window::of(&policy, None, ZONE), Window::of(&policy, Some(&own_window), ZONE)];
         let at = Moment::local("2026-10-12T17:00", ZONE).unwrap();
-        assert_eq!((all.phase(at), own.phase(at)), (Phase::Closed, Phase::Open));
-        assert_eq!([all.shows_solutions(at), own.shows_solutions(at)], [true, false]);
+        assert_eq!((all.phase(at), own_window.phase(at)), (Phase::Closed, Phase::Open));
+        assert_eq!([all.shows_solutions(at), own_window.shows_solutions(at)], [true, false]);
         let wrong = ExtensionForm { due: "2026-09-12T18:00".into(), reason: "  ".into(), ..form };
         let faults = Extension::read(&wrong, &assignment, Key::new([3; 16]), ZONE).unwrap_err();
         assert_eq!(faults.iter().map(|fault| fault.field).collect::<Vec<_>>(), ["due", "reason"]);
@@ -303,7 +303,7 @@ mod tests {
                 Phase::Over => 3,
                 Phase::Closed => 4,
             };
-            let mut moments: Vec<Moment> = minutes.iter().map(|own| window.opens.after(own * 60_000)).collect();
+            let mut moments: Vec<Moment> = minutes.iter().map(|minute| window.opens.after(minute * 60_000)).collect();
             moments.sort();
             for pair in moments.windows(2) {
                 let [before, after] = [window.phase(pair[0]), window.phase(pair[1])];

@@ -49,7 +49,7 @@ impl SignInPage {
 /// Where somebody goes after signing in: a page of this server, and no other site.
 pub(super) fn onward(visit: &Visit) -> String {
     // Browsers take `\\` for `/`, and leave out tabs and ends of lines.
-    let leads_away = |to: &str| to.starts_with("//") || to.contains(|own: char| own == '\\' || own.is_control());
+    let leads_away = |to: &str| to.starts_with("//") || to.contains(|sign: char| sign == '\\' || sign.is_control());
     let to = visit.fields.get("to").filter(|to| to.starts_with('/') && !leads_away(to));
     visit.address(to.unwrap_or("/courses"))
 }

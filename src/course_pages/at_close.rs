@@ -35,7 +35,8 @@ pub(super) async fn hand_in(
         return Ok(());
     }
     let extensions = visit.store().extensions(whole.assignment.key).await?;
-    let extensions: BTreeMap<Key<Member>, Extension> = extensions.into_iter().map(|own| (own.member, own)).collect();
+    let extensions: BTreeMap<Key<Member>, Extension> =
+        extensions.into_iter().map(|extension| (extension.member, extension)).collect();
     for (draft, sheet) in drafts {
         let window = Window::of(policy, extensions.get(&sheet.member), &visit.course()?.zone);
         one(visit, whole.assignment.key, &draft, &sheet, &window).await?;
@@ -58,7 +59,7 @@ async fn one(
         let Some(item) = whole.items.iter().find(counts) else { return Ok(()) };
         let attempts = visit.store().attempts(sheet.key).await?;
         let last = attempts.last();
-        if !is_due_at_close(&whole.assignment.policy, window, draft, last.map(|own| own.received), visit.now) {
+        if !is_due_at_close(&whole.assignment.policy, window, draft, last.map(|attempt| attempt.received), visit.now) {
             return Ok(());
         }
         let taken = marked(visit, &whole, item, (draft, sheet, window), last).await?;

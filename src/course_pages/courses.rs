@@ -59,10 +59,10 @@ pub(super) async fn with_address_fault(visit: &Visit, fault: String) -> Result<R
 
 async fn with(visit: &Visit, faults: FormFaults) -> Result<Reply, NotShown> {
     let visitor = visit.visitor()?;
-    let courses = visitor.places(visit.store()).await?.into_iter().map(|own| OwnCourse {
-        key: own.course.key.to_string(),
-        title: own.course.title,
-        role: own.member.role.name(),
+    let courses = visitor.places(visit.store()).await?.into_iter().map(|membership| OwnCourse {
+        key: membership.course.key.to_string(),
+        title: membership.course.title,
+        role: membership.member.role.name(),
     });
     let courses = courses.collect();
     let (mut password, mut mail) = (None, None);
@@ -81,11 +81,11 @@ async fn with(visit: &Visit, faults: FormFaults) -> Result<Reply, NotShown> {
 /// that.
 async fn may_change_sign_in(visit: &Visit) -> Result<bool, NotShown> {
     let visitor = visit.visitor()?;
-    let Reach::Course(own) = visitor.reach else { return Ok(true) };
+    let Reach::Course(own_course) = visitor.reach else { return Ok(true) };
     let places = visit.store().courses_of(visitor.person.key).await?;
     // What the session shows of the person leaves out that it runs the server.
     let runs = visit.store().person(visitor.person.key).await?.is_none_or(|person| person.operator);
-    Ok(!runs && places.iter().all(|place| place.course.key == own))
+    Ok(!runs && places.iter().all(|place| place.course.key == own_course))
 }
 
 /// Refuses a session that may not change what signs its holder in.

@@ -99,6 +99,6 @@ fn too_long(longest: usize) -> NotShown {
 }
 
 fn is_a(headers: &HeaderMap, kind: &str) -> bool {
-    let own = headers.get(header::CONTENT_TYPE).and_then(|value| value.to_str().ok());
-    own.is_some_and(|own| own.starts_with(kind))
+    let content_type = headers.get(header::CONTENT_TYPE).and_then(|value| value.to_str().ok());
+    content_type.is_some_and(|content_type| content_type.starts_with(kind))
 }

@@ -77,7 +77,12 @@ impl Hidden {
 
     /// The simulators that solve nothing, as far as was read last: the pages' header does not offer them.
     pub(super) fn simulators(&self) -> Vec<&'static str> {
-        self.read().iter().flat_map(|(_, kinds)| kinds.iter()).flat_map(|own| own.kind.simulators()).copied().collect()
+        self.read()
+            .iter()
+            .flat_map(|(_, kinds)| kinds.iter())
+            .flat_map(|hidden| hidden.kind.simulators())
+            .copied()
+            .collect()
     }
 
     /// After a change of an assignment it is read anew.
@@ -107,7 +112,7 @@ async fn file(bank: &Library, store: &Store, course: Key<Course>, item: &Item) -
     if let Some(digest) = &item.digest {
         return Ok(store.problem_file(course, digest).await?.as_ref().map(source));
     }
-    let own = store.problem_files(course).await?.into_iter().filter(|file| file.problem == item.problem);
-    let published = own.filter(|file| file.published.is_some()).max_by_key(|file| file.published);
+    let files = store.problem_files(course).await?.into_iter().filter(|file| file.problem == item.problem);
+    let published = files.filter(|file| file.published.is_some()).max_by_key(|file| file.published);
     Ok(published.as_ref().map(source).or_else(|| bank.source(&item.problem).ok()))
 }

@@ -90,8 +90,8 @@ pub(super) async fn letters(visit: &Visit, file: &ProblemFile) -> Result<CourseS
 
 /// The file of a problem as it is now: the course's own that was published last, else the bank's.
 pub(super) async fn current(visit: &Visit, problem: &str) -> Result<ProblemFile, NotShown> {
-    let own = visit.store().problem_files(visit.course()?.key).await?;
-    let published = own.into_iter().filter(|file| file.problem == problem && file.published.is_some());
+    let files = visit.store().problem_files(visit.course()?.key).await?;
+    let published = files.into_iter().filter(|file| file.problem == problem && file.published.is_some());
     if let Some(file) = published.max_by_key(|file| file.published) {
         return Ok(file);
     }

@@ -117,7 +117,7 @@ async fn course(visit: &Visit) -> Result<Option<Course>, NotShown> {
 
 /// How whoever asks stands to a course. A session of another course says nothing of who somebody is here.
 async fn standing(visit: &Visit, course: &Course) -> Result<Standing, NotShown> {
-    let Some(visitor) = visit.visitor.as_ref().filter(|own| own.reaches(course.key)) else {
+    let Some(visitor) = visit.visitor.as_ref().filter(|visitor| visitor.reaches(course.key)) else {
         return Ok(Standing::New(Form::new(FIELDS.map(|name| (name, String::new())))));
     };
     let person = visitor.person.key;
@@ -125,7 +125,7 @@ async fn standing(visit: &Visit, course: &Course) -> Result<Standing, NotShown> 
         return Ok(Standing::Member(course.key.to_string()));
     }
     let waiting = visit.store().place_requests(course.key).await?;
-    let has_asked = waiting.iter().any(|own| own.asker == Asker::Known(person));
+    let has_asked = waiting.iter().any(|request| request.asker == Asker::Known(person));
     Ok(if has_asked { Standing::Asked } else { Standing::Known })
 }
 

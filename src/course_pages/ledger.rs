@@ -121,14 +121,14 @@ impl Records {
 
     /// What a student has for one of the items.
     pub(super) fn standing(&self, member: Key<Member>, item: Key<Item>) -> Option<Standing> {
-        let item = self.items.iter().find(|own| own.key == item)?;
+        let item = self.items.iter().find(|listed| listed.key == item)?;
         Some(self.accounts().standing(member, item))
     }
 }
 
 /// What was kept of the last attempt at each sheet, of attempts in their order.
 fn last(attempts: &[Attempt]) -> Result<BTreeMap<Key<Sheet>, StoredReport>, NotShown> {
-    let last: BTreeMap<Key<Sheet>, &Attempt> = attempts.iter().map(|own| (own.sheet, own)).collect();
+    let last: BTreeMap<Key<Sheet>, &Attempt> = attempts.iter().map(|attempt| (attempt.sheet, attempt)).collect();
     let report = |(sheet, attempt): (Key<Sheet>, &Attempt)| Ok((sheet, StoredReport::of(attempt)?));
     let all: Result<_, serde_json::Error> = last.into_iter().map(report).collect();
     all.map_err(|error| NotShown::Store(StoreFault::Record(error)))

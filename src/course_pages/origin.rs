@@ -9,11 +9,11 @@ use momentous_web::Settings;
 /// one that the request asks.
 pub(super) fn is_own(headers: &HeaderMap, settings: &Settings) -> bool {
     let text = |name: &header::HeaderName| headers.get(name).and_then(|value| value.to_str().ok());
-    let own = settings.host.as_deref().or_else(|| text(&header::HOST));
+    let host = settings.host.as_deref().or_else(|| text(&header::HOST));
     match text(&header::ORIGIN) {
         Some(origin) => {
             let from = origin.strip_prefix(settings.scheme()).and_then(|rest| rest.strip_prefix("://"));
-            from.is_some() && from == own
+            from.is_some() && from == host
         }
         None => headers.get("sec-fetch-site").is_some_and(|site| site == "same-origin"),
     }

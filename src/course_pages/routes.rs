@@ -59,7 +59,7 @@ fn longest(row: &Row) -> usize {
 }
 
 async fn respond(row: &Row, app: SharedApp, courses: Arc<Courses>, path: &RawPathParams, request: Request) -> Response {
-    let to = request.uri().path_and_query().map_or_else(String::new, |own| own.as_str().to_owned());
+    let to = request.uri().path_and_query().map_or_else(String::new, |path| path.as_str().to_owned());
     let path = path.iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let visit = match visit(row, SharedApp::clone(&app), courses, path, request).await {
         Ok(visit) => visit,

@@ -66,7 +66,7 @@ impl Visit {
 
     /// A part of the address.
     pub(super) fn part(&self, name: &str) -> &str {
-        self.path.iter().find(|(own, _)| own == name).map_or("", |(_, value)| value)
+        self.path.iter().find(|(key, _)| key == name).map_or("", |(_, value)| value)
     }
 
     /// A part of the address that is a key.
@@ -110,18 +110,21 @@ impl Visit {
 
     /// The same of something that happens to a person: in the trail of every course of that person, and in that of the address.
     pub(super) async fn entries(&self, person: Key<Person>, what: &str) -> Result<Vec<Entry>, NotShown> {
-        let own = self.place.as_ref().map(|place| place.course.key);
+        let course_here = self.place.as_ref().map(|place| place.course.key);
         let places = self.store().courses_of(person).await?;
         let mut entries: Vec<Entry> = places
             .iter()
             .map(|place| {
                 let course = Some(place.course.key);
-                let said =
-                    if course == own || own.is_none() { what.to_owned() } else { format!("{what} in another course") };
+                let said = if course == course_here || course_here.is_none() {
+                    what.to_owned()
+                } else {
+                    format!("{what} in another course")
+                };
                 Entry { course, ..self.entry(&said, format!("member {}", place.member.key)) }
             })
             .collect();
-        if places.iter().all(|place| Some(place.course.key) != own) {
+        if places.iter().all(|place| Some(place.course.key) != course_here) {
             entries.push(self.entry(what, ""));
         }
         Ok(entries)

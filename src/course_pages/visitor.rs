@@ -33,13 +33,13 @@ impl Visitor {
     pub(super) fn reaches(&self, course: Key<Course>) -> bool {
         match self.reach {
             Reach::All | Reach::Anew => true,
-            Reach::Course(own) => own == course,
+            Reach::Course(only) => only == course,
         }
     }
 
     /// The visitor's places in courses, as far as the session reaches.
     pub(super) async fn places(&self, store: &Store) -> Result<Vec<Membership>, StoreFault> {
         let all = store.courses_of(self.person.key).await?;
-        Ok(all.into_iter().filter(|own| self.reaches(own.course.key)).collect())
+        Ok(all.into_iter().filter(|membership| self.reaches(membership.course.key)).collect())
     }
 }

@@ -31,7 +31,10 @@ impl Withheld {
         let taught: BTreeSet<Key<Course>> = match visitor {
             Some(visitor) if !open.is_empty() => {
                 let places = visitor.places(store).await?.into_iter();
-                places.filter(|own| own.member.role.is_staff()).map(|own| own.course.key).collect()
+                places
+                    .filter(|membership| membership.member.role.is_staff())
+                    .map(|membership| membership.course.key)
+                    .collect()
             }
             _ => BTreeSet::new(),
         };
@@ -39,7 +42,8 @@ impl Withheld {
         for (whole, extensions) in open.iter().filter(|(whole, _)| !taught.contains(&whole.assignment.course)) {
             reserved.add(&whole.assignment, &whole.items, extensions, now);
         }
-        let hidden = hidden.iter().filter(|own| !taught.contains(&own.course)).map(|own| own.kind.clone()).collect();
+        let hidden =
+            hidden.iter().filter(|kind| !taught.contains(&kind.course)).map(|kind| kind.kind.clone()).collect();
         Ok(Self { reserved, hidden })
     }
 
@@ -51,9 +55,9 @@ impl Withheld {
             return Self::default();
         }
         let hidden = match Self::from(courses, app, visitor).await {
-            Ok(own) => own.hidden,
+            Ok(withheld) => withheld.hidden,
             // Where nobody can say who teaches, it is hidden from everybody.
-            Err(_) => all.iter().map(|own| own.kind.clone()).collect(),
+            Err(_) => all.iter().map(|kind| kind.kind.clone()).collect(),
         };
         Self { reserved: Reserved::default(), hidden }
     }
@@ -62,8 +66,10 @@ impl Withheld {
     pub(super) async fn from_student(visit: &Visit) -> Result<Self, NotShown> {
         let person = visit.person()?.key;
         let places = visit.store().courses_of(person).await?.into_iter();
-        let attended: BTreeSet<Key<Course>> =
-            places.filter(|own| !own.member.role.is_staff()).map(|own| own.course.key).collect();
+        let attended: BTreeSet<Key<Course>> = places
+            .filter(|membership| !membership.member.role.is_staff())
+            .map(|membership| membership.course.key)
+            .collect();
         let mut reserved = Reserved::default();
         if !attended.is_empty() {
             for (whole, extensions) in visit.store().open_assignments(visit.now).await? {
@@ -91,7 +97,7 @@ impl momentous_pages::Withheld for Withheld {
     fn check_own_numbers(&self, problem: &Problem) -> Result<(), Refused> {
         let is_hidden = || {
             let kind = Kind::of(problem.loaded());
-            self.hidden.iter().any(|own| own.is_like(&kind))
+            self.hidden.iter().any(|hidden| hidden.is_like(&kind))
         };
         if self.hidden.is_empty() || !is_hidden() {
             return Ok(());

@@ -118,7 +118,7 @@ impl Store {
         let whole = |row: &AnyRow| {
             let (assignment, revision): (Assignment, i64) = (record(row)?, row.try_get(1)?);
             let items = items.iter().filter(|item| item.assignment == assignment.key).cloned().collect();
-            let extensions = more.iter().filter(|own| own.assignment == assignment.key).cloned().collect();
+            let extensions = more.iter().filter(|extension| extension.assignment == assignment.key).cloned().collect();
             Ok((AssignmentWithItems { assignment, items, revision }, extensions))
         };
         found.iter().map(whole).collect()

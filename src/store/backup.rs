@@ -72,9 +72,9 @@ impl Store {
         }
         // The copy itself stays as it is: an earlier version of it is brought to this one on the side.
         let side = tempfile::tempdir().map_err(|error| StoreFault::Folder(file.to_owned(), error))?;
-        let own = side.path().join("copy.sqlite");
-        std::fs::copy(file, &own).map_err(|error| StoreFault::Folder(file.to_owned(), error))?;
-        let mut from = sqlite(&own).await?;
+        let path_of_copy = side.path().join("copy.sqlite");
+        std::fs::copy(file, &path_of_copy).map_err(|error| StoreFault::Folder(file.to_owned(), error))?;
+        let mut from = sqlite(&path_of_copy).await?;
         let mut to = connect(&self.address).await?;
         let mut transaction = to.begin().await?;
         copy(&mut from, &mut transaction).await?;

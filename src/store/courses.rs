@@ -65,7 +65,7 @@ impl Store {
              JOIN course c ON c.key = m.course WHERE m.person = $1 ORDER BY c.key",
         );
         let all = self.memberships(statement.bind(person.to_string())).await?;
-        Ok(all.into_iter().filter(|own| own.member.left.is_none()).collect())
+        Ok(all.into_iter().filter(|membership| membership.member.left.is_none()).collect())
     }
 
     /// A person's place in a course, where it has one.
@@ -78,7 +78,7 @@ impl Store {
              JOIN course c ON c.key = m.course WHERE m.course = $1 AND m.person = $2",
         );
         let found = self.memberships(statement.bind(of.to_string()).bind(person.to_string())).await?;
-        Ok(found.into_iter().next().filter(|own| own.member.left.is_none()))
+        Ok(found.into_iter().next().filter(|membership| membership.member.left.is_none()))
     }
 
     /// Everybody who takes part in a course, or did.
@@ -104,7 +104,7 @@ impl Store {
              JOIN course c ON c.key = m.course WHERE own.course = $1 ORDER BY m.key",
         );
         let all = self.memberships(statement.bind(of.to_string())).await?;
-        Ok(all.into_iter().filter(|own| own.member.left.is_none()).collect())
+        Ok(all.into_iter().filter(|membership| membership.member.left.is_none()).collect())
     }
 
     /// Those in a course who have a password.

@@ -54,7 +54,7 @@ impl Store {
     pub async fn course_of_code(&self, code: &Code, now: Moment) -> Result<Option<Key<Course>>, StoreFault> {
         let statement = query("SELECT data FROM course_code WHERE code = $1 AND expires > $2");
         let code: Option<CourseCode> = self.one(statement.bind(code.plain().to_owned()).bind(now.millis())).await?;
-        Ok(code.map(|own| own.course))
+        Ok(code.map(|code| code.course))
     }
 
     /// Keeps a request for a place, and forgets those that have waited for a month.

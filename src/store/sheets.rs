@@ -145,8 +145,8 @@ impl Store {
     ///
     /// # Errors
     /// Where the database refuses; then nothing is kept.
-    pub async fn hand_in(&self, own: HandIn<'_>) -> Result<HandedIn, StoreFault> {
-        let HandIn { attempt, assignment, revision } = own;
+    pub async fn hand_in(&self, hand_in: HandIn<'_>) -> Result<HandedIn, StoreFault> {
+        let HandIn { attempt, assignment, revision } = hand_in;
         let [sheet, request] = [attempt.sheet.to_string(), attempt.request.clone()];
         let held = match self.address {
             // There is one writer.
@@ -187,7 +187,7 @@ impl Store {
             statements.push(before.bind(sheet).bind(number));
         }
         let drafts =
-            redacted.first().map(|own| query("DELETE FROM draft WHERE sheet = $1").bind(own.sheet.to_string()));
+            redacted.first().map(|attempt| query("DELETE FROM draft WHERE sheet = $1").bind(attempt.sheet.to_string()));
         statements.extend(drafts);
         statements.push(entry.statement()?);
         self.write(statements).await.map(|_| ())

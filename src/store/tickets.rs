@@ -89,8 +89,8 @@ impl Ticket {
         match (self.kind, self.reach) {
             (TicketKind::Session, _) => None,
             (TicketKind::Link, Reach::Course(_)) => {
-                let own = query("DELETE FROM ticket WHERE person = $1 AND kind = $2");
-                Some(own.bind(person).bind(self.kind.reaching(self.reach)))
+                let query = query("DELETE FROM ticket WHERE person = $1 AND kind = $2");
+                Some(query.bind(person).bind(self.kind.reaching(self.reach)))
             }
             (TicketKind::Link, Reach::All | Reach::Anew) => {
                 Some(query("DELETE FROM ticket WHERE person = $1 AND kind LIKE 'link%'").bind(person))

@@ -101,8 +101,8 @@ impl Writer {
         }
         // Until it is known: whoever asks may not wait for the answer.
         self.last.note(false);
-        let own = query("INSERT INTO draft (sheet, data) VALUES ('', $1) ON CONFLICT (sheet) DO NOTHING");
-        let statements = vec![own.bind("-".repeat(TRIAL)), query("DELETE FROM draft WHERE sheet = ''")];
+        let insertion = query("INSERT INTO draft (sheet, data) VALUES ('', $1) ON CONFLICT (sheet) DO NOTHING");
+        let statements = vec![insertion.bind("-".repeat(TRIAL)), query("DELETE FROM draft WHERE sheet = ''")];
         self.write(statements).await.is_ok()
     }
 

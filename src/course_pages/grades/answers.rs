@@ -110,7 +110,7 @@ impl Place {
     pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
         let (whole, key) = items::of(visit, visit.key("item")?).await?;
         let missing = || NotShown::missing("there is no such problem in this course");
-        let item = whole.items.iter().find(|own| own.key == key).cloned().ok_or_else(missing)?;
+        let item = whole.items.iter().find(|item| item.key == key).cloned().ok_or_else(missing)?;
         let student = member(visit).await?;
         at_close::hand_in(visit, &whole, Some(student.member.key)).await?;
         let sheet = visit.store().sheet(item.key, student.member.key, item.issue).await?;
@@ -127,7 +127,7 @@ impl Place {
             return Err(NotShown::NotPossible("only students of the course have points".to_owned()));
         }
         let whole = items::pinned_now(visit, self.whole.clone()).await?;
-        let item = whole.items.into_iter().find(|own| own.key == self.item.key).unwrap_or_else(|| self.item.clone());
+        let item = whole.items.into_iter().find(|item| item.key == self.item.key).unwrap_or_else(|| self.item.clone());
         let problem = items::problem(visit, &item).await?;
         let (course, member, now) = (visit.course()?.clone(), member.key, visit.now);
         let (of, issue) = (item.key, item.issue);
@@ -159,7 +159,7 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
     let counting = reports.last().and_then(|last| last.history.counting());
     let records = Records::of_student(visit, whole, student.member.key).await?;
     let right = right_answers(visit, place).await?;
-    let is_own = |own: &&Override| records.is_at(own, item.key);
+    let is_own = |decision: &&Override| records.is_at(decision, item.key);
     let page = AnswersPage {
         title: format!(
             "{}: {}",
@@ -172,15 +172,15 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
         member: student.member.key.to_string(),
         name: student.person.shown().to_owned(),
         points: item.points,
-        standing: records.standing(student.member.key, item.key).map(|own| Has::of(&own)),
+        standing: records.standing(student.member.key, item.key).map(|standing| Has::of(&standing)),
         seen: sheet.as_ref().map(|sheet| sheet.seen.shown(zone)),
         statement: sheet.as_ref().map(|sheet| sheet.issued.statement.clone()).unwrap_or_default(),
         attempts: attempts
             .iter()
             .zip(&reports)
-            .map(|(own, report)| shown((own, report), counting, zone, &right))
+            .map(|(attempt, report)| shown((attempt, report), counting, zone, &right))
             .collect(),
-        by_hand: records.by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
+        by_hand: records.by_hand.iter().filter(is_own).map(|decision| set(decision, zone)).collect(),
         decides: visit.place()?.member.role == Role::Instructor,
         is_student: student.member.role == Role::Student,
         typed,
@@ -219,34 +219,34 @@ fn shown(
         counts: counting == Some(attempt.number),
         total: Points(report.total.clone()).to_string(),
         out_of: report.out_of,
-        parts: report.parts.iter().map(|own| part(attempt, own, right.get(&own.id))).collect(),
-        work: report.work.as_ref().map_or_else(String::new, |own| own.text.clone()),
+        parts: report.parts.iter().map(|kept| part(attempt, kept, right.get(&kept.id))).collect(),
+        work: report.work.as_ref().map_or_else(String::new, |work| work.text.clone()),
     }
 }
 
-fn part(attempt: &Attempt, own: &StoredPart, right: Option<&RightAnswer>) -> PartShown {
+fn part(attempt: &Attempt, kept: &StoredPart, right: Option<&RightAnswer>) -> PartShown {
     PartShown {
-        id: own.id.clone(),
+        id: kept.id.clone(),
         right: right.cloned(),
-        typed: attempt.answers.get(&own.id).cloned().unwrap_or_default(),
-        is_redacted: is_redacted(attempt, &own.id),
-        read: own.read.clone(),
-        unread: own.unread.clone(),
-        verdict: own.verdict.meaning(),
-        points: Points(own.points.clone()).to_string(),
-        out_of: own.out_of,
-        mistakes: own.mistakes.iter().filter_map(|code| Some(wrong::find(code)?.does)).collect(),
-        message: own.message.clone(),
+        typed: attempt.answers.get(&kept.id).cloned().unwrap_or_default(),
+        is_redacted: is_redacted(attempt, &kept.id),
+        read: kept.read.clone(),
+        unread: kept.unread.clone(),
+        verdict: kept.verdict.meaning(),
+        points: Points(kept.points.clone()).to_string(),
+        out_of: kept.out_of,
+        mistakes: kept.mistakes.iter().filter_map(|code| Some(wrong::find(code)?.does)).collect(),
+        message: kept.message.clone(),
     }
 }
 
-fn set(own: &Override, zone: &str) -> ByHandShown {
-    let points = own.points.as_deref().and_then(|points| points.parse().ok());
+fn set(decision: &Override, zone: &str) -> ByHandShown {
+    let points = decision.points.as_deref().and_then(|points| points.parse().ok());
     ByHandShown {
         points: points.map(|points| Points(points).to_string()),
-        kept: own.rule == OverrideRule::AtLeast,
-        reason: own.reason.clone(),
-        comment: own.comment.clone(),
-        at: own.at.shown(zone),
+        kept: decision.rule == OverrideRule::AtLeast,
+        reason: decision.reason.clone(),
+        comment: decision.comment.clone(),
+        at: decision.at.shown(zone),
     }
 }

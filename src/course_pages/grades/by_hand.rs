@@ -31,7 +31,7 @@ pub(crate) async fn set_points(visit: &Visit) -> Result<Reply, NotShown> {
     let detail = format!("sheet {}: {}", sheet.key, read.as_deref().unwrap_or("as marked"));
     // The last one counts, whatever became of the clock.
     let before = visit.store().set_by_hand(place.whole.assignment.key).await?;
-    let last = before.iter().filter(|own| own.sheet == sheet.key).map(|own| own.at.after(1)).max();
+    let last = before.iter().filter(|decision| decision.sheet == sheet.key).map(|decision| decision.at.after(1)).max();
     let at = last.map_or(visit.now, |last| last.max(visit.now));
     let rule = OverrideRule::Exactly;
     let (reason, comment) = (reason.clone(), comment.clone());
@@ -48,7 +48,7 @@ pub(crate) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
     let sheet = place.sheet.as_ref().ok_or_else(missing)?;
     let number: u32 = field("attempt").parse().map_err(|_| missing())?;
     let attempts = visit.store().attempts(sheet.key).await?;
-    if !attempts.iter().any(|own| own.number == number) {
+    if !attempts.iter().any(|attempt| attempt.number == number) {
         return Err(missing());
     }
     let order = Redaction {

@@ -17,10 +17,10 @@ use super::super::visit::Visit;
 pub(super) async fn assignment(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
     let found = visit.store().assignment(visit.key("assignment")?).await?;
     let course = visit.course()?.key;
-    let own = found.filter(|whole| whole.assignment.course == course);
-    let own = own.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))?;
-    at_close::hand_in(visit, &own, None).await?;
-    Ok(own)
+    let assignment = found.filter(|whole| whole.assignment.course == course);
+    let assignment = assignment.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))?;
+    at_close::hand_in(visit, &assignment, None).await?;
+    Ok(assignment)
 }
 
 /// What people call the items of an assignment: place and title of their problems.
@@ -43,17 +43,18 @@ pub(super) async fn titles(
 pub(super) async fn member(visit: &Visit) -> Result<Membership, NotShown> {
     let key: Key<Member> = visit.key("member")?;
     let all = visit.store().members(visit.course()?.key).await?;
-    let own = all.into_iter().find(|own| own.member.key == key);
-    own.ok_or_else(|| NotShown::missing("there is no such member of this course"))
+    let membership = all.into_iter().find(|membership| membership.member.key == key);
+    membership.ok_or_else(|| NotShown::missing("there is no such member of this course"))
 }
 
 /// The students of the course, by name; those who left are not among them.
 pub(super) async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown> {
     let all = visit.store().members(visit.course()?.key).await?;
-    let is_student = |own: &Membership| own.member.role == Role::Student && own.member.left.is_none();
+    let is_student =
+        |membership: &Membership| membership.member.role == Role::Student && membership.member.left.is_none();
     let mut students: Vec<Membership> = all.into_iter().filter(is_student).collect();
     students.sort_by(|one, other| {
-        let name = |own: &Membership| (own.person.shown().to_lowercase(), own.member.key);
+        let name = |membership: &Membership| (membership.person.shown().to_lowercase(), membership.member.key);
         name(one).cmp(&name(other))
     });
     Ok(students)
@@ -61,7 +62,7 @@ pub(super) async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown>
 
 /// Students as a gradebook takes them.
 pub(super) fn people(students: &[Membership]) -> Vec<(&Member, &Person)> {
-    students.iter().map(|own| (&own.member, &own.person)).collect()
+    students.iter().map(|membership| (&membership.member, &membership.person)).collect()
 }
 
 /// What was kept of attempts when they were marked.
@@ -118,7 +119,7 @@ pub(super) async fn handed_in_sheets(
 ) -> Result<Vec<HandedInSheet>, NotShown> {
     let (store, key) = (visit.store(), whole.assignment.key);
     let extensions: BTreeMap<Key<Member>, Extension> =
-        store.extensions(key).await?.into_iter().map(|own| (own.member, own)).collect();
+        store.extensions(key).await?.into_iter().map(|extension| (extension.member, extension)).collect();
     let mut attempts: BTreeMap<Key<Sheet>, Vec<Attempt>> = BTreeMap::new();
     for attempt in store.all_attempts(key).await? {
         attempts.entry(attempt.sheet).or_default().push(attempt);

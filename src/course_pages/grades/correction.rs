@@ -26,7 +26,7 @@ pub(super) struct Corrected {
 impl Corrected {
     /// Whether the file draws every sheet as it was handed out.
     pub(super) fn draws_alike(&self) -> bool {
-        self.fault.is_none() && !self.effects.iter().any(|own| own.after == Remarked::Differs)
+        self.fault.is_none() && !self.effects.iter().any(|effect| effect.after == Remarked::Differs)
     }
 
     /// Whether there is this choice: sheets are marked again only where the file draws all of them alike.
@@ -51,17 +51,21 @@ pub(super) async fn corrected(
     for item in whole.items.iter().filter(|item| !item.dropped) {
         let Some(digest) = &item.digest else { continue };
         let file = items::current(visit, &item.problem).await?;
-        let is_decided = decided.iter().rfind(|own| own.item == item.key).is_some_and(|own| own.to == file.digest);
+        let is_decided = decided
+            .iter()
+            .rfind(|correction| correction.item == item.key)
+            .is_some_and(|correction| correction.to == file.digest);
         if file.digest == *digest || is_decided {
             continue;
         }
         if sheets.is_none() {
             sheets = Some(handed_in_sheets(visit, whole).await?);
         }
-        let is_own = |own: &HandedInSheet| own.sheet.item == item.key && own.sheet.issue == item.issue;
-        let (own, rest) = sheets.take().unwrap_or_default().into_iter().partition(is_own);
+        let is_own =
+            |handed_in: &HandedInSheet| handed_in.sheet.item == item.key && handed_in.sheet.issue == item.issue;
+        let (handed_in, rest) = sheets.take().unwrap_or_default().into_iter().partition(is_own);
         sheets = Some(rest);
-        found.push(one(visit, whole, item.clone(), file, own).await?);
+        found.push(one(visit, whole, item.clone(), file, handed_in).await?);
     }
     Ok(found)
 }
@@ -77,14 +81,14 @@ async fn one(
     // What was printed in some letters is read in them.
     let (own_file, own_item, policy) = (file.clone(), item.clone(), whole.assignment.policy.clone());
     let sheets = Arc::new(sheets);
-    let own = Arc::clone(&sheets);
+    let handed_in = Arc::clone(&sheets);
     let worked = move || {
         let problem = courses.library.problem(&course, &own_file, &own_item);
         let (problem, fault): (Option<Arc<Problem>>, _) = match problem {
             Ok(problem) => (Some(problem), None),
             Err(faults) => (None, Some(faults.to_string())),
         };
-        let worked: Vec<_> = own.iter().map(HandedInSheet::worked).collect();
+        let worked: Vec<_> = handed_in.iter().map(HandedInSheet::worked).collect();
         (effects(&worked, &policy, problem.as_ref()), fault)
     };
     let (effects, fault) = visit.work(move |_| Ok(worked())).await?;

@@ -78,15 +78,17 @@ impl Marked {
     async fn of(visit: &Visit, students: &[Membership]) -> Result<Self, NotShown> {
         let people = people(students);
         let mut assignments = Vec::new();
-        for own in visit.store().assignments(visit.course()?.key).await? {
-            let Some(whole) = visit.store().assignment(own.key).await?.filter(|_| own.policy.opens <= visit.now) else {
+        for assignment in visit.store().assignments(visit.course()?.key).await? {
+            let Some(whole) =
+                visit.store().assignment(assignment.key).await?.filter(|_| assignment.policy.opens <= visit.now)
+            else {
                 continue;
             };
             at_close::hand_in(visit, &whole, None).await?;
             let records = Records::of_class(visit, &whole).await?;
-            let extensions = visit.store().extensions(own.key).await?;
-            let extensions = extensions.into_iter().map(|own| (own.member, own)).collect();
-            assignments.push((own, Gradebook::of(&records.accounts(), &people), extensions));
+            let extensions = visit.store().extensions(assignment.key).await?;
+            let extensions = extensions.into_iter().map(|extension| (extension.member, extension)).collect();
+            assignments.push((assignment, Gradebook::of(&records.accounts(), &people), extensions));
         }
         Ok(Self { assignments })
     }
@@ -95,8 +97,8 @@ impl Marked {
         let course = visit.course()?;
         let mut marked = Vec::new();
         for (assignment, marks, extensions) in &self.assignments {
-            let is_over = |own: &Membership| {
-                counts(visit, &Window::of(&assignment.policy, extensions.get(&own.member.key), &course.zone))
+            let is_over = |membership: &Membership| {
+                counts(visit, &Window::of(&assignment.policy, extensions.get(&membership.member.key), &course.zone))
             };
             marked.push(MarkedAssignment { assignment, marks, is_over: students.iter().map(is_over).collect() });
         }
@@ -116,17 +118,17 @@ async fn with(visit: &Visit, form: Option<Form>) -> Result<Reply, NotShown> {
     let is_wrong = form.as_ref().is_some_and(Form::is_wrong);
     let form = form.unwrap_or_else(|| filled(grading, &book));
     let sections: BTreeSet<String> =
-        book.rows.iter().map(|row| row.section.clone()).filter(|own| !own.is_empty()).collect();
+        book.rows.iter().map(|row| row.section.clone()).filter(|section| !section.is_empty()).collect();
     let (section, sort) = (visit.fields.text("section").to_owned(), visit.fields.text("sort").to_owned());
     let mut rows: Vec<&CourseRow> =
         book.rows.iter().filter(|row| section.is_empty() || row.section == section).collect();
     sorted(&mut rows, &sort, &book);
-    let columns = book.columns.iter().map(|own| ColumnHead {
-        key: own.assignment.to_string(),
-        title: own.title.clone(),
-        out_of: own.out_of,
-        weight: own.weight,
-        field: weight_field(own.assignment),
+    let columns = book.columns.iter().map(|column| ColumnHead {
+        key: column.assignment.to_string(),
+        title: column.title.clone(),
+        out_of: column.out_of,
+        weight: column.weight,
+        field: weight_field(column.assignment),
     });
     let page = CourseGradebookPage {
         title: words::GRADEBOOK,
@@ -143,18 +145,18 @@ async fn with(visit: &Visit, form: Option<Form>) -> Result<Reply, NotShown> {
     Ok(if is_wrong { page.wrong() } else { page })
 }
 
-fn row(own: &CourseRow) -> Row {
+fn row(listed: &CourseRow) -> Row {
     let cell = |cell: &momentous_course::CourseCell| Cell {
         points: cell.points.as_ref().map(|points| Points(points.clone()).to_string()),
         part: cell.part,
     };
     Row {
-        member: own.member.to_string(),
-        name: own.name.clone(),
-        login: own.login.clone(),
-        section: own.section.clone(),
-        cells: own.cells.iter().map(cell).collect(),
-        grade: own.share.as_ref().map(percent),
+        member: listed.member.to_string(),
+        name: listed.name.clone(),
+        login: listed.login.clone(),
+        section: listed.section.clone(),
+        cells: listed.cells.iter().map(cell).collect(),
+        grade: listed.share.as_ref().map(percent),
     }
 }
 
@@ -172,7 +174,7 @@ fn sorted(rows: &mut [&CourseRow], by: &str, book: &CourseGradebook) {
         "section" => rows.sort_by_key(|row| row.section.clone()),
         "grade" => rows.sort_by(|one, other| other.share.cmp(&one.share)),
         key => {
-            if let Some(place) = book.columns.iter().position(|own| own.assignment.to_string() == key) {
+            if let Some(place) = book.columns.iter().position(|column| column.assignment.to_string() == key) {
                 let points = |row: &CourseRow| row.cells.get(place).and_then(|cell| cell.points.clone());
                 rows.sort_by_key(|row| std::cmp::Reverse(points(row)));
             }
@@ -186,8 +188,10 @@ fn weight_field(assignment: Key<Assignment>) -> String {
 }
 
 fn filled(grading: &Grading, book: &CourseGradebook) -> Form {
-    let weight = |own: Key<Assignment>| grading.weights.get(&own.to_string()).map_or_else(String::new, u32::to_string);
-    let weights = book.columns.iter().map(|own| (weight_field(own.assignment), weight(own.assignment)));
+    let weight = |assignment: Key<Assignment>| {
+        grading.weights.get(&assignment.to_string()).map_or_else(String::new, u32::to_string)
+    };
+    let weights = book.columns.iter().map(|column| (weight_field(column.assignment), weight(column.assignment)));
     Form::new(weights.chain([(DROPPED.to_owned(), grading.dropped.to_string())]))
 }
 
@@ -197,17 +201,17 @@ pub(crate) async fn save_grading(visit: &Visit) -> Result<Reply, NotShown> {
     let mut form = Form::sent(visit, &[DROPPED]);
     // Those that have not opened yet have no field, and keep what they have.
     let mut grading = visit.course()?.grading.clone();
-    let number = |text: &str| text.parse::<u32>().ok().filter(|own| *own <= MOST);
-    for own in assignments.iter().filter(|own| own.policy.opens <= visit.now) {
-        let name = weight_field(own.key);
+    let number = |text: &str| text.parse::<u32>().ok().filter(|points| *points <= MOST);
+    for assignment in assignments.iter().filter(|assignment| assignment.policy.opens <= visit.now) {
+        let name = weight_field(assignment.key);
         let text = visit.fields.text(&name).trim().to_owned();
         form.fill(&name, text.clone());
         match (text.as_str(), number(&text)) {
             ("", _) => {
-                grading.weights.remove(&own.key.to_string());
+                grading.weights.remove(&assignment.key.to_string());
             }
             (_, Some(weight)) => {
-                grading.weights.insert(own.key.to_string(), weight);
+                grading.weights.insert(assignment.key.to_string(), weight);
             }
             (_, None) => form.say(
                 &name,
@@ -249,16 +253,16 @@ pub(crate) async fn own_grades(
         return Ok(None);
     }
     let mut marked = Vec::new();
-    for own in assignments {
-        let extension = extensions.iter().find(|extension| extension.assignment == own.key);
-        let has_closed = counts(visit, &Window::of(&own.policy, extension, &place.course.zone));
-        let whole = if has_closed { visit.store().assignment(own.key).await? } else { None };
+    for assignment in assignments {
+        let extension = extensions.iter().find(|extension| extension.assignment == assignment.key);
+        let has_closed = counts(visit, &Window::of(&assignment.policy, extension, &place.course.zone));
+        let whole = if has_closed { visit.store().assignment(assignment.key).await? } else { None };
         let Some(whole) = whole else { continue };
         at_close::hand_in(visit, &whole, Some(place.member.key)).await?;
         let records = Records::of_student(visit, &whole, place.member.key).await?;
         let marks = Gradebook::of(&records.accounts(), &[(&place.member, &place.person)]);
-        let extension = extension.map(|own| (own.member, own.clone())).into_iter().collect();
-        marked.push((own.clone(), marks, extension));
+        let extension = extension.map(|extension| (extension.member, extension.clone())).into_iter().collect();
+        marked.push((assignment.clone(), marks, extension));
     }
     Marked { assignments: marked }.gradebook(visit, std::slice::from_ref(place)).map(Some)
 }

@@ -79,13 +79,13 @@ fn rows(book: &Gradebook) -> Vec<Row> {
     let cells = |marks: &[GradeMark]| {
         book.columns.iter().zip(marks).map(|(column, mark)| cell(column.item.to_string(), mark)).collect()
     };
-    let row = |own: &momentous_course::GradeRow| Row {
-        member: own.member.to_string(),
-        name: own.name.clone(),
-        login: own.login.clone(),
-        section: own.section.clone(),
-        cells: cells(&own.marks),
-        total: Points(own.total.clone()).to_string(),
+    let row = |listed: &momentous_course::GradeRow| Row {
+        member: listed.member.to_string(),
+        name: listed.name.clone(),
+        login: listed.login.clone(),
+        section: listed.section.clone(),
+        cells: cells(&listed.marks),
+        total: Points(listed.total.clone()).to_string(),
     };
     book.rows.iter().map(row).collect()
 }

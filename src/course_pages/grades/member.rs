@@ -33,9 +33,9 @@ pub(crate) async fn member(visit: &Visit) -> Result<Reply, NotShown> {
     page(visit, &class::member(visit).await?, None).await
 }
 
-async fn page(visit: &Visit, own: &Membership, fault: Option<String>) -> Result<Reply, NotShown> {
+async fn page(visit: &Visit, membership: &Membership, fault: Option<String>) -> Result<Reply, NotShown> {
     let zone = visit.course()?.zone.as_str();
-    let Membership { member, person, .. } = own;
+    let Membership { member, person, .. } = membership;
     let page = MemberPage {
         title: person.shown().to_owned(),
         member: member.key.to_string(),
@@ -57,10 +57,10 @@ pub(crate) async fn data(visit: &Visit) -> Result<Reply, NotShown> {
     if place.member.role != Role::Instructor && place.member.key.to_string() != visit.part("member") {
         return Err(NotShown::missing("you have no such data in this course"));
     }
-    let own = class::member(visit).await?;
+    let membership = class::member(visit).await?;
     let store = visit.store();
     let mut windows = BTreeMap::new();
-    let extensions = store.extensions_of(own.member.key).await?;
+    let extensions = store.extensions_of(membership.member.key).await?;
     let (mut items, mut by_hand): (BTreeMap<_, _>, Vec<Override>) = Default::default();
     for assignment in store.assignments(place.course.key).await? {
         let extension = extensions.iter().find(|extension| extension.assignment == assignment.key);
@@ -69,12 +69,12 @@ pub(crate) async fn data(visit: &Visit) -> Result<Reply, NotShown> {
         by_hand.extend(store.set_by_hand(assignment.key).await?);
         let whole = store.assignment(assignment.key).await?;
         if let Some(whole) = &whole {
-            at_close::hand_in(visit, whole, Some(own.member.key)).await?;
+            at_close::hand_in(visit, whole, Some(membership.member.key)).await?;
         }
-        items.extend(whole.into_iter().flat_map(|own| own.items).map(|item| (item.key, item.assignment)));
+        items.extend(whole.into_iter().flat_map(|assignment| assignment.items).map(|item| (item.key, item.assignment)));
     }
     let (mut sheets, mut drafts): (Vec<(HandedInSheet, Vec<Override>)>, Vec<Draft>) = Default::default();
-    for sheet in store.sheets_of(own.member.key).await? {
+    for sheet in store.sheets_of(membership.member.key).await? {
         let window = items.get(&sheet.item).and_then(|assignment| windows.get(assignment));
         let Some(window) = window.cloned() else { continue };
         let (attempts, hints) = (store.attempts(sheet.key).await?, store.hints(sheet.key).await?);
@@ -83,42 +83,44 @@ pub(crate) async fn data(visit: &Visit) -> Result<Reply, NotShown> {
         sheets.push((HandedInSheet { reports: reports(&attempts)?, sheet, attempts, hints, window }, by_hand));
     }
     let worked: Vec<_> = sheets.iter().map(|(kept, by_hand)| (kept.worked(), by_hand.clone())).collect();
-    let people = (&place.course, &own.member, &own.person);
+    let people = (&place.course, &membership.member, &membership.person);
     let data = StudentData::of(people, &worked, &extensions, &drafts, visit.now);
     let bytes = serde_json::to_vec_pretty(&data).map_err(|error| NotShown::Store(error.into()))?;
     Ok(Reply::Download { name: "data.json".to_owned(), kind: "application/json", bytes })
 }
 
 fn of_sheet(all: &[Override], sheet: Key<Sheet>) -> Vec<Override> {
-    all.iter().filter(|own| own.sheet == sheet).cloned().collect()
+    all.iter().filter(|decision| decision.sheet == sheet).cloned().collect()
 }
 
 /// Forgets who a member is. What was handed in stays under a random key, so that the marks of the class remain.
 pub(crate) async fn erase(visit: &Visit) -> Result<Reply, NotShown> {
-    let own = class::member(visit).await?;
+    let membership = class::member(visit).await?;
     let is_operator = visit.person()?.operator;
-    let elsewhere = visit.store().courses_of(own.person.key).await?.len() > 1;
+    let elsewhere = visit.store().courses_of(membership.person.key).await?.len() > 1;
     let typed = visit.fields.text("login").trim();
     let fault = match () {
-        () if own.person.erased.is_some() => Some("this name is erased already"),
-        () if own.person.key == visit.person()?.key => Some("nobody erases their own name"),
-        () if (elsewhere || own.person.operator) && !is_operator => Some(
+        () if membership.person.erased.is_some() => Some("this name is erased already"),
+        () if membership.person.key == visit.person()?.key => Some("nobody erases their own name"),
+        () if (elsewhere || membership.person.operator) && !is_operator => Some(
             "this person takes part in other courses or runs the server, so that only an operator who is in this course may do it",
         ),
-        () if typed != own.person.login => Some("type the name by which this person signs in, to say that you mean it"),
+        () if typed != membership.person.login => {
+            Some("type the name by which this person signs in, to say that you mean it")
+        }
         () => None,
     };
     if let Some(fault) = fault {
-        return Ok(page(visit, &own, Some(fault.to_owned())).await?.wrong());
+        return Ok(page(visit, &membership, Some(fault.to_owned())).await?.wrong());
     }
     let erased = Person {
         login: String::new(),
         name: String::new(),
         operator: false,
         erased: Some(visit.now),
-        key: own.person.key,
+        key: membership.person.key,
     };
-    let entries = visit.entries(own.person.key, "name erased").await?;
+    let entries = visit.entries(membership.person.key, "name erased").await?;
     visit.store().erase_person(&erased, &entries).await?;
-    Ok(Reply::To(visit.in_course(&format!("/members/{}", own.member.key))?))
+    Ok(Reply::To(visit.in_course(&format!("/members/{}", membership.member.key))?))
 }

@@ -99,7 +99,8 @@ pub(crate) async fn regrade(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment(visit).await?;
     let decided = visit.store().corrections(whole.assignment.key).await?;
     let members = visit.store().members(visit.course()?.key).await?;
-    let names: BTreeMap<_, _> = members.iter().map(|own| (own.member.key, own.person.shown().to_owned())).collect();
+    let names: BTreeMap<_, _> =
+        members.iter().map(|membership| (membership.member.key, membership.person.shown().to_owned())).collect();
     let items = corrected(visit, &whole, &decided).await?;
     let records = Records::of_class(visit, &whole).await?;
     let accounts = records.accounts();
@@ -110,21 +111,21 @@ pub(crate) async fn regrade(visit: &Visit) -> Result<Reply, NotShown> {
         assignment: whole.assignment.key.to_string(),
         revision: whole.revision,
         reason: USUAL_REASON,
-        items: items.iter().map(|own| shown(own, &titles, &accounts, name)).collect(),
+        items: items.iter().map(|corrected| shown(corrected, &titles, &accounts, name)).collect(),
     };
     visit.page("courses/grades/regrade", page).await
 }
 
 fn shown(
-    own: &Corrected,
+    corrected: &Corrected,
     titles: &BTreeMap<Key<Item>, String>,
     accounts: &Accounts<'_>,
     name: impl Fn(&Effect) -> String,
 ) -> ItemShown {
-    let ways: Vec<&Way> = WAYS.iter().filter(|way| own.offers(way.regrading.choice)).collect();
-    let count = |is: &dyn Fn(&Effect) -> bool| own.effects.iter().filter(|effect| is(effect)).count();
-    let before = |effect: &Effect| accounts.standing(effect.member, &own.item).mark;
-    let after = |effect: &Effect, way: &Way| accounts.regraded(effect, &own.item, way.regrading).mark;
+    let ways: Vec<&Way> = WAYS.iter().filter(|way| corrected.offers(way.regrading.choice)).collect();
+    let count = |is: &dyn Fn(&Effect) -> bool| corrected.effects.iter().filter(|effect| is(effect)).count();
+    let before = |effect: &Effect| accounts.standing(effect.member, &corrected.item).mark;
+    let after = |effect: &Effect, way: &Way| accounts.regraded(effect, &corrected.item, way.regrading).mark;
     let changes = |effect: &Effect, way: &Way| after(effect, way).points() != before(effect).points();
     let points = |mark: &GradeMark| {
         mark.points().map_or_else(|| "\u{2013}".to_owned(), |points| Points(points.clone()).to_string())
@@ -135,16 +136,16 @@ fn shown(
         after: ways.iter().map(|way| points(&after(effect, way))).collect(),
     };
     let is_changed = |effect: &&Effect| ways.iter().any(|way| changes(effect, way));
-    let mut changed: Vec<Change> = own.effects.iter().filter(is_changed).map(change).collect();
-    changed.sort_by_cached_key(|own| own.name.to_lowercase());
+    let mut changed: Vec<Change> = corrected.effects.iter().filter(is_changed).map(change).collect();
+    changed.sort_by_cached_key(|change| change.name.to_lowercase());
     let choice =
         |way: &&Way| ChoiceShown { name: way.name, says: way.says, changes: count(&|effect| changes(effect, way)) };
     ItemShown {
-        key: own.item.key.to_string(),
-        problem: titles.get(&own.item.key).unwrap_or(&own.item.problem).clone(),
-        digest: own.file.digest.clone(),
-        fault: own.fault.clone(),
-        sheets: own.effects.len(),
+        key: corrected.item.key.to_string(),
+        problem: titles.get(&corrected.item.key).unwrap_or(&corrected.item.problem).clone(),
+        digest: corrected.file.digest.clone(),
+        fault: corrected.fault.clone(),
+        sheets: corrected.effects.len(),
         differ: count(&|effect| effect.after == Remarked::Differs),
         redacted: count(&|effect| effect.after == Remarked::Redacted),
         choices: ways.iter().map(choice).collect(),
@@ -164,29 +165,29 @@ pub(crate) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
     let handed_in = visit.store().attempts_at(asked).await?;
     let decided = visit.store().corrections(whole.assignment.key).await?;
     let items = corrected(visit, &whole, &decided).await?;
-    let is_asked = |own: &&Corrected| own.item.key == asked && own.file.digest == field("digest");
-    let own = items.iter().find(is_asked).ok_or_else(changed)?;
-    let way = WAYS.iter().find(|way| way.name == field("choice") && own.offers(way.regrading.choice));
+    let is_asked = |corrected: &&Corrected| corrected.item.key == asked && corrected.file.digest == field("digest");
+    let corrected = items.iter().find(is_asked).ok_or_else(changed)?;
+    let way = WAYS.iter().find(|way| way.name == field("choice") && corrected.offers(way.regrading.choice));
     let Way { regrading, name, .. } = way.ok_or_else(|| NotShown::field("choose one of the choices of the page"))?;
     let said = |name: &str| field(name).trim().to_owned();
     let correction = Correction {
-        item: own.item.key,
-        from: own.item.digest.clone().unwrap_or_default(),
-        to: own.file.digest.clone(),
+        item: corrected.item.key,
+        from: corrected.item.digest.clone().unwrap_or_default(),
+        to: corrected.file.digest.clone(),
         choice: regrading.choice,
         never_lower: regrading.never_lower,
         reason: said("reason"),
         comment: said("comment"),
         // The last one counts, whatever became of the clock.
-        at: decided.iter().map(|own| own.at.after(1)).fold(visit.now, Ord::max),
+        at: decided.iter().map(|correction| correction.at.after(1)).fold(visit.now, Ord::max),
     };
-    if own.file.course.is_none() {
+    if corrected.file.course.is_none() {
         // The sheets that are drawn from it from now on need its text.
-        visit.store().save_problem_file(&own.file, None).await?;
+        visit.store().save_problem_file(&corrected.file, None).await?;
     }
     let records = Records::of_class(visit, &whole).await?;
-    let kept = kept(own, &records.accounts(), *regrading, &correction, visit.person()?.key);
-    let (item, attempts) = (after(own, regrading.choice), remarked(own, regrading.choice)?);
+    let kept = kept(corrected, &records.accounts(), *regrading, &correction, visit.person()?.key);
+    let (item, attempts) = (after(corrected, regrading.choice), remarked(corrected, regrading.choice)?);
     let step = Regrade {
         item: &item,
         correction: &correction,
@@ -195,8 +196,10 @@ pub(crate) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
         revision: whole.revision,
         handed_in,
     };
-    let detail =
-        format!("{} from {} to {}: {name}. {}", own.item.problem, correction.from, correction.to, correction.reason);
+    let detail = format!(
+        "{} from {} to {}: {name}. {}",
+        corrected.item.problem, correction.from, correction.to, correction.reason
+    );
     if visit.store().regrade(session::key(), &step, &visit.entry("corrected problem taken in", detail)).await? {
         Ok(Reply::To(of(visit, &whole)?))
     } else {
@@ -216,11 +219,11 @@ fn changed() -> NotShown {
 }
 
 /// The item after a choice. Where old sheets stand that the file does not draw, so does the file from which they were drawn.
-fn after(own: &Corrected, choice: CorrectionChoice) -> Item {
-    let (mut item, digest) = (own.item.clone(), Some(own.file.digest.clone()));
+fn after(corrected: &Corrected, choice: CorrectionChoice) -> Item {
+    let (mut item, digest) = (corrected.item.clone(), Some(corrected.file.digest.clone()));
     match choice {
         CorrectionChoice::Remark => item.digest = digest,
-        CorrectionChoice::FullMarks if own.draws_alike() => item.digest = digest,
+        CorrectionChoice::FullMarks if corrected.draws_alike() => item.digest = digest,
         CorrectionChoice::FullMarks => {}
         CorrectionChoice::Drop => item.dropped = true,
         CorrectionChoice::IssueAnew => {
@@ -233,14 +236,14 @@ fn after(own: &Corrected, choice: CorrectionChoice) -> Item {
 
 /// What students keep of their points, each as a record of its own.
 fn kept(
-    own: &Corrected,
+    corrected: &Corrected,
     accounts: &Accounts<'_>,
     regrading: Regrading,
     correction: &Correction,
     by: Key<Person>,
 ) -> Vec<(Key<Override>, Override)> {
     let keeps = |effect: &Effect| {
-        let points = accounts.regraded(effect, &own.item, regrading).keeps?.to_string();
+        let points = accounts.regraded(effect, &corrected.item, regrading).keeps?.to_string();
         let (rule, reason) = (OverrideRule::AtLeast, correction.reason.clone());
         let kept = Override {
             sheet: effect.sheet,
@@ -253,17 +256,17 @@ fn kept(
         };
         Some((session::key(), kept))
     };
-    own.effects.iter().filter_map(keeps).collect()
+    corrected.effects.iter().filter_map(keeps).collect()
 }
 
 /// The attempts with what marking makes of them now; those of which nothing changes are left out.
-fn remarked(own: &Corrected, choice: CorrectionChoice) -> Result<Vec<Attempt>, NotShown> {
+fn remarked(corrected: &Corrected, choice: CorrectionChoice) -> Result<Vec<Attempt>, NotShown> {
     let mut changed = Vec::new();
     // Beside full marks it is said what was right by the corrected problem.
-    if !matches!(choice, CorrectionChoice::Remark | CorrectionChoice::FullMarks) || !own.draws_alike() {
+    if !matches!(choice, CorrectionChoice::Remark | CorrectionChoice::FullMarks) || !corrected.draws_alike() {
         return Ok(changed);
     }
-    for (kept, effect) in own.sheets.iter().zip(&own.effects) {
+    for (kept, effect) in corrected.sheets.iter().zip(&corrected.effects) {
         let Remarked::Same(reports) = &effect.after else { continue };
         for (attempt, report) in kept.attempts.iter().zip(reports) {
             let report = serde_json::value::to_raw_value(report).map_err(StoreFault::Record)?;

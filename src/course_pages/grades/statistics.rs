@@ -64,8 +64,11 @@ pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
                 column.heading.clone_from(title);
             }
         }
-        let mut found =
-            course::statistics(&accounts, &book, all.iter().map(|own| (&own.sheet, own.reports.as_slice())));
+        let mut found = course::statistics(
+            &accounts,
+            &book,
+            all.iter().map(|handed_in| (&handed_in.sheet, handed_in.reports.as_slice())),
+        );
         for part in &mut found.parts.items {
             part.item.problem = app.pages.library.title(&part.item.problem)?;
         }
@@ -79,21 +82,25 @@ fn percent(share: f64) -> String {
 }
 
 fn shown(title: String, assignment: String, found: ClassStatistics) -> StatisticsPage {
-    let items = found.items.into_iter().map(|own| ItemShown {
-        heading: own.heading,
-        students: own.students,
-        mean: if own.students == 0 { "\u{2013}".to_owned() } else { Points(own.mean).to_string() },
-        out_of: own.out_of,
+    let items = found.items.into_iter().map(|statistics| ItemShown {
+        heading: statistics.heading,
+        students: statistics.students,
+        mean: if statistics.students == 0 { "\u{2013}".to_owned() } else { Points(statistics.mean).to_string() },
+        out_of: statistics.out_of,
     });
-    let parts = found.parts.items.into_iter().map(|own| PartShown {
-        problem: own.item.problem,
-        form: own.item.form,
-        part: own.item.part,
-        answers: own.answers,
-        facility: percent(own.facility),
-        discrimination: own.discrimination.map_or_else(|| "\u{2013}".to_owned(), |found| format!("{found:.2}")),
-        mistakes: own.mistakes.into_iter().map(|own| Counted { what: own.does.to_owned(), count: own.count }).collect(),
-        wrong: own.wrong.into_iter().map(|own| Counted { what: own.answer, count: own.count }).collect(),
+    let parts = found.parts.items.into_iter().map(|statistics| PartShown {
+        problem: statistics.item.problem,
+        form: statistics.item.form,
+        part: statistics.item.part,
+        answers: statistics.answers,
+        facility: percent(statistics.facility),
+        discrimination: statistics.discrimination.map_or_else(|| "\u{2013}".to_owned(), |found| format!("{found:.2}")),
+        mistakes: statistics
+            .mistakes
+            .into_iter()
+            .map(|count| Counted { what: count.does.to_owned(), count: count.count })
+            .collect(),
+        wrong: statistics.wrong.into_iter().map(|wrong| Counted { what: wrong.answer, count: wrong.count }).collect(),
     });
     StatisticsPage {
         title,

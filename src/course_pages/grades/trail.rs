@@ -35,7 +35,8 @@ struct EntryShown {
 pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let members = visit.store().members(course.key).await?;
-    let mut names: BTreeMap<_, _> = members.iter().map(|own| (own.person.key, own.person.shown().to_owned())).collect();
+    let mut names: BTreeMap<_, _> =
+        members.iter().map(|membership| (membership.person.key, membership.person.shown().to_owned())).collect();
     let found = visit.store().trail(course.key, MOST + 1).await?;
     for by in found.iter().filter_map(|entry| entry.by) {
         // Operators need not be members.
@@ -58,9 +59,10 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
 
 /// What people call that which has a key in the trail: members and assignments, by their keys.
 async fn called(visit: &Visit, members: &[Membership]) -> Result<Vec<(String, String)>, NotShown> {
-    let people = members.iter().map(|own| (own.member.key.to_string(), own.person.shown().to_owned()));
+    let people =
+        members.iter().map(|membership| (membership.member.key.to_string(), membership.person.shown().to_owned()));
     let assignments = visit.store().assignments(visit.course()?.key).await?;
-    let assignments = assignments.into_iter().map(|own| (own.key.to_string(), own.title));
+    let assignments = assignments.into_iter().map(|assignment| (assignment.key.to_string(), assignment.title));
     Ok(people.chain(assignments).collect())
 }
 

@@ -35,7 +35,7 @@ impl AddressForm {
             None => address.clone().unwrap_or_default(),
         };
         let word = visit.fields.get("mail");
-        let news = NEWS.iter().find(|(own, _)| word == Some(own)).map(|(_, news)| *news);
+        let news = NEWS.iter().find(|(listed, _)| word == Some(listed)).map(|(_, news)| *news);
         Ok(Some(Self { address, typed, needs_old, fault, news }))
     }
 }

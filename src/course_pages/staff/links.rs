@@ -59,10 +59,11 @@ pub(super) async fn links(visit: &Visit, people: &[Person]) -> Result<Vec<String
         }
         Some(course) => {
             let elsewhere = visit.store().elsewhere(course).await?.into_iter();
-            let of_these = elsewhere.filter(|own| people.iter().any(|person| person.key == own.person.key));
-            entries.extend(of_these.map(|own| {
-                let entry = visit.entry("link made in another course", format!("member {}", own.member.key));
-                Entry { course: Some(own.course.key), ..entry }
+            let of_these =
+                elsewhere.filter(|membership| people.iter().any(|person| person.key == membership.person.key));
+            entries.extend(of_these.map(|membership| {
+                let entry = visit.entry("link made in another course", format!("member {}", membership.member.key));
+                Entry { course: Some(membership.course.key), ..entry }
             }));
             entries.push(visit.entry("links made", format!("{} links", tokens.len())));
         }

@@ -30,8 +30,12 @@ pub(crate) async fn add_staff(visit: &Visit) -> Result<Reply, NotShown> {
         return roster::with(visit, &class, (String::new(), Vec::new()), form.with(&faults)).await;
     };
     let Named { person, is_new } = person_form::named(visit, &form).await?;
-    let before = class.members.iter().find(|own| own.person.key == person.key).map(|own| own.member.clone());
-    if let Some(member) = before.as_ref().filter(|own| own.role > role && !class.is_taught_without(own.key)) {
+    let before = class
+        .members
+        .iter()
+        .find(|membership| membership.person.key == person.key)
+        .map(|membership| membership.member.clone());
+    if let Some(member) = before.as_ref().filter(|member| member.role > role && !class.is_taught_without(member.key)) {
         let message = format!("this person is the only {} of the course\nhelp: add another first", member.role.name());
         let fault = FieldFault { field: "login", message };
         return roster::with(visit, &class, (String::new(), Vec::new()), form.with(&[fault])).await;
@@ -44,9 +48,11 @@ pub(crate) async fn add_staff(visit: &Visit) -> Result<Reply, NotShown> {
     let new = if is_new { std::slice::from_ref(&person) } else { &[] };
     person_form::unless_taken(visit.store().save_members(new, std::slice::from_ref(&member), &entry).await)?;
     let class = Class::of(visit).await?;
-    let own = class.member(member.key).filter(|own| !class.has_password(own) && class.may_link(own).is_ok());
-    let link = match own {
-        Some(own) => Some(link(visit, &own.person).await?),
+    let membership = class
+        .member(member.key)
+        .filter(|membership| !class.has_password(membership) && class.may_link(membership).is_ok());
+    let link = match membership {
+        Some(membership) => Some(link(visit, &membership.person).await?),
         None => None,
     };
     LinkPage::new(visit, "Added", &person, link, visit.in_course("/roster")?).reply(visit).await
@@ -62,12 +68,12 @@ fn chosen<'c>(visit: &Visit, class: &'c Class) -> Result<&'c Membership, NotShow
 /// Takes somebody out of the course. What was handed in stays.
 pub(crate) async fn remove(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
-    let own = chosen(visit, &class)?;
-    if own.member.role == Role::Instructor && !class.is_taught_without(own.member.key) {
+    let membership = chosen(visit, &class)?;
+    if membership.member.role == Role::Instructor && !class.is_taught_without(membership.member.key) {
         let message = "this is the only instructor of the course; add another first";
         return Err(NotShown::NotPossible(message.to_owned()));
     }
-    let member = Member { left: Some(visit.now), ..own.member.clone() };
+    let member = Member { left: Some(visit.now), ..membership.member.clone() };
     let entry = visit.entry("member taken out", member.key.to_string());
     visit.store().save_members(&[], &[member], &entry).await?;
     Ok(Reply::To(visit.in_course("/roster?done=yes")?))
@@ -76,20 +82,20 @@ pub(crate) async fn remove(visit: &Visit) -> Result<Reply, NotShown> {
 /// A new link for one member.
 pub(crate) async fn member_link(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
-    let own = chosen(visit, &class)?;
-    if let Err(reason) = class.may_link(own) {
+    let membership = chosen(visit, &class)?;
+    if let Err(reason) = class.may_link(membership) {
         let message = format!("{reason}; whoever runs the server makes a new link");
         return Err(NotShown::NotPossible(message));
     }
-    let link = Some(link(visit, &own.person).await?);
-    LinkPage::new(visit, "New link", &own.person, link, visit.in_course("/roster")?).reply(visit).await
+    let link = Some(link(visit, &membership.person).await?);
+    LinkPage::new(visit, "New link", &membership.person, link, visit.in_course("/roster")?).reply(visit).await
 }
 
 /// A table of links for those who have no password yet.
 pub(crate) async fn link_table(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
     let members: Vec<&Membership> = class.unlinked().collect();
-    let people: Vec<_> = members.iter().map(|own| own.person.clone()).collect();
+    let people: Vec<_> = members.iter().map(|membership| membership.person.clone()).collect();
     let links = links(visit, &people).await?;
     let bytes =
         written(&members, &links).map_err(|error| NotShown::field(format!("the table cannot be written: {error}")))?;
@@ -99,8 +105,14 @@ pub(crate) async fn link_table(visit: &Visit) -> Result<Reply, NotShown> {
 fn written(members: &[&Membership], links: &[String]) -> io::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["id", "name", "section", "role", "link"])?;
-    for (own, link) in members.iter().zip(links) {
-        let cells = [&own.person.login, own.person.shown(), &own.member.section, own.member.role.name(), link];
+    for (membership, link) in members.iter().zip(links) {
+        let cells = [
+            &membership.person.login,
+            membership.person.shown(),
+            &membership.member.section,
+            membership.member.role.name(),
+            link,
+        ];
         table.write_record(cells.map(|cell| defused(cell).into_owned()))?;
     }
     table.into_inner().map_err(csv::IntoInnerError::into_error)

@@ -27,7 +27,7 @@ struct NewCoursePage {
 pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let empty = course_form::FIELDS.into_iter().chain(person_form::FIELDS).map(|name| (name, String::new()));
     // Whoever makes a course mostly teaches it.
-    let login = visit.visitor.as_ref().map(|own| own.person.login.clone()).unwrap_or_default();
+    let login = visit.visitor.as_ref().map(|visitor| visitor.person.login.clone()).unwrap_or_default();
     let usual = [("zone", "UTC".to_owned()), ("decimal", "either".to_owned()), ("login", login)];
     with(visit, Form::new(empty.chain(usual))).await
 }
@@ -73,7 +73,7 @@ pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
         Some(_) => None,
         None => Some(link(visit, &person).await?),
     };
-    let is_own = visit.visitor.as_ref().is_some_and(|own| own.person.key == person.key);
+    let is_own = visit.visitor.as_ref().is_some_and(|visitor| visitor.person.key == person.key);
     let on = if is_own { format!("/courses/{key}") } else { "/people".to_owned() };
     LinkPage::new(visit, "Course created", &person, link, visit.address(&on)).reply(visit).await
 }

@@ -111,15 +111,16 @@ pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
 /// The sheets of every student.
 pub(crate) async fn sheets(visit: &Visit) -> Result<Reply, NotShown> {
     let printed = drawn(visit, Version::HandedOut).await?;
-    let pages = printed.iter().map(|own| Page::Sheet(sheet(own))).collect();
+    let pages = printed.iter().map(|printed| Page::Sheet(sheet(printed))).collect();
     document(visit, "sheets", pages).await
 }
 
 /// The answers of every student.
 pub(crate) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
-    let named = |own: &Printed| {
-        let student = own.student.clone();
-        own.exercise
+    let named = |printed: &Printed| {
+        let student = printed.student.clone();
+        printed
+            .exercise
             .key()
             .into_iter()
             .map(move |row| KeyRow { student: Some(student.clone()), ..row })
@@ -142,12 +143,12 @@ async fn document(visit: &Visit, name: &str, pages: Vec<Page>) -> Result<Reply, 
 }
 
 /// A sheet without what costs points, and with the points of the assignment.
-fn sheet(own: &Printed) -> render::Sheet {
-    let sheet = own.exercise.sheet();
+fn sheet(printed: &Printed) -> render::Sheet {
+    let sheet = printed.exercise.sheet();
     let total: f64 = sheet.parts.iter().filter_map(|part| part.points).sum();
-    let scaled = |points: f64| if total > 0.0 { points * f64::from(own.points) / total } else { 0.0 };
+    let scaled = |points: f64| if total > 0.0 { points * f64::from(printed.points) / total } else { 0.0 };
     let parts = sheet.parts.into_iter().map(|part| SheetPart { points: part.points.map(scaled), ..part });
-    render::Sheet { student: Some(own.student.clone()), hints: Vec::new(), parts: parts.collect(), ..sheet }
+    render::Sheet { student: Some(printed.student.clone()), hints: Vec::new(), parts: parts.collect(), ..sheet }
 }
 
 fn counted(whole: &AssignmentWithItems) -> impl Iterator<Item = &Item> {
@@ -157,8 +158,8 @@ fn counted(whole: &AssignmentWithItems) -> impl Iterator<Item = &Item> {
 /// The students of the course, by section and name.
 async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown> {
     let mut members = visit.store().members(visit.course()?.key).await?;
-    members.retain(|own| own.member.role == Role::Student && own.member.left.is_none());
-    members.sort_by_cached_key(|own| (own.member.section.clone(), own.person.shown().to_owned()));
+    members.retain(|membership| membership.member.role == Role::Student && membership.member.left.is_none());
+    members.sort_by_cached_key(|membership| (membership.member.section.clone(), membership.person.shown().to_owned()));
     Ok(members)
 }
 
@@ -173,10 +174,10 @@ async fn drawn(visit: &Visit, version: Version) -> Result<Vec<Printed>, NotShown
     }
     let kept = visit.store().sheets(whole.assignment.key).await?;
     let has = |item: &Item, member| {
-        kept.iter().any(|own| (own.item, own.member, own.issue) == (item.key, member, item.issue))
+        kept.iter().any(|sheet| (sheet.item, sheet.member, sheet.issue) == (item.key, member, item.issue))
     };
     let missing: Vec<(Key<Item>, Key<Member>)> = counted(&whole)
-        .flat_map(|item| students.iter().map(move |own| (item, own.member.key)))
+        .flat_map(|item| students.iter().map(move |membership| (item, membership.member.key)))
         .filter(|(item, member)| !has(item, *member))
         .map(|(item, member)| (item.key, member))
         .collect();
@@ -190,9 +191,9 @@ async fn drawn(visit: &Visit, version: Version) -> Result<Vec<Printed>, NotShown
         visit.store().add_sheets(&new).await?;
     }
     let mut sheets: BTreeMap<(Key<Member>, Key<Item>), Sheet> = BTreeMap::new();
-    for own in visit.store().sheets(whole.assignment.key).await? {
-        if problems.get(&own.item).is_some_and(|(item, _)| item.issue == own.issue) {
-            sheets.insert((own.member, own.item), own);
+    for sheet in visit.store().sheets(whole.assignment.key).await? {
+        if problems.get(&sheet.item).is_some_and(|(item, _)| item.issue == sheet.issue) {
+            sheets.insert((sheet.member, sheet.item), sheet);
         }
     }
     if version == Version::Right {
@@ -208,11 +209,11 @@ async fn drawn(visit: &Visit, version: Version) -> Result<Vec<Printed>, NotShown
     visit
         .work(move |_| {
             let mut printed = Vec::new();
-            for own in &students {
-                let student = format!("{} ({})", own.person.shown(), own.person.login);
+            for membership in &students {
+                let student = format!("{} ({})", membership.person.shown(), membership.person.login);
                 for item in &order {
                     let (Some((item, problem)), Some(sheet)) =
-                        (problems.get(item), sheets.get(&(own.member.key, *item)))
+                        (problems.get(item), sheets.get(&(membership.member.key, *item)))
                     else {
                         continue;
                     };

@@ -50,12 +50,12 @@ struct Waiting {
 impl Requests {
     pub(super) async fn of(visit: &Visit, class: &Class) -> Result<Self, NotShown> {
         let course = visit.course()?;
-        let code = visit.store().code_of(course.key, visit.now).await?.map(|own| ShownCode {
-            code: own.code.to_string(),
+        let code = visit.store().code_of(course.key, visit.now).await?.map(|code| ShownCode {
+            code: code.code.to_string(),
             page: visit.public("/join"),
-            until: own.expires.shown(&course.zone),
+            until: code.expires.shown(&course.zone),
         });
-        let waiting = read(visit, class).await?.iter().map(|own| own.shown(&course.zone)).collect();
+        let waiting = read(visit, class).await?.iter().map(|request| request.shown(&course.zone)).collect();
         Ok(Self { code, days: DAYS, waiting })
     }
 }
@@ -95,7 +95,8 @@ impl Against {
 
 impl Read {
     fn shown(&self, zone: &str) -> Waiting {
-        let (login, name) = self.person.as_ref().map_or(("", "(erased)"), |own| (own.login.as_str(), own.shown()));
+        let (login, name) =
+            self.person.as_ref().map_or(("", "(erased)"), |person| (person.login.as_str(), person.shown()));
         Waiting {
             key: self.request.key.to_string(),
             login: login.to_owned(),
@@ -114,10 +115,11 @@ async fn read(visit: &Visit, class: &Class) -> Result<Vec<Read>, NotShown> {
         return Ok(Vec::new());
     }
     let people = visit.store().people().await?;
-    let by_key: BTreeMap<Key<Person>, &Person> = people.iter().map(|own| (own.key, own)).collect();
-    let logins: BTreeSet<&str> = people.iter().map(|own| own.login.as_str()).collect();
-    let is_here =
-        |person: Key<Person>| class.members.iter().any(|own| own.person.key == person && own.member.left.is_none());
+    let by_key: BTreeMap<Key<Person>, &Person> = people.iter().map(|person| (person.key, person)).collect();
+    let logins: BTreeSet<&str> = people.iter().map(|person| person.login.as_str()).collect();
+    let is_here = |person: Key<Person>| {
+        class.members.iter().any(|membership| membership.person.key == person && membership.member.left.is_none())
+    };
     let mut same: BTreeMap<&str, usize> = BTreeMap::new();
     for request in &requests {
         if let Asker::New { login, .. } = &request.asker {
@@ -169,7 +171,8 @@ async fn chosen(visit: &Visit, class: &Class) -> Result<Vec<Read>, NotShown> {
         return Err(NotShown::field("nobody was chosen; tick those whom you mean"));
     }
     let all = read(visit, class).await?;
-    let chosen: Vec<Read> = all.into_iter().filter(|own| keys.contains(own.request.key.to_string().as_str())).collect();
+    let chosen: Vec<Read> =
+        all.into_iter().filter(|request| keys.contains(request.request.key.to_string().as_str())).collect();
     if chosen.len() == keys.len() { Ok(chosen) } else { Err(settled_meanwhile()) }
 }
 
@@ -183,16 +186,16 @@ pub(crate) async fn confirm(visit: &Visit) -> Result<Reply, NotShown> {
     let chosen = chosen(visit, &class).await?;
     let course = visit.course()?.key;
     let (mut people, mut members, mut logins) = (Vec::new(), Vec::new(), BTreeSet::new());
-    for own in &chosen {
-        let (Some(person), Against::Nothing | Against::SameLogin) = (&own.person, own.against) else {
-            let name = own.person.as_ref().map_or("(erased)", Person::shown);
-            return Err(NotShown::NotPossible(format!("{name}: {}", own.against.note())));
+    for request in &chosen {
+        let (Some(person), Against::Nothing | Against::SameLogin) = (&request.person, request.against) else {
+            let name = request.person.as_ref().map_or("(erased)", Person::shown);
+            return Err(NotShown::NotPossible(format!("{name}: {}", request.against.note())));
         };
         if !logins.insert(person.login.as_str()) {
             let message = format!("two of those whom you chose ask for the login {}; choose one of them", person.login);
             return Err(NotShown::NotPossible(message));
         }
-        if let Asker::New { password, .. } = &own.request.asker {
+        if let Asker::New { password, .. } = &request.request.asker {
             people.push((person.clone(), password.clone()));
         }
         let before = class.members.iter().find(|before| before.person.key == person.key);
@@ -205,7 +208,7 @@ pub(crate) async fn confirm(visit: &Visit) -> Result<Reply, NotShown> {
             }
         });
     }
-    let requests: Vec<_> = chosen.iter().map(|own| own.request.key).collect();
+    let requests: Vec<_> = chosen.iter().map(|request| request.request.key).collect();
     let entry = visit.entry("places confirmed", format!("{} students", members.len()));
     let settled = visit.store().settle_requests(&requests, &people, &members, &entry).await;
     done(visit, person_form::unless_taken(settled)?)
@@ -214,7 +217,7 @@ pub(crate) async fn confirm(visit: &Visit) -> Result<Reply, NotShown> {
 /// Takes requests away. Who asked is told nothing.
 pub(crate) async fn decline(visit: &Visit) -> Result<Reply, NotShown> {
     let class = Class::of(visit).await?;
-    let requests: Vec<_> = chosen(visit, &class).await?.iter().map(|own| own.request.key).collect();
+    let requests: Vec<_> = chosen(visit, &class).await?.iter().map(|request| request.request.key).collect();
     let entry = visit.entry("places declined", format!("{} requests", requests.len()));
     done(visit, visit.store().settle_requests(&requests, &[], &[], &entry).await?)
 }

@@ -88,22 +88,22 @@ pub(super) async fn with(
     (text, faults): (String, Vec<String>),
     staff: Form,
 ) -> Result<Reply, NotShown> {
-    let listed = |own: &Membership| Listed {
-        key: own.member.key.to_string(),
-        login: own.person.login.clone(),
-        name: own.person.shown().to_owned(),
-        section: own.member.section.clone(),
-        role: own.member.role.name(),
-        is_staff: own.member.role.is_staff(),
-        left: own.member.left.is_some(),
-        has_password: class.has_password(own),
-        no_link: class.may_link(own).err(),
+    let listed = |membership: &Membership| Listed {
+        key: membership.member.key.to_string(),
+        login: membership.person.login.clone(),
+        name: membership.person.shown().to_owned(),
+        section: membership.member.section.clone(),
+        role: membership.member.role.name(),
+        is_staff: membership.member.role.is_staff(),
+        left: membership.member.left.is_some(),
+        has_password: class.has_password(membership),
+        no_link: class.may_link(membership).err(),
     };
     let members: Vec<Listed> = class.members.iter().map(listed).collect();
     let is_wrong = !faults.is_empty() || staff.is_wrong();
     let page = RosterPage {
         title: words::ROSTER,
-        students: members.iter().filter(|own| !own.is_staff && !own.left).count(),
+        students: members.iter().filter(|listed| !listed.is_staff && !listed.left).count(),
         unlinked: class.unlinked().count(),
         only_here: visit.leads_here_only(),
         members,
@@ -120,7 +120,7 @@ pub(super) async fn with(
 impl Class {
     /// Those who have no password and can be given a link here.
     pub(super) fn unlinked(&self) -> impl Iterator<Item = &Membership> {
-        self.members.iter().filter(|own| !self.has_password(own) && self.may_link(own).is_ok())
+        self.members.iter().filter(|membership| !self.has_password(membership) && self.may_link(membership).is_ok())
     }
 
     /// What a table would change.
@@ -139,8 +139,8 @@ impl Class {
     }
 
     fn shown(&self, change: &RosterChange) -> Shown {
-        let login = |key| self.member(key).map(|own| own.person.login.clone()).unwrap_or_default();
-        let name = |key| self.member(key).map(|own| own.person.shown().to_owned()).unwrap_or_default();
+        let login = |key| self.member(key).map(|membership| membership.person.login.clone()).unwrap_or_default();
+        let name = |key| self.member(key).map(|membership| membership.person.shown().to_owned()).unwrap_or_default();
         let (kind, login, name, from, to) = match change.clone() {
             RosterChange::New { row } => ("new", row.login, row.name, String::new(), row.section),
             RosterChange::Back { row, .. } => ("back", row.login, row.name, String::new(), row.section),

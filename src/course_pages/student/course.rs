@@ -36,23 +36,23 @@ struct OwnAssignment {
 pub(crate) async fn course(visit: &Visit) -> Result<Reply, NotShown> {
     let place = visit.place()?;
     let all = visit.store().assignments(place.course.key).await?;
-    let is_seen = |own: &Assignment| own.policy.opens <= visit.now || place.member.role.is_staff();
+    let is_seen = |assignment: &Assignment| assignment.policy.opens <= visit.now || place.member.role.is_staff();
     let extensions = visit.store().extensions_of(place.member.key).await?;
     let book = grades::own_grades(visit, &all, &extensions).await?;
     let row = book.as_ref().and_then(|book| book.rows.first());
     let mut assignments = Vec::new();
-    for own in all.into_iter().filter(is_seen) {
-        let extension = extensions.iter().find(|extension| extension.assignment == own.key);
-        let window = Window::of(&own.policy, extension, &place.course.zone);
+    for assignment in all.into_iter().filter(is_seen) {
+        let extension = extensions.iter().find(|extension| extension.assignment == assignment.key);
+        let window = Window::of(&assignment.policy, extension, &place.course.zone);
         let points = || {
-            let place = book.as_ref()?.columns.iter().position(|column| column.assignment == own.key)?;
+            let place = book.as_ref()?.columns.iter().position(|column| column.assignment == assignment.key)?;
             let (column, cell) = (book.as_ref()?.columns.get(place)?, row?.cells.get(place)?);
             let points =
                 cell.points.as_ref().filter(|_| cell.part != Part::Open && window.shows_verdicts(visit.now))?;
             let left_out = if cell.part == Part::LeftOut { ", left out" } else { "" };
             Some(format!("{} of {}{left_out}", Points(points.clone()), column.out_of))
         };
-        assignments.push(OwnAssignment { points: points(), ..OwnAssignment::of(visit, &own, &window)? });
+        assignments.push(OwnAssignment { points: points(), ..OwnAssignment::of(visit, &assignment, &window)? });
     }
     let grade = row.and_then(|row| row.share.as_ref()).map(grades::percent);
     let page = CoursePage { title: place.course.title.clone(), assignments, grade };
@@ -60,11 +60,11 @@ pub(crate) async fn course(visit: &Visit) -> Result<Reply, NotShown> {
 }
 
 impl OwnAssignment {
-    fn of(visit: &Visit, own: &Assignment, window: &Window) -> Result<Self, NotShown> {
+    fn of(visit: &Visit, assignment: &Assignment, window: &Window) -> Result<Self, NotShown> {
         let zone = visit.course()?.zone.as_str();
         Ok(Self {
-            key: own.key.to_string(),
-            title: own.title.clone(),
+            key: assignment.key.to_string(),
+            title: assignment.title.clone(),
             opens: window.opens.shown(zone),
             due: window.due.shown(zone),
             closes: window.closes.shown(zone),
@@ -80,10 +80,10 @@ impl OwnAssignment {
 }
 
 /// The times of an assignment for whoever asks.
-async fn window(visit: &Visit, own: &Assignment) -> Result<Window, NotShown> {
+async fn window(visit: &Visit, assignment: &Assignment) -> Result<Window, NotShown> {
     let place = visit.place()?;
-    let extension = visit.store().extension(own.key, place.member.key).await?;
-    Ok(Window::of(&own.policy, extension.as_ref(), &place.course.zone))
+    let extension = visit.store().extension(assignment.key, place.member.key).await?;
+    Ok(Window::of(&assignment.policy, extension.as_ref(), &place.course.zone))
 }
 
 #[derive(Serialize)]
@@ -123,7 +123,7 @@ pub(crate) async fn assignment(visit: &Visit) -> Result<Reply, NotShown> {
     let account = records.accounts().account(place.member.key);
     let released = window.shows_verdicts(visit.now);
     let mut items = Vec::new();
-    for standing in account.standings.iter().filter(|own| own.mark != GradeMark::Dropped) {
+    for standing in account.standings.iter().filter(|standing| standing.mark != GradeMark::Dropped) {
         let Some(item) = whole.items.iter().find(|item| item.key == standing.item) else { continue };
         items.push(OwnItem::of(visit, item, records.attempts_at(item), released.then_some(standing)).await?);
     }

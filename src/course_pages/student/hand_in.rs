@@ -29,16 +29,17 @@ pub(crate) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
     let request = visit.fields.text("request").to_owned();
     within(request.len(), LONGEST_KEY, "bytes make the key of a request")?;
     for _ in 0..AGAIN {
-        let own = OwnSheet::of(visit).await?;
-        if let Some(before) = repeated(&own, &request, &answers) {
-            return again(visit, &own, before);
+        let own_sheet = OwnSheet::of(visit).await?;
+        if let Some(before) = repeated(&own_sheet, &request, &answers) {
+            return again(visit, &own_sheet, before);
         }
-        if own.attempts.last().is_some_and(|last| alike(&last.answers, &answers)) {
-            return refused(visit, &own, Refusal::NothingNew).await;
+        if own_sheet.attempts.last().is_some_and(|last| alike(&last.answers, &answers)) {
+            return refused(visit, &own_sheet, Refusal::NothingNew).await;
         }
-        let (exercise, last, hints) = (Arc::clone(&own.exercise), own.last.clone(), own.hints.clone());
-        let (policy, window) = (own.whole.assignment.policy.clone(), own.window.clone());
-        let (decimal, typed, at) = (own.sheet.issued.decimal, answers.clone(), visit.now);
+        let (exercise, last, hints) =
+            (Arc::clone(&own_sheet.exercise), own_sheet.last.clone(), own_sheet.hints.clone());
+        let (policy, window) = (own_sheet.whole.assignment.policy.clone(), own_sheet.window.clone());
+        let (decimal, typed, at) = (own_sheet.sheet.issued.decimal, answers.clone(), visit.now);
         let taken = visit
             .work(move |_| {
                 let (answers, hints, last) = (&typed, hints.as_slice(), last.as_ref());
@@ -48,17 +49,22 @@ pub(crate) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
             .await?;
         let accepted = match taken {
             Ok(accepted) => accepted,
-            Err(refusal) => return refused(visit, &own, refusal).await,
+            Err(refusal) => return refused(visit, &own_sheet, refusal).await,
         };
-        let number = own.attempts.last().map_or(0, |last| last.number) + 1;
+        let number = own_sheet.attempts.last().map_or(0, |last| last.number) + 1;
         let report =
             serde_json::value::to_raw_value(&accepted.stored).map_err(|error| NotShown::Store(error.into()))?;
-        let request = key(&own, &request, number);
-        let attempt = Attempt { sheet: own.sheet.key, number, received: at, answers: answers.clone(), report, request };
-        let hand_in = HandIn { attempt: &attempt, assignment: own.whole.assignment.key, revision: own.whole.revision };
+        let request = key(&own_sheet, &request, number);
+        let attempt =
+            Attempt { sheet: own_sheet.sheet.key, number, received: at, answers: answers.clone(), report, request };
+        let hand_in = HandIn {
+            attempt: &attempt,
+            assignment: own_sheet.whole.assignment.key,
+            revision: own_sheet.whole.revision,
+        };
         match visit.store().hand_in(hand_in).await? {
-            HandedIn::Kept => return Ok(Reply::To(own.address(visit)? + "#marks")),
-            HandedIn::Before(before) if alike(&before.answers, &answers) => return again(visit, &own, &before),
+            HandedIn::Kept => return Ok(Reply::To(own_sheet.address(visit)? + "#marks")),
+            HandedIn::Before(before) if alike(&before.answers, &answers) => return again(visit, &own_sheet, &before),
             // Something came between; what it was decides anew.
             HandedIn::Before(_) | HandedIn::Stale => {}
         }
@@ -69,11 +75,11 @@ pub(crate) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
 }
 
 /// The attempt that this form was already: it has the same key and says the same, or has no key and says what was handed in last.
-fn repeated<'a>(own: &'a OwnSheet, request: &str, answers: &BTreeMap<String, String>) -> Option<&'a Attempt> {
+fn repeated<'a>(own_sheet: &'a OwnSheet, request: &str, answers: &BTreeMap<String, String>) -> Option<&'a Attempt> {
     let is_same = |attempt: &&Attempt| alike(&attempt.answers, answers);
     match request {
-        "" => own.attempts.last().filter(is_same),
-        _ => own.attempts.iter().filter(|attempt| is_of(attempt, request)).find(is_same),
+        "" => own_sheet.attempts.last().filter(is_same),
+        _ => own_sheet.attempts.iter().filter(|attempt| is_of(attempt, request)).find(is_same),
     }
 }
 
@@ -83,17 +89,17 @@ fn is_of(attempt: &Attempt, request: &str) -> bool {
 }
 
 /// The key under which an attempt is kept: that of its form, and where the form was sent before with other answers, or has none, its number.
-fn key(own: &OwnSheet, request: &str, number: u32) -> String {
+fn key(own_sheet: &OwnSheet, request: &str, number: u32) -> String {
     match request {
         "" => format!("number {number}"),
-        _ if own.attempts.iter().any(|attempt| is_of(attempt, request)) => format!("{request} {number}"),
+        _ if own_sheet.attempts.iter().any(|attempt| is_of(attempt, request)) => format!("{request} {number}"),
         _ => request.to_owned(),
     }
 }
 
 /// The page again, which says which attempt it was.
-fn again(visit: &Visit, own: &OwnSheet, before: &Attempt) -> Result<Reply, NotShown> {
-    Ok(Reply::To(format!("{}?again={}#marks", own.address(visit)?, before.number)))
+fn again(visit: &Visit, own_sheet: &OwnSheet, before: &Attempt) -> Result<Reply, NotShown> {
+    Ok(Reply::To(format!("{}?again={}#marks", own_sheet.address(visit)?, before.number)))
 }
 
 /// What was typed, by part. It is kept for years, so there is not too much of it.
@@ -106,33 +112,33 @@ fn answers(visit: &Visit) -> Result<BTreeMap<String, String>, Refused> {
 }
 
 /// The page with what was typed, and why it was not taken.
-async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
+async fn refused(visit: &Visit, own_sheet: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
     let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(refusal.to_string()) };
-    Ok(page(visit, own, after).await?.wrong())
+    Ok(page(visit, own_sheet, after).await?.wrong())
 }
 
 /// Keeps what was typed without handing it in.
 pub(crate) async fn draft(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.answer(visit.person()?.key)?;
     let answers = answers(visit)?;
-    let own = OwnSheet::of(visit).await?;
-    if !matches!(own.window.phase(visit.now), Phase::Open | Phase::Late(_)) {
+    let own_sheet = OwnSheet::of(visit).await?;
+    if !matches!(own_sheet.window.phase(visit.now), Phase::Open | Phase::Late(_)) {
         // What was saved in time stays what was saved last.
-        return refused(visit, &own, Refusal::Over).await;
+        return refused(visit, &own_sheet, Refusal::Over).await;
     }
-    visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now, settled: None }).await?;
+    visit.store().save_draft(&Draft { sheet: own_sheet.sheet.key, answers, saved: visit.now, settled: None }).await?;
     if visit.fields.get("do") == Some("script") {
         return Ok(Reply::Json(json!({ "saved": visit.now.shown(&visit.course()?.zone) })));
     }
-    Ok(Reply::To(own.address(visit)? + "#marks"))
+    Ok(Reply::To(own_sheet.address(visit)? + "#marks"))
 }
 
 /// How an answer is read. It knows the field and nothing of what is right.
 pub(crate) async fn read(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.reading(visit.person()?.key)?;
-    let own = OwnSheet::of(visit).await?;
+    let own_sheet = OwnSheet::of(visit).await?;
     let [part, text] = ["part", "text"].map(|name| visit.fields.text(name).to_owned());
-    let decimal = own.sheet.issued.decimal;
-    let read = visit.work(move |_| Ok(ReadResponse::of(&own.exercise, &part, &text, decimal)?)).await?;
+    let decimal = own_sheet.sheet.issued.decimal;
+    let read = visit.work(move |_| Ok(ReadResponse::of(&own_sheet.exercise, &part, &text, decimal)?)).await?;
     Ok(Reply::Json(json!(read)))
 }

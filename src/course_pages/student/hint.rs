@@ -10,45 +10,49 @@ use super::own_sheet::OwnSheet;
 
 /// The author's next hint.
 pub(crate) async fn hint(visit: &Visit) -> Result<Reply, NotShown> {
-    let own = OwnSheet::of(visit).await?;
-    open(visit, &own)?;
-    keep_typed(visit, &own).await?;
-    let seen = own.hints.iter().filter(|hint| hint.part.is_none()).count();
-    if seen < own.exercise.student_sheet().hints.len() {
+    let own_sheet = OwnSheet::of(visit).await?;
+    open(visit, &own_sheet)?;
+    keep_typed(visit, &own_sheet).await?;
+    let seen = own_sheet.hints.iter().filter(|hint| hint.part.is_none()).count();
+    if seen < own_sheet.exercise.student_sheet().hints.len() {
         let number = u32::try_from(seen + 1).unwrap_or(u32::MAX);
-        let hint = HintShown { sheet: own.sheet.key, part: None, number, at: visit.now };
+        let hint = HintShown { sheet: own_sheet.sheet.key, part: None, number, at: visit.now };
         visit.store().show_hint(&hint).await?;
     }
-    Ok(Reply::To(own.address(visit)? + "#hints"))
+    Ok(Reply::To(own_sheet.address(visit)? + "#hints"))
 }
 
 /// The next hint on a wrong answer.
 pub(crate) async fn further(visit: &Visit) -> Result<Reply, NotShown> {
-    let own = OwnSheet::of(visit).await?;
-    open(visit, &own)?;
-    keep_typed(visit, &own).await?;
+    let own_sheet = OwnSheet::of(visit).await?;
+    open(visit, &own_sheet)?;
+    keep_typed(visit, &own_sheet).await?;
     let part = visit.part("part");
-    let stored = own.last.as_ref().and_then(|last| last.part(part));
-    if let Some(next) = stored.and_then(|stored| stored.next_hint(&own.hints, &own.window, visit.now)) {
-        let hint = HintShown { sheet: own.sheet.key, part: Some(part.to_owned()), number: next.number, at: visit.now };
+    let stored = own_sheet.last.as_ref().and_then(|last| last.part(part));
+    if let Some(next) = stored.and_then(|stored| stored.next_hint(&own_sheet.hints, &own_sheet.window, visit.now)) {
+        let hint =
+            HintShown { sheet: own_sheet.sheet.key, part: Some(part.to_owned()), number: next.number, at: visit.now };
         visit.store().show_hint(&hint).await?;
     }
-    Ok(Reply::To(own.address(visit)? + "#marks"))
+    Ok(Reply::To(own_sheet.address(visit)? + "#marks"))
 }
 
 /// Hints are for those who can still hand in.
-fn open(visit: &Visit, own: &OwnSheet) -> Result<(), NotShown> {
-    match own.window.phase(visit.now) {
+fn open(visit: &Visit, own_sheet: &OwnSheet) -> Result<(), NotShown> {
+    match own_sheet.window.phase(visit.now) {
         Phase::Open | Phase::Late(_) => Ok(()),
         Phase::NotOpen | Phase::Over | Phase::Closed => Err(NotShown::Forbidden("the time for answers is over")),
     }
 }
 
 /// What was typed goes along with the button, and is there when the page comes back.
-async fn keep_typed(visit: &Visit, own: &OwnSheet) -> Result<(), NotShown> {
+async fn keep_typed(visit: &Visit, own_sheet: &OwnSheet) -> Result<(), NotShown> {
     let answers = visit.fields.behind(ANSWER);
     if !answers.is_empty() {
-        visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now, settled: None }).await?;
+        visit
+            .store()
+            .save_draft(&Draft { sheet: own_sheet.sheet.key, answers, saved: visit.now, settled: None })
+            .await?;
     }
     Ok(())
 }

@@ -107,21 +107,22 @@ pub(super) struct After {
 
 /// The page of an item.
 pub(crate) async fn item(visit: &Visit) -> Result<Reply, NotShown> {
-    let own = OwnSheet::of(visit).await?;
-    page(visit, &own, After::default()).await
+    let own_sheet = OwnSheet::of(visit).await?;
+    page(visit, &own_sheet, After::default()).await
 }
 
-pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<Reply, NotShown> {
+pub(super) async fn page(visit: &Visit, own_sheet: &OwnSheet, after: After) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let zone = course.zone.as_str();
-    let draft = visit.store().draft(own.sheet.key).await?;
-    let last_received = own.attempts.last().map(|attempt| attempt.received);
+    let draft = visit.store().draft(own_sheet.sheet.key).await?;
+    let last_received = own_sheet.attempts.last().map(|attempt| attempt.received);
     let draft = draft.filter(|draft| last_received.is_none_or(|received| draft.saved > received));
     let saved = draft.as_ref().map(|draft| draft.saved.shown(zone));
     let typed = after.typed.or(draft.map(|draft| draft.answers)).unwrap_or_default();
-    let shown_hints: Vec<u32> = own.hints.iter().filter(|hint| hint.part.is_none()).map(|hint| hint.number).collect();
-    let exercise = std::sync::Arc::clone(&own.exercise);
-    let (drafted, decimal) = (typed.clone(), own.sheet.issued.decimal);
+    let shown_hints: Vec<u32> =
+        own_sheet.hints.iter().filter(|hint| hint.part.is_none()).map(|hint| hint.number).collect();
+    let exercise = std::sync::Arc::clone(&own_sheet.exercise);
+    let (drafted, decimal) = (typed.clone(), own_sheet.sheet.issued.decimal);
     let (sheet, hints, readings) = visit
         .work(move |_| {
             let hint =
@@ -135,34 +136,38 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
             Ok((SheetResponse::of(&exercise)?, hints, readings))
         })
         .await?;
-    let policy = &own.whole.assignment.policy;
-    let shown = own.last.as_ref().map(|last| last.shown(&own.window, visit.now));
+    let policy = &own_sheet.whole.assignment.policy;
+    let shown = own_sheet.last.as_ref().map(|last| last.shown(&own_sheet.window, visit.now));
     let field = |id: &String| {
         let part = shown.as_ref().and_then(|shown| shown.parts.iter().find(|part| part.id == *id));
-        let stored = own.last.as_ref();
-        FieldState::of(id, part, stored, own, visit, (typed.get(id), readings.get(id)))
+        let stored = own_sheet.last.as_ref();
+        FieldState::of(id, part, stored, own_sheet, visit, (typed.get(id), readings.get(id)))
     };
-    let phase = own.window.phase(visit.now);
-    let (before, next) = neighbours(own);
+    let phase = own_sheet.window.phase(visit.now);
+    let (before, next) = neighbours(own_sheet);
     let costs = |share: &momentous_course::Share| (!share.is_nothing()).then(|| share.percent());
-    let has = if own.window.shows_verdicts(visit.now) {
-        let records = Records::of_sheet(visit, &own.whole, &own.sheet, own.last.as_ref()).await?;
-        records.standing(own.sheet.member, own.item.key).as_ref().map(Has::of)
+    let has = if own_sheet.window.shows_verdicts(visit.now) {
+        let records = Records::of_sheet(visit, &own_sheet.whole, &own_sheet.sheet, own_sheet.last.as_ref()).await?;
+        records.standing(own_sheet.sheet.member, own_sheet.item.key).as_ref().map(Has::of)
     } else {
         None
     };
-    let work = if own.exercise.takes_work() { Some(WorkState::of(visit, own, typed.get(WORK)).await?) } else { None };
+    let work = if own_sheet.exercise.takes_work() {
+        Some(WorkState::of(visit, own_sheet, typed.get(WORK)).await?)
+    } else {
+        None
+    };
     let page = ItemPage {
         title: sheet.title.clone(),
-        assignment: own.whole.assignment.key.to_string(),
-        assignment_title: own.whole.assignment.title.clone(),
-        item: own.item.key.to_string(),
+        assignment: own_sheet.whole.assignment.key.to_string(),
+        assignment_title: own_sheet.whole.assignment.title.clone(),
+        item: own_sheet.item.key.to_string(),
         request: session::key::<()>().to_string(),
-        fields: sheet.fields.iter().map(|own| field(&own.id)).collect(),
+        fields: sheet.fields.iter().map(|response| field(&response.id)).collect(),
         work,
-        receipts: receipts(own, &sheet, zone),
+        receipts: receipts(own_sheet, &sheet, zone),
         has,
-        out_of: own.item.points,
+        out_of: own_sheet.item.points,
         left: match &phase {
             Phase::Late(late) => Some(Points(&late.factor * Rational::from(100)).to_string()),
             _ => None,
@@ -173,15 +178,15 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
             Phase::Late(_) => "late",
             Phase::Over | Phase::Closed => "closed",
         },
-        due: own.window.due.shown(zone),
-        closes: own.window.closes.shown(zone),
+        due: own_sheet.window.due.shown(zone),
+        closes: own_sheet.window.closes.shown(zone),
         hints,
         hint_costs: costs(&policy.hint_penalty),
         further_costs: costs(&policy.further_penalty),
         attempts: policy.attempts,
         attempt_costs: costs(&policy.attempt_penalty),
-        verdicts_later: !own.window.shows_verdicts(visit.now),
-        shows_solution: own.window.shows_solutions(visit.now),
+        verdicts_later: !own_sheet.window.shows_verdicts(visit.now),
+        shows_solution: own_sheet.window.shows_solutions(visit.now),
         refusal: after.refusal,
         again: visit.fields.get("again").and_then(|number| number.parse().ok()),
         saved,
@@ -198,16 +203,16 @@ impl FieldState {
         id: &str,
         part: Option<&ShownPart>,
         stored: Option<&StoredReport>,
-        own: &OwnSheet,
+        own_sheet: &OwnSheet,
         visit: &Visit,
         (typed, reading): (Option<&String>, Option<&ReadResponse>),
     ) -> Self {
-        let policy = &own.whole.assignment.policy;
-        let place = own.exercise.worked().form.parts.iter().position(|own| own.id == id);
+        let policy = &own_sheet.whole.assignment.policy;
+        let place = own_sheet.exercise.worked().form.parts.iter().position(|part| part.id == id);
         let history = stored.and_then(|stored| stored.history.parts().get(place?));
-        let stands = history.map(|own| own.text().to_owned()).unwrap_or_default();
+        let stands = history.map(|history| history.text().to_owned()).unwrap_or_default();
         // What could not be read does not stand, and yet was typed.
-        let handed_in = own.unread(id).map_or_else(|| stands.clone(), str::to_owned);
+        let handed_in = own_sheet.unread(id).map_or_else(|| stands.clone(), str::to_owned);
         let kept = stored.and_then(|stored| stored.part(id));
         let locked = part
             .is_some_and(|part| part.entry == Entry::Locked || part.found.as_ref().is_some_and(|found| found.right));
@@ -217,7 +222,7 @@ impl FieldState {
             Some(reading) => (reading.understood.clone(), reading.unreadable.clone()),
             None => (part.and_then(|part| part.read.clone()), part.and_then(|part| part.unread.clone())),
         };
-        let worth = course::worth(policy, (id, history), &own.hints, &own.window.phase(visit.now));
+        let worth = course::worth(policy, (id, history), &own_sheet.hints, &own_sheet.window.phase(visit.now));
         Self {
             typed: if locked { stands } else { typed.cloned().unwrap_or_else(|| handed_in.clone()) },
             handed_in,
@@ -227,24 +232,25 @@ impl FieldState {
             read,
             unread,
             found: part.and_then(|part| part.found.clone()),
-            further: kept.into_iter().flat_map(|kept| kept.hints_shown(&own.hints)).map(str::to_owned).collect(),
-            more_further: kept.is_some_and(|kept| kept.next_hint(&own.hints, &own.window, visit.now).is_some()),
+            further: kept.into_iter().flat_map(|kept| kept.hints_shown(&own_sheet.hints)).map(str::to_owned).collect(),
+            more_further: kept
+                .is_some_and(|kept| kept.next_hint(&own_sheet.hints, &own_sheet.window, visit.now).is_some()),
         }
     }
 }
 
 /// The problems before and after this one, of those that count.
-fn neighbours(own: &OwnSheet) -> (Option<Neighbour>, Option<Neighbour>) {
-    let items: Vec<&Item> = own.whole.items.iter().filter(|item| !item.dropped).collect();
+fn neighbours(own_sheet: &OwnSheet) -> (Option<Neighbour>, Option<Neighbour>) {
+    let items: Vec<&Item> = own_sheet.whole.items.iter().filter(|item| !item.dropped).collect();
     let at = |place: usize| items.get(place).map(|item| Neighbour { key: item.key.to_string(), number: place + 1 });
-    match items.iter().position(|item| item.key == own.item.key) {
+    match items.iter().position(|item| item.key == own_sheet.item.key) {
         Some(place) => (place.checked_sub(1).and_then(at), at(place + 1)),
         None => (None, None),
     }
 }
 
-fn receipts(own: &OwnSheet, sheet: &SheetResponse, zone: &str) -> Vec<Receipt> {
-    let counting = own.last.as_ref().and_then(|last| last.history.counting());
+fn receipts(own_sheet: &OwnSheet, sheet: &SheetResponse, zone: &str) -> Vec<Receipt> {
+    let counting = own_sheet.last.as_ref().and_then(|last| last.history.counting());
     let typed = |attempt: &Attempt| {
         let text =
             |field: &FieldResponse| Some((field.label.clone(), attempt.answers.get(&field.id)?.trim().to_owned()));
@@ -254,10 +260,10 @@ fn receipts(own: &OwnSheet, sheet: &SheetResponse, zone: &str) -> Vec<Receipt> {
     let receipt = |attempt: &Attempt| Receipt {
         number: attempt.number,
         received: attempt.received.shown_exactly(zone),
-        late: attempt.received > own.window.due,
+        late: attempt.received > own_sheet.window.due,
         counts: counting == Some(attempt.number),
         at_close: attempt.request == at_close::REQUEST,
         typed: typed(attempt),
     };
-    own.attempts.iter().map(receipt).collect()
+    own_sheet.attempts.iter().map(receipt).collect()
 }

@@ -37,7 +37,7 @@ impl OwnSheet {
         let (whole, item) = items::of(visit, visit.key("item")?).await?;
         let whole = items::pinned(visit, whole).await?;
         // Pinning has written the digest of its problem into the item.
-        let item = whole.items.iter().find(|own| own.key == item).cloned().ok_or_else(no_item)?;
+        let item = whole.items.iter().find(|listed| listed.key == item).cloned().ok_or_else(no_item)?;
         let place = visit.place()?;
         let extension = visit.store().extension(whole.assignment.key, place.member.key).await?;
         let window = Window::of(&whole.assignment.policy, extension.as_ref(), &place.course.zone);
@@ -80,8 +80,8 @@ async fn drawn(visit: &Visit, item: &Item, problem: Arc<Problem>) -> Result<(She
         let (exercise, sheet) = redrawn(sheet, problem).await?;
         return Ok((sheet, exercise));
     }
-    let (course, own, item_of, now) = (course.clone(), Arc::clone(&problem), item.clone(), visit.now);
-    let sheet = visit.work(move |_| items::sheet(&course, member, &item_of, &own, now)).await?;
+    let (course, shared_problem, item_of, now) = (course.clone(), Arc::clone(&problem), item.clone(), visit.now);
+    let sheet = visit.work(move |_| items::sheet(&course, member, &item_of, &shared_problem, now)).await?;
     visit.store().add_sheet(&sheet).await?;
     let kept = visit.store().sheet(item.key, member, item.issue).await?.unwrap_or(sheet);
     let (exercise, sheet) = redrawn(kept, problem).await?;

@@ -27,15 +27,15 @@ struct SolutionPage {
 
 /// The worked solution.
 pub(crate) async fn solution(visit: &Visit) -> Result<Reply, NotShown> {
-    let own = OwnSheet::of(visit).await?;
-    if !own.window.shows_solutions(visit.now) && !visit.place()?.member.role.is_staff() {
+    let own_sheet = OwnSheet::of(visit).await?;
+    if !own_sheet.window.shows_solutions(visit.now) && !visit.place()?.member.role.is_staff() {
         return Err(NotShown::Forbidden("the solution is shown when the assignment has closed for you, if at all"));
     }
-    if !own.window.shows_solutions(visit.now) {
-        Withheld::from_student(visit).await?.check(&own.item.problem)?;
+    if !own_sheet.window.shows_solutions(visit.now) {
+        Withheld::from_student(visit).await?.check(&own_sheet.item.problem)?;
     }
-    let back = own.address(visit)?;
-    let (exercise, note) = right(visit, &own).await?;
+    let back = own_sheet.address(visit)?;
+    let (exercise, note) = right(visit, &own_sheet).await?;
     let solved = visit.work(move |app| Ok(app.engine().solution_of(&exercise, None, Detail::Short)?)).await?;
     visit.page("courses/solution", SolutionPage { title: solved.title.clone(), back, note, solved }).await
 }
@@ -48,17 +48,18 @@ const DIFFERS: &str = "The problem was corrected after your sheet was handed out
 const NO_PROBLEM: &str = "the problem was withdrawn, and there is no corrected one that could be solved";
 
 /// The variant that is solved: that of the corrected problem, where it was corrected, whatever became of the marks.
-async fn right(visit: &Visit, own: &OwnSheet) -> Result<(Arc<Exercise>, Option<&'static str>), NotShown> {
-    let corrections = visit.store().corrections(own.whole.assignment.key).await?;
-    let digest = own.item.right_digest(&corrections).map(str::to_owned);
-    if digest == own.item.digest {
-        return Ok((Arc::clone(&own.exercise), None));
+async fn right(visit: &Visit, own_sheet: &OwnSheet) -> Result<(Arc<Exercise>, Option<&'static str>), NotShown> {
+    let corrections = visit.store().corrections(own_sheet.whole.assignment.key).await?;
+    let digest = own_sheet.item.right_digest(&corrections).map(str::to_owned);
+    if digest == own_sheet.item.digest {
+        return Ok((Arc::clone(&own_sheet.exercise), None));
     }
-    let problem = items::problem(visit, &Item { digest, ..own.item.clone() }).await.map_err(|reason| match reason {
-        NotShown::Refused(refused) if refused.kind == RefusedKind::Fault => NotShown::Forbidden(NO_PROBLEM),
-        other => other,
-    })?;
-    let issued = own.sheet.issued.clone();
+    let problem =
+        items::problem(visit, &Item { digest, ..own_sheet.item.clone() }).await.map_err(|reason| match reason {
+            NotShown::Refused(refused) if refused.kind == RefusedKind::Fault => NotShown::Forbidden(NO_PROBLEM),
+            other => other,
+        })?;
+    let issued = own_sheet.sheet.issued.clone();
     visit
         .work(move |_| {
             let note = (issued.remark(&problem) == Remark::Differs).then_some(DIFFERS);

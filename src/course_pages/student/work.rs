@@ -37,15 +37,16 @@ struct LineFound {
 
 impl WorkState {
     /// The work on a sheet: what was typed and not handed in, else what was handed in last.
-    pub(super) async fn of(visit: &Visit, own: &OwnSheet, typed: Option<&String>) -> Result<Self, NotShown> {
-        let stored = own.last.as_ref().and_then(|last| last.work.as_ref());
+    pub(super) async fn of(visit: &Visit, own_sheet: &OwnSheet, typed: Option<&String>) -> Result<Self, NotShown> {
+        let stored = own_sheet.last.as_ref().and_then(|last| last.work.as_ref());
         let text = stored.map_or_else(String::new, |work| work.text.clone());
-        let rules = own.whole.assignment.policy.rules();
+        let rules = own_sheet.whole.assignment.policy.rules();
         let is_right = |last: &StoredReport| last.parts.iter().all(|part| part.verdict.is_right());
-        let is_open = matches!(own.window.phase(visit.now), Phase::Open | Phase::Late(_));
-        let is_over = !is_open || own.last.as_ref().is_some_and(is_right);
-        let judged = if own.window.shows_verdicts(visit.now) {
-            let (exercise, work, decimal) = (Arc::clone(&own.exercise), text.clone(), own.sheet.issued.decimal);
+        let is_open = matches!(own_sheet.window.phase(visit.now), Phase::Open | Phase::Late(_));
+        let is_over = !is_open || own_sheet.last.as_ref().is_some_and(is_right);
+        let judged = if own_sheet.window.shows_verdicts(visit.now) {
+            let (exercise, work, decimal) =
+                (Arc::clone(&own_sheet.exercise), text.clone(), own_sheet.sheet.issued.decimal);
             visit.work(move |_| Ok(exercise.judge_work(&work, decimal).0.lines)).await?
         } else {
             Vec::new()
@@ -55,7 +56,7 @@ impl WorkState {
             handed_in: text,
             locked: !rules.counts(stored.map_or(0, |work| work.made)),
             lines: judged.into_iter().map(|line| LineFound::of(line, is_over)).collect(),
-            letters: own.exercise.letters_for_work(),
+            letters: own_sheet.exercise.letters_for_work(),
         })
     }
 }

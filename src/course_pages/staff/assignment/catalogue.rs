@@ -36,14 +36,16 @@ impl Catalogue {
             .work(move |app| {
                 let loaded = files.iter().filter_map(|file| load_in_course(source(file)).ok());
                 let mut exhibits: Vec<Exhibit> = loaded.map(|loaded| Exhibit::of(&loaded)).collect();
-                let own = exhibits.len();
+                let own_count = exhibits.len();
                 let bank: Arc<Vec<Exhibit>> = app.pages.library.exhibits()?;
-                let is_own = |id: &str, own: &[Exhibit]| own.iter().any(|mine| mine.card.id == id);
+                let is_own = |id: &str, exhibits: &[Exhibit]| exhibits.iter().any(|mine| mine.card.id == id);
                 let rest: Vec<Exhibit> =
                     bank.iter().filter(|exhibit| !is_own(&exhibit.card.id, &exhibits)).cloned().collect();
                 exhibits.extend(rest);
-                let offer =
-                    |(place, exhibit): (usize, &Exhibit)| Offered { card: exhibit.card.clone(), own: place < own };
+                let offer = |(place, exhibit): (usize, &Exhibit)| Offered {
+                    card: exhibit.card.clone(),
+                    own: place < own_count,
+                };
                 Ok(Self { offered: exhibits.iter().enumerate().map(offer).collect(), exhibits })
             })
             .await

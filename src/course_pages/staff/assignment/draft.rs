@@ -70,13 +70,13 @@ impl Row {
 impl Draft {
     /// The fields of a new assignment: it opens today, and is due and closes at the end of a day a week later.
     pub(super) fn empty(now: Moment, zone: &str) -> Self {
-        let mut own = Self::titled(String::new());
+        let mut draft = Self::titled(String::new());
         let day = |moment: Moment| moment.typed(zone).split('T').next().map(str::to_owned).unwrap_or_default();
         let end = format!("{}T23:59", day(now.after(WEEK)));
         for (name, value) in [("opens", format!("{}T00:00", day(now))), ("due", end.clone()), ("closes", end)] {
-            own.form.fill(name, value);
+            draft.form.fill(name, value);
         }
-        own
+        draft
     }
 
     /// The fields of a new assignment with that title.

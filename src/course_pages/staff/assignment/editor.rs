@@ -78,10 +78,11 @@ async fn with(
     homework: Option<Refused>,
 ) -> Result<Reply, NotShown> {
     let is_pinned = before.is_some_and(|before| before.assignment.pinned.is_some());
-    let is_kept = |key: &str| before.is_some_and(|own| own.items.iter().any(|item| item.key.to_string() == key));
+    let is_kept =
+        |key: &str| before.is_some_and(|assignment| assignment.items.iter().any(|item| item.key.to_string() == key));
     let wrong = draft.is_wrong();
     let is_refused = homework.is_some();
-    let (homework, homework_faults) = homework.map_or_else(Default::default, |own| (own.text, Some(own.faults)));
+    let (homework, homework_faults) = homework.map_or_else(Default::default, |read| (read.text, Some(read.faults)));
     let mut rows = Vec::new();
     for (row, order) in draft.rows.into_iter().zip(1_u32..) {
         let offered = catalogue.find(&row.problem).map(|offered| &offered.card);
@@ -112,10 +113,14 @@ async fn with(
         homework,
         homework_faults,
         revision: draft.revision,
-        verdicts: Release::ALL.map(|own| Choice { name: own.name(), said: verdicts_said(own) }).into(),
-        solutions: SolutionRelease::ALL.map(|own| Choice { name: own.name(), said: solutions_said(own) }).into(),
-        unsubmitted: Unsubmitted::ALL.map(|own| Choice { name: own.name(), said: unsubmitted_said(own) }).into(),
-        solvers: Solvers::ALL.map(|own| Choice { name: own.name(), said: solvers_said(own) }).into(),
+        verdicts: Release::ALL.map(|release| Choice { name: release.name(), said: verdicts_said(release) }).into(),
+        solutions: SolutionRelease::ALL
+            .map(|release| Choice { name: release.name(), said: solutions_said(release) })
+            .into(),
+        unsubmitted: Unsubmitted::ALL
+            .map(|unsubmitted| Choice { name: unsubmitted.name(), said: unsubmitted_said(unsubmitted) })
+            .into(),
+        solvers: Solvers::ALL.map(|solvers| Choice { name: solvers.name(), said: solvers_said(solvers) }).into(),
         zone: zone.clone(),
         search,
         level,
@@ -141,15 +146,15 @@ fn solutions_said(release: SolutionRelease) -> &'static str {
     }
 }
 
-fn unsubmitted_said(own: Unsubmitted) -> &'static str {
-    match own {
+fn unsubmitted_said(unsubmitted: Unsubmitted) -> &'static str {
+    match unsubmitted {
         Unsubmitted::Leave => "do not count",
         Unsubmitted::HandIn => "are submitted as last saved",
     }
 }
 
-fn solvers_said(own: Solvers) -> &'static str {
-    match own {
+fn solvers_said(solvers: Solvers) -> &'static str {
+    match solvers {
         Solvers::Shown => "go on solving",
         Solvers::Hidden => "solve nothing of these kinds",
     }

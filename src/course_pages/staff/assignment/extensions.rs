@@ -64,24 +64,28 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     let assignment = super::of(visit).await?.assignment;
     let course = visit.course()?;
     let members = visit.store().members(course.key).await?;
-    let name = |own: &Membership| format!("{} ({})", own.person.shown(), own.person.login);
-    let extensions = visit.store().extensions(assignment.key).await?.into_iter().map(|own| Listed {
-        name: members.iter().find(|other| other.member.key == own.member).map(name).unwrap_or_default(),
-        due: own.due.shown(&course.zone),
-        late_until: own.late_until.map(|until| until.shown(&course.zone)).unwrap_or_default(),
-        closes: own.closes.shown(&course.zone),
-        reason: own.reason,
+    let name = |membership: &Membership| format!("{} ({})", membership.person.shown(), membership.person.login);
+    let extensions = visit.store().extensions(assignment.key).await?.into_iter().map(|extension| Listed {
+        name: members.iter().find(|other| other.member.key == extension.member).map(name).unwrap_or_default(),
+        due: extension.due.shown(&course.zone),
+        late_until: extension.late_until.map(|until| until.shown(&course.zone)).unwrap_or_default(),
+        closes: extension.closes.shown(&course.zone),
+        reason: extension.reason,
     });
     let extensions = extensions.collect();
-    let students = members.iter().filter(|own| is_student(own));
+    let students = members.iter().filter(|membership| is_student(membership));
     let mut students: Vec<Chosen> =
-        students.map(|own| Chosen { key: own.member.key.to_string(), name: name(own) }).collect();
+        students.map(|membership| Chosen { key: membership.member.key.to_string(), name: name(membership) }).collect();
     students.sort_by(|one, other| one.name.cmp(&other.name));
-    let sections: BTreeSet<&str> =
-        members.iter().filter(|own| is_student(own)).map(|own| own.member.section.as_str()).collect();
-    let sections = sections.into_iter().filter(|own| !own.is_empty());
-    let sections =
-        sections.map(|own| Chosen { key: format!("{SECTION}{own}"), name: format!("section {own}") }).collect();
+    let sections: BTreeSet<&str> = members
+        .iter()
+        .filter(|membership| is_student(membership))
+        .map(|membership| membership.member.section.as_str())
+        .collect();
+    let sections = sections.into_iter().filter(|section| !section.is_empty());
+    let sections = sections
+        .map(|section| Chosen { key: format!("{SECTION}{section}"), name: format!("section {section}") })
+        .collect();
     let is_wrong = form.is_wrong();
     let page = ExtensionsPage {
         title: words::EXTENSIONS,
@@ -100,8 +104,8 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     Ok(if is_wrong { page.wrong() } else { page })
 }
 
-fn is_student(own: &Membership) -> bool {
-    own.member.role == Role::Student && own.member.left.is_none()
+fn is_student(membership: &Membership) -> bool {
+    membership.member.role == Role::Student && membership.member.left.is_none()
 }
 
 /// Gives a student, or everybody of a section, more time; a second extension takes the place of the first.
@@ -110,11 +114,12 @@ pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let form = Form::sent(visit, &FIELDS);
     let members = visit.store().members(course.key).await?;
-    let is_chosen = |own: &&Membership| match form.value("member").strip_prefix(SECTION) {
-        Some(section) => own.member.section == section,
-        None => own.member.key.to_string() == form.value("member"),
+    let is_chosen = |membership: &&Membership| match form.value("member").strip_prefix(SECTION) {
+        Some(section) => membership.member.section == section,
+        None => membership.member.key.to_string() == form.value("member"),
     };
-    let chosen: Vec<&Membership> = members.iter().filter(|own| is_student(own)).filter(is_chosen).collect();
+    let chosen: Vec<&Membership> =
+        members.iter().filter(|membership| is_student(membership)).filter(is_chosen).collect();
     if chosen.is_empty() {
         let fault = FieldFault { field: "member", message: "choose a student or a section of the list".to_owned() };
         return with(visit, form.with(&[fault])).await;
@@ -126,7 +131,7 @@ pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
         closes: typed("closes"),
         reason: typed("reason"),
     };
-    let read = |own: &&Membership| Extension::read(&fields, &assignment, own.member.key, &course.zone);
+    let read = |membership: &&Membership| Extension::read(&fields, &assignment, membership.member.key, &course.zone);
     match chosen.iter().map(read).collect::<Result<Vec<_>, _>>() {
         Err(faults) => with(visit, form.with(&faults)).await,
         Ok(extensions) => {

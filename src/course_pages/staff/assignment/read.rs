@@ -80,7 +80,7 @@ fn item(
         .or(row.order.trim().is_empty().then_some(0))
         .ok_or("its place is a whole number")?;
     let position = u32::try_from(place).unwrap_or(u32::MAX);
-    let old = before.into_iter().flat_map(|before| &before.items).find(|own| own.key.to_string() == row.key);
+    let old = before.into_iter().flat_map(|before| &before.items).find(|item| item.key.to_string() == row.key);
     let is_pinned = before.is_some_and(|before| before.assignment.pinned.is_some());
     if let Some(old) = old.filter(|_| is_pinned) {
         return Ok(Item { position, points, ..old.clone() });
@@ -94,7 +94,7 @@ fn item(
         &offered.ok_or_else(|| format!("there is no problem `{}`\nhelp: search for it below", row.problem))?.card;
     let form = match (row.form.trim(), card.forms.first()) {
         ("", first) => first.cloned(),
-        (name, _) if card.forms.iter().any(|own| own == name) => Some(name.to_owned()),
+        (name, _) if card.forms.iter().any(|form| form == name) => Some(name.to_owned()),
         (name, _) => return Err(format!("it has no form `{name}`")),
     };
     let problem = card.id.clone();

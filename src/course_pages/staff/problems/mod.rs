@@ -19,6 +19,6 @@ use super::super::visit::Visit;
 async fn of(visit: &Visit) -> Result<ProblemFile, NotShown> {
     let course = visit.course()?.key;
     let found = visit.store().problem_file(course, visit.part("digest")).await?;
-    let own = found.filter(|file| file.course == Some(course));
-    own.ok_or_else(|| NotShown::missing("this course has no such problem"))
+    let file = found.filter(|file| file.course == Some(course));
+    file.ok_or_else(|| NotShown::missing("this course has no such problem"))
 }

@@ -92,8 +92,8 @@ pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
         Ok(usable) => usable,
         Err(faults) => return refused(visit, text, faults).await,
     };
-    let (course, courses, own) = (visit.course()?.clone(), Arc::clone(&visit.courses), file.clone());
-    if let Err(faults) = visit.work(move |_| Ok(courses.library.problem(&course, &own, &item))).await? {
+    let (course, courses, written_file) = (visit.course()?.clone(), Arc::clone(&visit.courses), file.clone());
+    if let Err(faults) = visit.work(move |_| Ok(courses.library.problem(&course, &written_file, &item))).await? {
         return refused(visit, text, faults.to_string()).await;
     }
     let before = visit.store().problem_file(visit.course()?.key, &file.digest).await?;
