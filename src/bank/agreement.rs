@@ -19,11 +19,11 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Si
     let portions: Vec<u64> = (1..=seeds).step_by(PORTION).collect();
     let portions = each(portions, |first| Portion::of(problem, form, first..=seeds.min(first + PORTION as u64 - 1)));
     let (mut simulated, mut ways, mut reason) = (Simulated::default(), BTreeSet::new(), None);
-    for own in portions {
-        simulated.add(own.simulated);
-        ways.extend(own.ways);
-        reason = reason.or(own.reason);
-        if let Some(said) = own.broken {
+    for portion in portions {
+        simulated.add(portion.simulated);
+        ways.extend(portion.ways);
+        reason = reason.or(portion.reason);
+        if let Some(said) = portion.broken {
             return (Outcome::Broken(said), simulated);
         }
     }

@@ -110,7 +110,8 @@ pub(super) fn not_given(columns: &[Column<'_>]) -> Outcome {
     let parts: Vec<&[Column<'_>]> = columns.chunk_by(|column, next| column.part == next.part).collect();
     let given = |part: &&[Column<'_>]| {
         let first = part.first()?;
-        let is_given = |draw: &usize| part.iter().all(|own| own.answers.get(*draw).is_some_and(|own| own.is_given));
+        let is_given =
+            |draw: &usize| part.iter().all(|column| column.answers.get(*draw).is_some_and(|answer| answer.is_given));
         let share = share((0..first.answers.len()).filter(is_given).count(), first.answers.len());
         (share > MOST_GIVEN).then(|| format!("`{}` equals a given in {}", first.part, percent(share)))
     };

@@ -171,8 +171,8 @@ fn told(problem: &Problem, form: &PlannedForm) -> Outcome {
 fn neglected(samples: &Samples) -> Outcome {
     let mut largest: BTreeMap<&str, f64> = BTreeMap::new();
     for (of, share) in samples.drawn.iter().flat_map(|sample| &sample.neglected) {
-        let own = largest.entry(of).or_default();
-        *own = own.max(*share);
+        let most = largest.entry(of).or_default();
+        *most = most.max(*share);
     }
     let said =
         |(of, share): (&str, f64)| format!("weight, which is neglected, gives up to {:.1} % {of}", 100.0 * share);

@@ -93,9 +93,9 @@ impl Bank {
     /// # Errors
     /// Where there is none; the nearest known identity is named.
     pub fn find(&self, id: &str) -> Result<&Source, Faults> {
-        let found = self.problems.iter().find(|(own, _)| own == id);
+        let found = self.problems.iter().find(|(known, _)| known == id);
         found.map(|(_, source)| source).ok_or_else(|| {
-            let same_name = || self.ids().find(|own| name_of(own) == name_of(id));
+            let same_name = || self.ids().find(|known| name_of(known) == name_of(id));
             let near = did_you_mean(id, self.ids()).or_else(same_name);
             let help = || "`momentous list` shows every problem; a file is named by its path".to_owned();
             let help = near.map_or_else(help, meant);

@@ -78,8 +78,8 @@ pub fn diagnosed(source: &Source, seeds: u64) -> Result<Diagnosed, Faults> {
     let students: Vec<(usize, u64)> = forms.flat_map(|form| (1..=seeds).map(move |seed| (form, seed))).collect();
     let mut tally = Tally::default();
     let mut mistakes = BTreeSet::new();
-    for (own, codes) in each(students, |(form, seed)| of_seed(&problem, form, seed)) {
-        tally = tally.plus(&own);
+    for (tally_of_student, codes) in each(students, |(form, seed)| of_seed(&problem, form, seed)) {
+        tally = tally.plus(&tally_of_student);
         mistakes.extend(codes);
     }
     let mistakes = mistakes.into_iter().collect();
@@ -102,13 +102,13 @@ fn of_seed(problem: &Arc<Problem>, form: usize, seed: u64) -> (Tally, Vec<&'stat
         codes.extend(answers.iter().map(|(code, _)| *code));
         let Some((code, text)) = picked(&answers, seed, place) else { continue };
         let report = exercise.grade(&BTreeMap::from([(part.id.clone(), text.clone())]), DecimalMark::Point);
-        let Some(own) = report.parts.iter().find(|own| own.id == part.id) else { continue };
-        if own.verdict.is_right() {
+        let Some(marked) = report.parts.iter().find(|marked| marked.id == part.id) else { continue };
+        if marked.verdict.is_right() {
             tally.hidden += 1;
             continue;
         }
         tally.students += 1;
-        match &own.diagnosis {
+        match &marked.diagnosis {
             Some(found) if found.codes.contains(code) => {
                 tally.right += 1;
                 tally.shared += u64::from(found.codes.len() > 1);
@@ -119,7 +119,7 @@ fn of_seed(problem: &Arc<Problem>, form: usize, seed: u64) -> (Tally, Vec<&'stat
             }
             None => {
                 tally.none += 1;
-                *tally.confused.entry((code, own.verdict.code().to_owned())).or_default() += 1;
+                *tally.confused.entry((code, marked.verdict.code().to_owned())).or_default() += 1;
             }
         }
     }

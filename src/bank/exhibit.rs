@@ -98,7 +98,7 @@ impl Exhibit {
 fn asks(draft: &Draft) -> Vec<Inline> {
     let first = draft.forms.iter().next().map(|(_, form)| form);
     let texts = [Some(&draft.text), first.and_then(|form| form.text.as_ref())];
-    let in_letters = |text: &Text| text.fill(&|own| format!("${}$", name_math(&own.name).latex()));
+    let in_letters = |text: &Text| text.fill(&|placeholder| format!("${}$", name_math(&placeholder.name).latex()));
     let text = texts.into_iter().flatten().map(in_letters).collect::<Vec<_>>().join(" ");
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let questions: Vec<&str> = sentences(&text).filter(|sentence| is_question(sentence)).collect();

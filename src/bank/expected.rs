@@ -33,13 +33,13 @@ fn others(exercise: &Exercise, part: &Part) -> Vec<String> {
             return Some(format!("`{id}` expects a verdict `{code}`, which there is not{near}"));
         };
         let report = exercise.grade(&BTreeMap::from([(id.clone(), typed.to_owned())]), DecimalMark::Point);
-        let own = report.parts.iter().find(|own| own.id == *id)?;
-        (own.verdict != expected).then(|| {
+        let marked = report.parts.iter().find(|marked| marked.id == *id)?;
+        (marked.verdict != expected).then(|| {
             let right = exercise.printed(part);
-            let (points, out_of) = (&own.points, own.out_of);
+            let (points, out_of) = (&marked.points, marked.out_of);
             format!(
                 "`{id}` = {typed} is marked {} ({points}/{out_of}), not {code}: with seed {SEED} the answer is {right}",
-                own.verdict.code()
+                marked.verdict.code()
             )
         })
     };

@@ -38,10 +38,10 @@ impl Bank {
     /// Where the folder is there and cannot be read.
     pub fn gathered_here() -> Result<(Self, Vec<Faults>), Faults> {
         let folder = course_folder().join(FOLDER);
-        let (own, unusable) =
+        let (bank, unusable) =
             if folder.is_dir() { Self::gathered(&folder)? } else { (Self::of(Vec::new()), Vec::new()) };
-        let is_empty = own.problems.is_empty() && unusable.is_empty();
-        Ok((if is_empty { Self::built_in() } else { own }, unusable))
+        let is_empty = bank.problems.is_empty() && unusable.is_empty();
+        Ok((if is_empty { Self::built_in() } else { bank }, unusable))
     }
 
     /// Every problem file under a folder.
@@ -64,7 +64,7 @@ impl Bank {
         let mut bank = Self::of(sources);
         let mut problems: Vec<(String, Source)> = Vec::new();
         for (id, source) in std::mem::take(&mut bank.problems) {
-            match problems.last().filter(|(own, _)| *own == id) {
+            match problems.last().filter(|(known, _)| *known == id) {
                 None => problems.push((id, source)),
                 Some((_, first)) => {
                     let message = format!("`{id}` is also the identity of {}", first.name);

@@ -94,7 +94,7 @@ impl Homework {
             match problem {
                 Ok(problem) => match Slot::of(problem, draft, &at, &slots) {
                     Ok(slot) => slots.push(slot),
-                    Err(own) => faults.extend(own),
+                    Err(more) => faults.extend(more),
                 },
                 Err(fault) => faults.push(fault.clone().at_path(at.key("problem"))),
             }
@@ -115,7 +115,7 @@ impl Homework {
 
 /// The problem of that identity, or what is wrong with it.
 fn open(bank: &Bank, id: &str, secret: Option<&[u8]>) -> Result<Arc<Problem>, Fault> {
-    let renamed = bank.renamed(id).filter(|_| bank.ids().all(|own| own != id));
+    let renamed = bank.renamed(id).filter(|_| bank.ids().all(|known| known != id));
     let source = bank.find(renamed.unwrap_or(id)).map_err(|faults| {
         let help = faults.list.into_iter().next().and_then(|fault| fault.help);
         let fault = Fault::new(Code::UnknownName, format!("there is no problem `{id}`"));
@@ -164,14 +164,14 @@ impl Slot {
             problem: Arc::clone(problem),
             form,
             worth: parts.iter().map(|part| (part.id.clone(), worth(part))).collect(),
-            repeat: before.iter().filter(|own| own.problem.id() == problem.id() && own.form == form).count(),
+            repeat: before.iter().filter(|slot| slot.problem.id() == problem.id() && slot.form == form).count(),
         })
     }
 
     /// What the whole problem is worth.
     #[must_use]
     pub fn points(&self) -> Rational {
-        self.worth.values().fold(Rational::ZERO, |sum, own| sum + own)
+        self.worth.values().fold(Rational::ZERO, |sum, worth| sum + worth)
     }
 
     /// The points of its parts as whole numbers, for programs that know no others, and by what they are multiplied for that.
@@ -180,8 +180,9 @@ impl Slot {
         let parts = self.asked().map_or(&[][..], |form| &form.parts);
         let worth: Vec<&Rational> = parts.iter().filter_map(|part| self.worth.get(&part.id)).collect();
         let whole = |times: u32| {
-            let points = worth.iter().map(|own| *own * Rational::from(times));
-            let points = points.map(|own| if own.is_int() { u32::try_from(own.numerator()).ok() } else { None });
+            let points = worth.iter().map(|points| *points * Rational::from(times));
+            let points =
+                points.map(|points| if points.is_int() { u32::try_from(points.numerator()).ok() } else { None });
             points.collect::<Option<Vec<u32>>>().map(|points| (points, times))
         };
         let usual = || (parts.iter().map(|part| part.points).collect(), 1);
@@ -247,30 +248,32 @@ mod tests {
 
     #[test]
     fn points_are_divided_by_the_weights() {
-        let own = homework("  - { problem: impact/two-carts, points: 10, weights: { v_A2: 3, v_B2: 1, T_lost: 1 } }\n");
-        let slots = own.unwrap().slots;
+        let weighted =
+            homework("  - { problem: impact/two-carts, points: 10, weights: { v_A2: 3, v_B2: 1, T_lost: 1 } }\n");
+        let slots = weighted.unwrap().slots;
         assert_eq!(slots[0].worth["v_A2"], Rational::from(6));
         assert_eq!(slots[0].points(), Rational::from(10));
-        let own = homework("  - problem: impact/two-carts\n").unwrap();
-        let parts = &own.slots[0].asked().unwrap().parts;
-        assert!(parts.iter().all(|part| own.slots[0].worth[&part.id] == Rational::from(part.points)));
+        let homework = homework("  - problem: impact/two-carts\n").unwrap();
+        let parts = &homework.slots[0].asked().unwrap().parts;
+        assert!(parts.iter().all(|part| homework.slots[0].worth[&part.id] == Rational::from(part.points)));
     }
 
     #[test]
     fn points_are_whole_where_they_are_multiplied() {
-        let own = homework("  - { problem: impact/two-carts, points: 10, weights: { v_A2: 1, v_B2: 1, T_lost: 1 } }\n");
-        assert_eq!(own.unwrap().slots[0].whole_points(), (vec![10, 10, 10], 3));
+        let homework =
+            homework("  - { problem: impact/two-carts, points: 10, weights: { v_A2: 1, v_B2: 1, T_lost: 1 } }\n");
+        assert_eq!(homework.unwrap().slots[0].whole_points(), (vec![10, 10, 10], 3));
     }
 
     #[test]
     fn the_same_problem_twice_has_other_numbers_and_the_first_those_of_the_problem_alone() {
-        let own = homework("  - problem: impact/two-carts\n  - problem: impact/two-carts\n").unwrap();
+        let homework = homework("  - problem: impact/two-carts\n  - problem: impact/two-carts\n").unwrap();
         let seeds = SeedSource::default();
-        let [first, second] = [0, 1].map(|place| own.slots[place].seed("s17", seeds));
-        assert_eq!(first, seeds.seed("s17", "impact/two-carts", own.slots[0].form_name()));
+        let [first, second] = [0, 1].map(|place| homework.slots[place].seed("s17", seeds));
+        assert_eq!(first, seeds.seed("s17", "impact/two-carts", homework.slots[0].form_name()));
         assert_ne!(first, second);
-        assert_eq!(own.slots[0].numbered_seed(7), 7);
-        assert_ne!(own.slots[1].numbered_seed(7), 7);
+        assert_eq!(homework.slots[0].numbered_seed(7), 7);
+        assert_ne!(homework.slots[1].numbered_seed(7), 7);
     }
 
     #[test]

@@ -114,8 +114,8 @@ impl Promise {
     }
 
     fn said(self) -> (&'static str, &'static str) {
-        let own = SAID.iter().find(|(promise, ..)| *promise == self);
-        own.map_or(("", ""), |(_, name, sentence)| (*name, *sentence))
+        let said = SAID.iter().find(|(promise, ..)| *promise == self);
+        said.map_or(("", ""), |(_, name, sentence)| (*name, *sentence))
     }
 }
 
@@ -144,7 +144,7 @@ impl Outcome {
     pub(super) fn acknowledged(self, promise: Promise, reasons: &[(Path, String, String)]) -> Self {
         match (self, reasons.iter().find(|(_, name, _)| name == promise.name())) {
             (Self::Noted(remark), Some((.., reason))) => Self::Acknowledged { remark, reason: reason.clone() },
-            (own, _) => own,
+            (outcome, _) => outcome,
         }
     }
 

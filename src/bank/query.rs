@@ -37,9 +37,9 @@ impl Query {
             .chain(RELATIVES.iter().flat_map(|(phrases, _)| *phrases).flat_map(|phrase| phrase.split_whitespace()))
             .chain(IDLE)
             .collect();
-        let is_known = |word: &str| known.range(word..).next().is_some_and(|own| own.starts_with(word));
+        let is_known = |word: &str| known.range(word..).next().is_some_and(|range| range.starts_with(word));
         let meant = |word: &str| {
-            let near = || did_you_mean(word, known.iter().copied().filter(|own| own.len() >= SHORTEST));
+            let near = || did_you_mean(word, known.iter().copied().filter(|known| known.len() >= SHORTEST));
             let is_short = word.chars().count() < SHORTEST;
             if is_short || is_known(word) { word.to_owned() } else { near().unwrap_or(word).to_owned() }
         };
@@ -63,10 +63,12 @@ fn wanted(words: &[String]) -> Vec<Vec<String>> {
     while let Some(word) = words.get(at) {
         let phrase = |(phrases, relatives): &(&'static [&'static str], &'static [&'static str])| {
             let length = |phrase: &&str| {
-                let own: Vec<&str> = phrase.split_whitespace().collect();
-                let is_here =
-                    own.iter().enumerate().all(|(place, part)| words.get(at + place).is_some_and(|own| own == part));
-                is_here.then_some(own.len())
+                let phrase: Vec<&str> = phrase.split_whitespace().collect();
+                let is_here = phrase
+                    .iter()
+                    .enumerate()
+                    .all(|(place, part)| words.get(at + place).is_some_and(|word| word == part));
+                is_here.then_some(phrase.len())
             };
             phrases.iter().filter_map(length).max().map(|length| (length, *relatives))
         };

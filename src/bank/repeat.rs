@@ -41,7 +41,10 @@ pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) ->
         let again = Exercise::typed(problem, form, seed, &sources, &[]);
         let [ours, theirs] = [meant(&first), again.map(|again| meant(&again)).unwrap_or_default()];
         let other = |id: &String, answers: &[(String, String)]| {
-            answers.iter().find(|(own, _)| own == id).map_or_else(|| "no answer".to_owned(), |(_, other)| other.clone())
+            answers
+                .iter()
+                .find(|(answer, _)| answer == id)
+                .map_or_else(|| "no answer".to_owned(), |(_, other)| other.clone())
         };
         let said = |id: &String, answer: &str, other: String| {
             format!("with seed {seed}, `{id}` is {answer}, but the printed numbers give {other}")
@@ -107,7 +110,7 @@ fn meant(exercise: &Exercise) -> Vec<(String, String)> {
     let described = |part: &Part| match &part.kind {
         PartKind::Choice(choice @ ChoicePart::Pictured(pictured)) => {
             let right = choice.decided(&worked).right;
-            offered_pictures(worked, pictured).into_iter().nth(right).map(|own| own.description)
+            offered_pictures(worked, pictured).into_iter().nth(right).map(|drawing| drawing.description)
         }
         _ => None,
     };

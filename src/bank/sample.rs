@@ -84,18 +84,18 @@ impl Samples {
 
     fn of_range(problem: &Problem, form: usize, start: u64, end: u64) -> Result<Self, NoVariant> {
         let mut sampler = Sampler::new(problem, form)?;
-        let mut own = Self::default();
+        let mut samples = Self::default();
         for seed in start..end {
             match sampler.variant(seed) {
-                Ok(variant) => own.drawn.extend(Sample::of(problem, &variant)),
+                Ok(variant) => samples.drawn.extend(Sample::of(problem, &variant)),
                 Err(reason) => {
-                    own.failed.push(seed);
-                    own.reason.get_or_insert(reason);
+                    samples.failed.push(seed);
+                    samples.reason.get_or_insert(reason);
                 }
             }
         }
-        own.rejected = sampler.rejected();
-        Ok(own)
+        samples.rejected = sampler.rejected();
+        Ok(samples)
     }
 
     /// The share of attempts that were not rejected.

@@ -44,7 +44,7 @@ impl Section {
     /// ```
     #[must_use]
     pub fn of(card: &Card) -> Self {
-        let has = |tag: &str| card.tags.iter().any(|own| own == tag);
+        let has = |tag: &str| card.tags.iter().any(|listed| listed == tag);
         let rows = || SECTIONS.iter().enumerate().filter(|(_, (_, _, topic, _))| *topic == card.topic);
         // Of those of a topic the one that takes some of its problems comes before the one that takes the rest.
         let some = rows().find(|(_, (.., tag))| tag.is_some_and(has));

@@ -13,8 +13,9 @@ pub(super) fn plain(text: &str) -> String {
         .flat_map(char::to_lowercase)
         .collect();
     let spelt = |word: &str| {
-        let found =
-            SPELLINGS.iter().find_map(|(other, own)| word.strip_prefix(other).map(|ending| format!("{own}{ending}")));
+        let found = SPELLINGS
+            .iter()
+            .find_map(|(other, spelling)| word.strip_prefix(other).map(|ending| format!("{spelling}{ending}")));
         found.unwrap_or_else(|| word.to_owned())
     };
     without.split_whitespace().map(spelt).collect::<Vec<_>>().join(" ")

@@ -66,12 +66,12 @@ impl Diagnose {
         };
         let found: Vec<Diagnosed> = sources.par_iter().map(look).collect::<Result<_, _>>()?;
         bar.finish_and_clear();
-        let total = found.iter().fold(Tally::default(), |sum, own| sum.plus(&own.tally));
+        let total = found.iter().fold(Tally::default(), |sum, diagnosed| sum.plus(&diagnosed.tally));
         match self.format {
             Listing::Text => self.write_table(&mut output, &found, &total)?,
             Listing::Json => {
-                for own in &found {
-                    writeln!(output, "{}", record(own))?;
+                for diagnosed in &found {
+                    writeln!(output, "{}", record(diagnosed))?;
                 }
             }
         }
@@ -80,17 +80,23 @@ impl Diagnose {
     }
 
     fn write_table(&self, output: &mut Output, found: &[Diagnosed], total: &Tally) -> Result<(), Failure> {
-        let width = found.iter().map(|own| own.problem.len()).max().unwrap_or(0).max("problem".len());
+        let width = found.iter().map(|diagnosed| diagnosed.problem.len()).max().unwrap_or(0).max("problem".len());
         writeln!(
             output,
             "{:width$}  mistakes  students    right  shared  another     none  hidden  honest  wronged",
             "problem"
         )?;
-        for own in found {
-            writeln!(output, "{:width$}  {:8}{}", own.problem, own.mistakes.len(), cells(&own.tally))?;
+        for diagnosed in found {
+            writeln!(
+                output,
+                "{:width$}  {:8}{}",
+                diagnosed.problem,
+                diagnosed.mistakes.len(),
+                cells(&diagnosed.tally)
+            )?;
         }
         let kinds: std::collections::BTreeSet<&str> =
-            found.iter().flat_map(|own| own.mistakes.iter().copied()).collect();
+            found.iter().flat_map(|diagnosed| diagnosed.mistakes.iter().copied()).collect();
         writeln!(output, "{:width$}  {:8}{}", "in total", kinds.len(), cells(total))?;
         if self.confused {
             let mut pairs: Vec<_> = total.confused.iter().collect();
@@ -132,16 +138,16 @@ fn cells(tally: &Tally) -> String {
     )
 }
 
-fn record(own: &Diagnosed) -> serde_json::Value {
-    let tally = &own.tally;
+fn record(diagnosed: &Diagnosed) -> serde_json::Value {
+    let tally = &diagnosed.tally;
     let confused: Vec<_> = tally
         .confused
         .iter()
         .map(|((made, taken), count)| json!({ "made": made, "taken_for": taken, "count": count }))
         .collect();
     json!({
-        "problem": own.problem,
-        "mistakes": own.mistakes,
+        "problem": diagnosed.problem,
+        "mistakes": diagnosed.mistakes,
         "students": tally.students,
         "right": tally.right,
         "shared": tally.shared,

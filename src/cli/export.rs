@@ -107,7 +107,7 @@ impl Mathematics {
 
 /// Reads the name of a target.
 fn target() -> impl TypedValueParser<Value = &'static Target> {
-    let known = TARGETS.iter().map(|own| PossibleValue::new(own.name).help(own.about));
+    let known = TARGETS.iter().map(|target| PossibleValue::new(target.name).help(target.about));
     PossibleValuesParser::new(known).try_map(|name| Target::named(&name).ok_or("no such target"))
 }
 
@@ -211,7 +211,7 @@ impl Export {
 fn report(held: &BTreeMap<Feature, u64>, target: &Target) -> String {
     let mut text = String::from("did not go along as it is (questions): what stands in its place");
     for (feature, what, places) in FEATURES {
-        let place = TARGETS.iter().zip(places).find(|(own, _)| own.name == target.name);
+        let place = TARGETS.iter().zip(places).find(|(listed, _)| listed.name == target.name);
         let (Some(count), Some((_, place))) = (held.get(&feature), place) else { continue };
         let _ = match place {
             Place::Whole(_) => Ok(()),

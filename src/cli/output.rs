@@ -54,8 +54,8 @@ impl Output {
             }
             found => {
                 // What is its owner's alone replaces a link or a pipe, which somebody else may have put there.
-                let own = if readers == Readers::Owner { path.to_owned() } else { behind_links(path) };
-                let pending = Pending::at(own, found.ok().as_ref(), readers);
+                let target = if readers == Readers::Owner { path.to_owned() } else { behind_links(path) };
+                let pending = Pending::at(target, found.ok().as_ref(), readers);
                 Ok(Self::File(Box::new(pending.map_err(written)?)))
             }
         }

@@ -75,7 +75,7 @@ impl Held {
 
 /// The folder with the course's own templates, where there is one.
 pub(super) fn templates() -> Option<PathBuf> {
-    Some(course_folder().join(TEMPLATES)).filter(|own| own.is_dir())
+    Some(course_folder().join(TEMPLATES)).filter(|folder| folder.is_dir())
 }
 
 /// The renderer with the templates of the current folder, where there are some.

@@ -38,12 +38,12 @@ pub(super) struct Templates {
 impl Templates {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let known: Vec<(&str, &str)> = built_in_templates().collect();
-        if let Some(unknown) = self.names.iter().find(|name| known.iter().all(|(own, _)| own != name)) {
-            let near = did_you_mean(unknown, known.iter().map(|(own, _)| *own));
+        if let Some(unknown) = self.names.iter().find(|name| known.iter().all(|(listed, _)| listed != name)) {
+            let near = did_you_mean(unknown, known.iter().map(|(name, _)| *name));
             let near = near.map(|near| format!("\nhelp: did you mean `{near}`?")).unwrap_or_default();
             return Err(Failure::unusable(format!("there is no template `{unknown}`{near}")));
         }
-        let is_meant = |name: &str| self.names.is_empty() || self.names.iter().any(|own| own == name);
+        let is_meant = |name: &str| self.names.is_empty() || self.names.iter().any(|named| named == name);
         let mut output = Output::to(None)?;
         for (name, text) in known.into_iter().filter(|(name, _)| is_meant(name)) {
             let path = self.folder.join(name);

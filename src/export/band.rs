@@ -48,18 +48,19 @@ impl Band<'_> {
 pub(super) fn bands(item: &NumberItem, out_of: u32) -> Vec<Band<'_>> {
     let mut joined: Vec<Band<'_>> = Vec::new();
     for window in &item.windows {
-        let own = band(window, out_of);
+        let all_bands = band(window, out_of);
         match joined.last_mut() {
-            Some(last) if last.high >= own.low && last.is_marked_as(&own) => last.high = own.high,
-            _ => joined.push(own),
+            Some(last) if last.high >= all_bands.low && last.is_marked_as(&all_bands) => last.high = all_bands.high,
+            _ => joined.push(all_bands),
         }
     }
-    let is_elsewhere = |own: &Band<'_>| !(own.low..=own.high).contains(&item.right);
+    let is_elsewhere = |band: &Band<'_>| !(band.low..=band.high).contains(&item.right);
     joined.sort_by(|left, right| right.share.total_cmp(&left.share).then(is_elsewhere(left).cmp(&is_elsewhere(right))));
     // A direction may be off by whole turns.
     let turns = item.turn.map_or(vec![0.0], |turn| vec![0.0, turn, -turn]);
-    let turned =
-        |turn: f64| joined.iter().map(move |own| Band { low: own.low + turn, high: own.high + turn, ..own.clone() });
+    let turned = |turn: f64| {
+        joined.iter().map(move |band| Band { low: band.low + turn, high: band.high + turn, ..band.clone() })
+    };
     turns.into_iter().flat_map(turned).collect()
 }
 
@@ -78,7 +79,7 @@ pub(super) fn printed(item: &NumberItem) -> String {
     let digits = item.figures.max(1) - 1;
     let scientific = format!("{:.digits$e}", item.right);
     let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let places = exponent.and_then(|own| i32::try_from(digits).ok()?.checked_sub(own));
+    let places = exponent.and_then(|exponent| i32::try_from(digits).ok()?.checked_sub(exponent));
     match places.and_then(|places| usize::try_from(places).ok()).filter(|places| *places <= MOST_PLACES) {
         Some(places) => format!("{:.places$}", item.right),
         None => scientific,

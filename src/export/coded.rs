@@ -76,7 +76,7 @@ impl Coded {
             } else {
                 answer(asking.part, asking.fields.len())
             },
-            fields: asking.fields.iter().map(|own| own.name.clone()).collect(),
+            fields: asking.fields.iter().map(|field| field.name.clone()).collect(),
         };
         Self {
             code: question.item.code.clone(),
@@ -118,7 +118,8 @@ fn answer(part: &ItemPart, fields: usize) -> String {
         return FIELD.to_owned();
     }
     let words = part.printed.split(' ');
-    let words = words.map(|word| number_in(word).map_or_else(|| word.to_owned(), |own| word.replacen(own, FIELD, 1)));
+    let words =
+        words.map(|word| number_in(word).map_or_else(|| word.to_owned(), |digits| word.replacen(digits, FIELD, 1)));
     let answer = words.collect::<Vec<_>>().join(" ");
     if answer.matches(FIELD).count() == fields { answer } else { vec![FIELD; fields].join("; ") }
 }

@@ -43,11 +43,11 @@ pub(super) fn fields(part: &ItemPart) -> Vec<Field<'_>> {
     let asked: Vec<(String, Asked<'_>)> = match &part.answers {
         ItemAnswers::Number(item) => vec![(String::new(), Asked::Number(item))],
         ItemAnswers::Roots(all) => {
-            all.iter().zip(places(all.len())).map(|(own, place)| (place, Asked::Number(own))).collect()
+            all.iter().zip(places(all.len())).map(|(number, place)| (place, Asked::Number(number))).collect()
         }
         ItemAnswers::Vector { axes, components } => {
             let named = axes.iter().map(|axis| format!("{axis}:"));
-            named.zip(components).map(|(caption, own)| (caption, Asked::Number(own))).collect()
+            named.zip(components).map(|(caption, number)| (caption, Asked::Number(number))).collect()
         }
         ItemAnswers::Interval { low, high } => {
             let ends = [("from", low), ("to", high)].into_iter();
@@ -63,11 +63,11 @@ pub(super) fn fields(part: &ItemPart) -> Vec<Field<'_>> {
         }
         ItemAnswers::Formula { mistaken, .. } if mistaken.is_empty() => Vec::new(),
         ItemAnswers::Formula { right, mistaken } => {
-            let wrong = mistaken.iter().map(|(own, feedback)| formula(own, false, feedback.clone()));
+            let wrong = mistaken.iter().map(|(item, feedback)| formula(item, false, feedback.clone()));
             let mut options: Vec<Choice<'_>> =
                 std::iter::once(formula(right, true, String::new())).chain(wrong).collect();
             // Their order must not tell which is right.
-            options.sort_by_key(|own| own.text);
+            options.sort_by_key(|choice| choice.text);
             vec![(String::new(), Asked::Choice(options))]
         }
     };
@@ -79,8 +79,8 @@ pub(super) fn fields(part: &ItemPart) -> Vec<Field<'_>> {
     named.collect()
 }
 
-fn formula(own: &FormulaItem, right: bool, feedback: String) -> Choice<'_> {
-    Choice { text: &own.text, math: own.math.as_ref(), right, feedback }
+fn formula(item: &FormulaItem, right: bool, feedback: String) -> Choice<'_> {
+    Choice { text: &item.text, math: item.math.as_ref(), right, feedback }
 }
 
 /// What stands before several values of one quantity, from the smallest.

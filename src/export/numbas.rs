@@ -95,8 +95,8 @@ impl<W: Write> Numbas<W> {
 }
 
 fn question(question: &Question<'_>) -> Result<Value, Faults> {
-    let mut pictures = Pictures::new("", |markup, own| {
-        markup.picture(&format!("data:image/svg+xml;base64,{}", base64(own.svg.as_bytes())), own.drawing)
+    let mut pictures = Pictures::new("", |markup, picture| {
+        markup.picture(&format!("data:image/svg+xml;base64,{}", base64(picture.svg.as_bytes())), picture.drawing)
     });
     let statement = question.statement(MARKUP, &mut pictures)?;
     let writing = question.writing(MARKUP, TypedUnit::Never);
@@ -137,9 +137,10 @@ fn part(asking: &Asking<'_>, field: &Field<'_>, labelled: bool) -> Value {
         Asked::Number(number) => {
             let bands = bands(number, asking.part.field.points);
             let (right, others) = bands.split_first().map_or((None, &[][..]), |(first, rest)| (Some(first), rest));
-            let mut part = right.map_or_else(|| json!({}), |own| window(own, asking.weight));
+            let mut part = right.map_or_else(|| json!({}), |band| window(band, asking.weight));
             part["displayAnswer"] = json!(number.right.to_string());
-            part["alternatives"] = others.iter().zip(1..).map(|(own, place)| alternative(own, place, asking)).collect();
+            part["alternatives"] =
+                others.iter().zip(1..).map(|(band, place)| alternative(band, place, asking)).collect();
             part
         }
     };
@@ -175,13 +176,13 @@ fn alternative(band: &Band<'_>, place: usize, asking: &Asking<'_>) -> Value {
 }
 
 fn choice(options: &[Choice<'_>], weight: u32) -> Value {
-    let matrix = options.iter().map(|own| if own.right { weight } else { 0 });
+    let matrix = options.iter().map(|choice| if choice.right { weight } else { 0 });
     json!({
         "type": "1_n_2", "marks": 0, "minMarks": 0, "maxMarks": 0, "shuffleChoices": false,
         "displayType": "radiogroup", "displayColumns": 0, "showCellAnswerState": true,
-        "choices": options.iter().map(|own| literal(&own.shown(MARKUP))).collect::<Vec<_>>(),
+        "choices": options.iter().map(|choice| literal(&choice.shown(MARKUP))).collect::<Vec<_>>(),
         "matrix": matrix.collect::<Vec<_>>(),
-        "distractors": options.iter().map(|own| literal(&said(MARKUP, std::slice::from_ref(&own.feedback)))).collect::<Vec<_>>(),
+        "distractors": options.iter().map(|choice| literal(&said(MARKUP, std::slice::from_ref(&choice.feedback)))).collect::<Vec<_>>(),
     })
 }
 

@@ -93,9 +93,9 @@ impl<'i> Question<'i> {
             let with_unit = if several { Feature::UnitsOfSeveral } else { Feature::Units };
             held.extend(asking.part.field.unit.is_some().then_some(with_unit));
             let bands = bands(number, asking.part.field.points);
-            held.extend(bands.iter().any(|own| !own.feedback.is_empty()).then_some(Feature::Mistakes));
-            held.extend(bands.iter().any(|own| own.share > 0.0 && !own.is_full()).then_some(Feature::Credit));
-            held.extend((several && bands.iter().any(|own| own.is_coarse)).then_some(Feature::PowersOfTen));
+            held.extend(bands.iter().any(|band| !band.feedback.is_empty()).then_some(Feature::Mistakes));
+            held.extend(bands.iter().any(|band| band.share > 0.0 && !band.is_full()).then_some(Feature::Credit));
+            held.extend((several && bands.iter().any(|band| band.is_coarse)).then_some(Feature::PowersOfTen));
         }
         held.extend((self.asked.len() > 1).then_some(Feature::FollowThrough));
         held.extend((!item.sheet.hints.is_empty()).then_some(Feature::Hints));
@@ -178,7 +178,7 @@ impl<'i> Question<'i> {
 
     /// The code of the variant, and of a field, as it is printed: by it a response is found again.
     pub(super) fn code(&self, markup: Markup, field: Option<&Field<'_>>) -> String {
-        let field = field.map(|own| format!("-{}", own.name)).unwrap_or_default();
+        let field = field.map(|field| format!("-{}", field.name)).unwrap_or_default();
         markup.paragraph(&markup.text(&format!("[{}{field}]", self.item.code)))
     }
 
@@ -268,7 +268,7 @@ impl Pictures {
 
     /// Pictures that are addressed by their names.
     pub fn named(prefix: impl Into<String>) -> Self {
-        Self::new(prefix, |markup, own| markup.picture(own.name, own.drawing))
+        Self::new(prefix, |markup, picture| markup.picture(picture.name, picture.drawing))
     }
 
     fn show(&mut self, markup: Markup, drawing: &Drawing) -> String {
@@ -283,5 +283,5 @@ impl Pictures {
 
 /// The least number that both divide; the left one where there is none so small.
 fn least_common_multiple(left: u32, right: u32) -> u32 {
-    (1..=right).filter_map(|times| left.checked_mul(times)).find(|own| own % right == 0).unwrap_or(left)
+    (1..=right).filter_map(|times| left.checked_mul(times)).find(|multiple| multiple % right == 0).unwrap_or(left)
 }

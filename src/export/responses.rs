@@ -41,7 +41,7 @@ impl<'c> Responses<'c> {
     /// # Errors
     /// Where there is no such column.
     pub fn new(codes: &'c [Coded], headings: &[String], student: Option<&str>) -> Result<Self, String> {
-        let place = |name: &str| headings.iter().position(|own| own.trim().eq_ignore_ascii_case(name));
+        let place = |name: &str| headings.iter().position(|heading| heading.trim().eq_ignore_ascii_case(name));
         let known = match student {
             Some(name) => place(name),
             None => STUDENTS.iter().find_map(|name| place(name)),
@@ -50,7 +50,7 @@ impl<'c> Responses<'c> {
             let wanted = student.map_or_else(|| STUDENTS.join("`, `"), str::to_owned);
             format!("there is no column `{wanted}`\nhelp: name the column by which students are known with --student")
         })?;
-        let codes = codes.iter().map(|own| (own.code.as_str(), own)).collect();
+        let codes = codes.iter().map(|coded| (coded.code.as_str(), coded)).collect();
         Ok(Self { codes, headings: headings.to_vec(), student })
     }
 
@@ -63,13 +63,13 @@ impl<'c> Responses<'c> {
     /// Whether the questions stand in the headings, as in Canvas.
     #[must_use]
     pub fn is_of_canvas(&self) -> bool {
-        self.headings.iter().any(|own| self.code_in(own).is_some())
+        self.headings.iter().any(|heading| self.code_in(heading).is_some())
     }
 
     /// The number of the attempt, where the table says it.
     #[must_use]
     pub fn attempt(&self, cells: &[&str]) -> Option<u64> {
-        let is_number = |own: &String| ATTEMPTS.iter().any(|name| own.trim().eq_ignore_ascii_case(name));
+        let is_number = |heading: &String| ATTEMPTS.iter().any(|name| heading.trim().eq_ignore_ascii_case(name));
         cells.get(self.headings.iter().position(is_number)?)?.trim().parse().ok()
     }
 
@@ -85,13 +85,16 @@ impl<'c> Responses<'c> {
         for (place, (cell, heading)) in cells.iter().zip(&self.headings).enumerate() {
             if let Some((coded, _)) = self.code_in(cell) {
                 let text = cells.iter().zip(&self.headings).skip(place + 1);
-                let own = text.filter(|(_, own)| number_of(own) == number_of(heading)).map(|(cell, _)| *cell).next();
+                let other = text
+                    .filter(|(_, cell_text)| number_of(cell_text) == number_of(heading))
+                    .map(|(cell, _)| *cell)
+                    .next();
                 let fields: Vec<&str> = coded.fields().collect();
-                all.push(response(coded, split(own.unwrap_or_default(), &fields)));
+                all.push(response(coded, split(other.unwrap_or_default(), &fields)));
             } else if let Some((coded, Some(field))) = self.code_in(heading).filter(|_| !cell.trim().is_empty()) {
                 let typed = (field, (*cell).to_owned());
-                match all.iter_mut().find(|own| own.coded == coded) {
-                    Some(own) => own.typed.push(typed),
+                match all.iter_mut().find(|response| response.coded == coded) {
+                    Some(response) => response.typed.push(typed),
                     None => all.push(response(coded, vec![typed])),
                 }
             }
@@ -159,7 +162,7 @@ mod tests {
         let part = |id: &str, answer: &str, fields: &[&str]| CodedPart {
             id: id.to_owned(),
             answer: answer.to_owned(),
-            fields: fields.iter().map(|own| (*own).to_owned()).collect(),
+            fields: fields.iter().map(|field| (*field).to_owned()).collect(),
         };
         let parts =
             vec![part("v", "{} m/s", &["a"]), part("p", "({}, {}) kg m/s", &["b1", "b2"]), part("k", "{}", &["c"])];
@@ -185,7 +188,9 @@ mod tests {
         let responses = Responses::new(&codes, &headings, None).unwrap();
         let cells: Vec<&str> = row.split('|').collect();
         let found = responses.of_row(&cells).into_iter();
-        found.map(|own| (own.student, own.coded.code.clone(), own.coded.answers(&own.typed))).collect()
+        found
+            .map(|response| (response.student, response.coded.code.clone(), response.coded.answers(&response.typed)))
+            .collect()
     }
 
     fn answers(all: &[(&str, &str)]) -> Vec<(String, String)> {

@@ -169,7 +169,7 @@ fn variant(question: &Question<'_>) -> Result<String, NotWritten> {
     let solution = question.solution(MARKUP, &mut pictures)?;
     let fields: Vec<Answer> = question.fields().map(|(asking, field)| answer(asking, field)).collect();
     let joined = |of: fn(&Answer) -> &str| string(&fields.iter().map(of).collect::<Vec<_>>().join("|"));
-    let listed: Vec<String> = fields.iter().flat_map(|own| &own.listed).map(|text| string(text)).collect();
+    let listed: Vec<String> = fields.iter().flat_map(|answer| &answer.listed).map(|text| string(text)).collect();
     let figure = |((name, svg), tikz): (&(String, String), &String)| {
         let name = name.trim_end_matches(".svg");
         format!("{} = list(svg = {},\n    tikz = {})", string(name), string(svg), string(tikz))
@@ -182,10 +182,10 @@ fn variant(question: &Question<'_>) -> Result<String, NotWritten> {
         string(&for_latex(&text)),
         string(&for_latex(&solution)),
         listed.join(", "),
-        joined(|own| own.kind),
-        joined(|own| &own.right),
-        joined(|own| &own.tolerance),
-        joined(|own| &own.points),
+        joined(|answer| answer.kind),
+        joined(|answer| &answer.right),
+        joined(|answer| &answer.tolerance),
+        joined(|answer| &answer.points),
         figures.join(",\n    "),
     ))
 }
@@ -218,19 +218,19 @@ fn answer(asking: &Asking<'_>, field: &Field<'_>) -> Answer {
     match &field.asked {
         Asked::Number(number) => {
             let bands = bands(number, asking.part.field.points);
-            let right = bands.iter().find(|own| own.is_full());
+            let right = bands.iter().find(|band| band.is_full());
             // The right value as it is printed; everything that is right lies within the tolerance of it.
             let printed = printed(number);
             let value: f64 = printed.parse().unwrap_or(number.right);
-            let reach = right.map_or(0.0, |own| own.reach_from(value)).to_string();
+            let reach = right.map_or(0.0, |band| band.reach_from(value)).to_string();
             let label = format!("({}) {}", field.name, field.caption);
             let listed = format!("{} {}", MARKUP.text(label.trim()), asking.unit(MARKUP));
             Answer { kind: "num", listed: vec![listed.trim_end().to_owned()], right: printed, tolerance: reach, points }
         }
         Asked::Choice(options) => Answer {
             kind: "schoice",
-            listed: options.iter().map(|own| own.shown(MARKUP)).collect(),
-            right: options.iter().map(|own| if own.right { '1' } else { '0' }).collect(),
+            listed: options.iter().map(|option| option.shown(MARKUP)).collect(),
+            right: options.iter().map(|option| if option.right { '1' } else { '0' }).collect(),
             tolerance: "0".to_owned(),
             points,
         },

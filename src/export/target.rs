@@ -88,7 +88,7 @@ impl Target {
     /// ```
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
-        TARGETS.iter().find(|own| own.name == name)
+        TARGETS.iter().find(|target| target.name == name)
     }
 
     /// Whether students type the unit of a question.

@@ -52,8 +52,8 @@ impl Again {
 impl Field {
     fn of((name, value): &(String, String)) -> Self {
         // The fields of a row are `item.0.key`, `item.0.points`.
-        let own = name.rsplit('.').next().unwrap_or(name);
-        let kind = if OF_PAGES.contains(&own) && !name.starts_with(ANSWER) {
+        let last_name = name.rsplit('.').next().unwrap_or(name);
+        let kind = if OF_PAGES.contains(&last_name) && !name.starts_with(ANSWER) {
             Kind::Hidden
         } else if PASSWORDS.contains(&name.as_str()) {
             Kind::Password
@@ -78,7 +78,8 @@ mod tests {
         let pair = |(name, value): (&str, &str)| (name.to_owned(), value.to_owned());
         let typed = [("request", "ab12"), ("answer.v_A2", "1 m/s"), ("table", "id\nada"), ("password", "secret")];
         let again = Again::of("/b", "/x", &Parameters::all_of(typed.map(pair).into())).unwrap();
-        let shown: Vec<_> = again.fields.iter().map(|own| (own.label.as_str(), own.value.as_str(), own.kind)).collect();
+        let shown: Vec<_> =
+            again.fields.iter().map(|field| (field.label.as_str(), field.value.as_str(), field.kind)).collect();
         let expected = [
             ("request", "ab12", Kind::Hidden),
             ("v_A2", "1 m/s", Kind::Line),

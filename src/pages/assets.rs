@@ -91,15 +91,15 @@ impl Assets {
     /// # Errors
     /// Where a file of that folder cannot be read.
     pub fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
-        let own = |name: &str, built_in: &'static [u8]| match overrides {
+        let file_of = |name: &str, built_in: &'static [u8]| match overrides {
             None => Ok(Cow::Borrowed(built_in)),
             Some(folder) => overridden(&folder.join(FOLDER).join(name), built_in),
         };
-        let pages = own(STYLE, PAGES)?;
+        let pages = file_of(STYLE, PAGES)?;
         let style = [TOKENS.as_bytes(), DOCUMENTS.as_bytes(), style_sheet().as_bytes(), &pages].join(&b'\n');
-        let mut files = vec![(STYLE, Cow::Owned(style)), (FONT, own(FONT, MATH_FONT)?)];
+        let mut files = vec![(STYLE, Cow::Owned(style)), (FONT, file_of(FONT, MATH_FONT)?)];
         for (name, bytes) in BUILT_IN {
-            files.push((name, own(name, bytes)?));
+            files.push((name, file_of(name, bytes)?));
         }
         let mut hasher = Sha256::new();
         for (name, bytes) in &files {

@@ -34,7 +34,7 @@ impl Parameters {
     /// The value of a name; nothing where it is empty.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&str> {
-        self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
+        self.0.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
     }
 
     /// What stands in a field; an empty text where it is not there.
@@ -46,12 +46,12 @@ impl Parameters {
     /// Whether a name is there, but without a value.
     #[must_use]
     pub fn is_empty(&self, name: &str) -> bool {
-        self.0.iter().find(|(own, _)| own == name).is_some_and(|(_, value)| value.trim().is_empty())
+        self.0.iter().find(|(key, _)| key == name).is_some_and(|(_, value)| value.trim().is_empty())
     }
 
     /// Every value of a name that may come several times.
     pub fn all(&self, name: &str) -> impl Iterator<Item = &str> {
-        self.0.iter().filter(move |(own, _)| own == name).map(|(_, value)| value.as_str())
+        self.0.iter().filter(move |(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
     /// A whole number, where there is one.
@@ -78,11 +78,11 @@ impl Parameters {
     /// What stands behind a prefix: `set.m_A` as `m_A`. Empty values are left out.
     #[must_use]
     pub fn behind(&self, prefix: &str) -> BTreeMap<String, String> {
-        let own = |(name, value): &(String, String)| {
+        let entry = |(name, value): &(String, String)| {
             let name = name.strip_prefix(prefix)?;
             (!value.trim().is_empty()).then(|| (name.to_owned(), value.clone()))
         };
-        self.0.iter().filter_map(own).collect()
+        self.0.iter().filter_map(entry).collect()
     }
 
     /// The variant of a problem that the fields name: `form`, `seed`, values of the reader's own as `set.m_A`, and in `find` names

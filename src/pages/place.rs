@@ -37,7 +37,7 @@ pub(super) struct FormLink {
 impl Place {
     pub(super) fn of(exercise: &Exercise, variant: &VariantRequest) -> Result<Self, Refused> {
         let labels = if variant.is_typed() { Vec::new() } else { exercise.form_labels() };
-        let link = |own: FormLabel| FormLink { label: Fragment::inline(&own.label), name: own.name };
+        let link = |label: FormLabel| FormLink { label: Fragment::inline(&label.label), name: label.name };
         let forms: Vec<FormLink> = labels.into_iter().map(link).collect();
         let form = exercise.worked().form.question.name.clone();
         let mut fields: Vec<(String, String)> = form.iter().map(|form| ("form".to_owned(), form.clone())).collect();

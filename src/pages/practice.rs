@@ -129,17 +129,17 @@ fn read(
     fields: &Parameters,
 ) -> Result<Vec<ReadResponse>, Refused> {
     let typed = |id: &str| answers.get(id).map_or("", String::as_str);
-    let own = sheet.fields.iter();
-    own.map(|field| ReadResponse::of(exercise, &field.id, typed(&field.id), fields.decimal())).collect()
+    let fields_of_sheet = sheet.fields.iter();
+    fields_of_sheet.map(|field| ReadResponse::of(exercise, &field.id, typed(&field.id), fields.decimal())).collect()
 }
 
 /// An easier problem on the same matter that is not withheld from the reader.
 fn easier(view: &View<'_>, id: &str) -> Result<Option<Easier>, Refused> {
     let exhibits = view.pages.library.exhibits()?;
     let cards = || exhibits.iter().map(|exhibit| &exhibit.card);
-    let Some(own) = cards().find(|card| card.id == id) else { return Ok(None) };
+    let Some(card_of_problem) = cards().find(|card| card.id == id) else { return Ok(None) };
     let is_open = |card: &&Card| view.is_open(&card.id);
-    let offered = own.easier(cards().filter(is_open));
+    let offered = card_of_problem.easier(cards().filter(is_open));
     Ok(offered.map(|card| Easier { id: card.id.clone(), title: card.title.clone() }))
 }
 

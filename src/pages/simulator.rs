@@ -136,7 +136,7 @@ impl<Shown> SimulatorPage<Shown> {
 fn request(controls: &[ControlField], fields: &Parameters) -> Result<SimulatorRequest, Refused> {
     let mut request =
         SimulatorRequest { method: fields.get("method").map(str::to_owned), ..SimulatorRequest::default() };
-    let is_said = |own: &&ControlField| !(own.control.is_optional && own.value.is_empty());
+    let is_said = |field: &&ControlField| !(field.control.is_optional && field.value.is_empty());
     for ControlField { control, value } in controls.iter().filter(is_said) {
         request.values.insert(control.name.to_owned(), number((control.name, control.label), value)?);
     }

@@ -66,8 +66,8 @@ pub(super) fn solve(view: &View<'_>, problem: String, fields: &Parameters) -> Re
     let exercise = engine.draw(&drawn)?;
     engine.problems.own_numbers(exercise.problem())?;
     let solved = asked.is_typed().then(|| {
-        let own = engine.typed(exercise.problem(), exercise.variant().form(), &asked)?;
-        engine.solution_of(&own, None, Detail::Short)
+        let exercise = engine.typed(exercise.problem(), exercise.variant().form(), &asked)?;
+        engine.solution_of(&exercise, None, Detail::Short)
     });
     let (solved, refused) = match solved {
         None => (None, None),

@@ -62,23 +62,27 @@ pub(super) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refu
     let exhibits = view.pages.library.exhibits()?;
     let mut all: Vec<&Exhibit> = exhibits.iter().collect();
     // Within a section the easier ones come first.
-    all.sort_by_key(|own| {
-        (own.section.place, own.section.name.as_str(), LEVELS.iter().position(|(name, _)| *name == own.card.level))
+    all.sort_by_key(|exhibit| {
+        (
+            exhibit.section.place,
+            exhibit.section.name.as_str(),
+            LEVELS.iter().position(|(name, _)| *name == exhibit.card.level),
+        )
     });
     let [search, topic, level, answer] = ["search", "topic", "level", "answer"].map(|name| fields.text(name));
     let query = Query::of(search, &exhibits);
     let kind = AnswerKind::ALL.into_iter().find(|(_, name, _)| *name == answer).map(|(kind, ..)| kind);
-    let is_found = |own: &&&Exhibit| {
-        (topic.is_empty() || own.section.name == topic)
-            && (level.is_empty() || own.card.level == level)
-            && kind.is_none_or(|kind| own.answers.contains(&kind))
-            && query.finds(own)
+    let is_found = |exhibit: &&&Exhibit| {
+        (topic.is_empty() || exhibit.section.name == topic)
+            && (level.is_empty() || exhibit.card.level == level)
+            && kind.is_none_or(|kind| exhibit.answers.contains(&kind))
+            && query.finds(exhibit)
     };
     let found: Vec<&Exhibit> = all.iter().filter(is_found).copied().collect();
-    let mut topics: Vec<&Section> = all.iter().map(|own| &own.section).collect();
+    let mut topics: Vec<&Section> = all.iter().map(|exhibit| &exhibit.section).collect();
     topics.dedup();
     let filter = |name, label, chosen, options| Filter { name, label, chosen, options };
-    let is_overview = [search, topic, level, answer].iter().all(|own| own.is_empty());
+    let is_overview = [search, topic, level, answer].iter().all(|words| words.is_empty());
     let most = if is_overview { FIRST } else { usize::MAX };
     let sections = found.chunk_by(|one, other| one.section == other.section);
     let page = StartPage {
@@ -86,30 +90,38 @@ pub(super) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refu
         search,
         instead: query.instead.as_deref(),
         filters: [
-            filter("topic", "Topic", topic, topics.iter().map(|own| (own.name.as_str(), own.title.as_str())).collect()),
+            filter(
+                "topic",
+                "Topic",
+                topic,
+                topics.iter().map(|section| (section.name.as_str(), section.title.as_str())).collect(),
+            ),
             filter("level", "Level", level, LEVELS.into()),
             filter("answer", "Kind of answer", answer, AnswerKind::ALL.map(|(_, name, label)| (name, label)).into()),
         ],
         is_overview,
         found: found.len(),
-        sections: sections.map(|own| Shelf::of(view, own, most)).collect(),
+        sections: sections.map(|exhibits| Shelf::of(view, exhibits, most)).collect(),
     };
     view.page("start", &page)
 }
 
 impl<'a> Shelf<'a> {
     fn of(view: &View<'_>, exhibits: &[&'a Exhibit], most: usize) -> Self {
-        let section = exhibits.first().map(|own| &own.section);
-        let shown = |own: &&'a Exhibit| Shown {
-            id: &own.card.id,
-            title: &own.card.title,
-            level: LEVELS.iter().find(|(name, _)| *name == own.card.level).map_or(own.card.level, |(_, label)| label),
-            asks: &own.asks,
-            reserved: !view.is_open(&own.card.id),
+        let section = exhibits.first().map(|exhibit| &exhibit.section);
+        let shown = |exhibit: &&'a Exhibit| Shown {
+            id: &exhibit.card.id,
+            title: &exhibit.card.title,
+            level: LEVELS
+                .iter()
+                .find(|(name, _)| *name == exhibit.card.level)
+                .map_or(exhibit.card.level, |(_, label)| label),
+            asks: &exhibit.asks,
+            reserved: !view.is_open(&exhibit.card.id),
         };
         Self {
-            name: section.map_or("", |own| own.name.as_str()),
-            title: section.map_or("", |own| own.title.as_str()),
+            name: section.map_or("", |section| section.name.as_str()),
+            title: section.map_or("", |section| section.title.as_str()),
             count: exhibits.len(),
             problems: exhibits.iter().take(most).map(shown).collect(),
         }

@@ -30,8 +30,8 @@ pub(super) async fn page(
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
 ) -> Response {
-    let own = SharedApp::clone(app);
-    match admitted.work(move || make(&own)).await {
+    let shared = SharedApp::clone(app);
+    match admitted.work(move || make(&shared)).await {
         Ok(Ok(text)) => (NO_CACHE, Html(text)).into_response(),
         Ok(Err(refused)) => self::refused(app, &refused),
         Err(reason) => not_done(app, reason, None),
@@ -44,9 +44,9 @@ pub(super) async fn picture(
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
 ) -> Response {
-    let own = SharedApp::clone(app);
+    let shared = SharedApp::clone(app);
     let kept = if app.settings.watch.is_some() { ANEW } else { A_WHILE };
-    match admitted.work(move || make(&own)).await {
+    match admitted.work(move || make(&shared)).await {
         Ok(Ok(text)) => {
             let kind = HeaderValue::from_static("image/svg+xml");
             let headers = [
@@ -67,8 +67,8 @@ pub(super) async fn json(
     admitted: Admitted<'_>,
     make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
 ) -> Response {
-    let own = SharedApp::clone(app);
-    match admitted.work(move || make(&own)).await {
+    let shared = SharedApp::clone(app);
+    match admitted.work(move || make(&shared)).await {
         Ok(Ok(text)) => (NO_CACHE, [(header::CONTENT_TYPE, "application/json")], text).into_response(),
         Ok(Err(refused)) => (kind(refused.kind).0, NO_CACHE, Json(refused)).into_response(),
         Err(reason) => no_call(reason),

@@ -46,9 +46,9 @@ pub(super) struct TimedBody<Whole> {
 impl<Whole: FnOnce()> TimedBody<Whole> {
     /// A body whose headers have just come. `whole` is called when its end is read, at once where there is nothing to read.
     pub fn new(body: Incoming, whole: Whole) -> Self {
-        let mut own = Self { body, over: Box::pin(sleep(BODY)), whole: Some(whole) };
-        own.tell();
-        own
+        let mut timed = Self { body, over: Box::pin(sleep(BODY)), whole: Some(whole) };
+        timed.tell();
+        timed
     }
 
     fn tell(&mut self) {

@@ -107,15 +107,15 @@ fn over(
     let _ = stream.set_nodelay(true);
     let service = service_fn(move |request: Request<Incoming>| {
         connection.waits();
-        let own = Arc::clone(&connection);
+        let answered = Arc::clone(&connection);
         // The time of the body begins after that by which it is judged.
         let arrival = Arrival::now(from);
-        let mut request = request.map(|body| Body::new(TimedBody::new(body, move || own.is_answered())));
+        let mut request = request.map(|body| Body::new(TimedBody::new(body, move || answered.is_answered())));
         request.extensions_mut().insert(arrival);
-        let (answer, own) = (router.call(request), Arc::clone(&connection));
+        let (answer, of_request) = (router.call(request), Arc::clone(&connection));
         async move {
             let answer = answer.await;
-            own.waits();
+            of_request.waits();
             answer
         }
     });
@@ -140,9 +140,9 @@ impl Waiting {
 
 impl Connection {
     fn new(all: &Arc<Waiting>) -> Self {
-        let own = Self { all: Arc::clone(all), place: AtomicU64::default(), close: Arc::default() };
-        own.waits();
-        own
+        let connection = Self { all: Arc::clone(all), place: AtomicU64::default(), close: Arc::default() };
+        connection.waits();
+        connection
     }
 
     /// From now on it waits for something of the other side: the last of the line.

@@ -25,7 +25,7 @@ pub(super) async fn explained(State(app): State<SharedApp>, request: Request, ne
         answer::refusal(&app, (status, "Not understood"), &refused, None)
     };
     // Which methods an address takes.
-    answer.headers_mut().extend(response.headers().get(header::ALLOW).map(|own| (header::ALLOW, own.clone())));
+    answer.headers_mut().extend(response.headers().get(header::ALLOW).map(|allowed| (header::ALLOW, allowed.clone())));
     answer
 }
 

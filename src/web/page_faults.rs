@@ -24,7 +24,8 @@ pub fn page_faults(app: &App) -> Vec<String> {
     });
     let pages = [view.start(&none), answer::tried(app)].into_iter().chain(of_problems);
     let is_fault = |refused: &Refused| refused.kind == RefusedKind::Fault;
-    let mut faults: Vec<String> = pages.filter_map(Result::err).filter(is_fault).map(|own| own.message).collect();
+    let mut faults: Vec<String> =
+        pages.filter_map(Result::err).filter(is_fault).map(|refused| refused.message).collect();
     // A fault of a template that several pages share is said once.
     faults.sort();
     faults.dedup();

@@ -40,7 +40,7 @@ type Fields = Vec<(String, String)>;
 /// Everything that is served.
 pub fn router(app: Arc<App>) -> Router {
     let base = app.settings.base_path.clone();
-    let mut own = Router::new()
+    let mut router = Router::new()
         .route("/", get(start))
         .route("/figure/{*problem}", get(figure))
         .route("/health", get(health))
@@ -49,18 +49,18 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/api/{call}", post(call))
         .fallback(async |State(app): State<SharedApp>| answer::refused(&app, &no_page()));
     for (begin, shown, make) in PROBLEM_PAGES {
-        own = own.route(&format!("{begin}{{*problem}}"), of_problem(shown, make));
+        router = router.route(&format!("{begin}{{*problem}}"), of_problem(shown, make));
     }
     if let Some(companion) = &app.companion {
-        own = Arc::clone(companion).add_routes(own);
+        router = Arc::clone(companion).add_routes(router);
     }
-    let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
-    let own = own.layer(from_fn_with_state(Arc::clone(&app), explained));
+    let router = router.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
+    let router = router.layer(from_fn_with_state(Arc::clone(&app), explained));
     let mut all = if base.is_empty() {
-        own
+        router
     } else {
         // Nested routes begin without the slash that the start page's address ends with.
-        Router::new().nest(&base, own).route(&format!("{base}/"), get(start).with_state(Arc::clone(&app)))
+        Router::new().nest(&base, router).route(&format!("{base}/"), get(start).with_state(Arc::clone(&app)))
     };
     let by_tls = app.settings.is_secure.then_some(BY_TLS);
     for (name, value) in HEADERS.into_iter().chain(by_tls) {
@@ -73,7 +73,7 @@ pub fn router(app: Arc<App>) -> Router {
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
 fn of_problem(shown: Shown, make: OfProblem) -> MethodRouter<SharedApp> {
     let page = move |app: SharedApp, (headers, uri): (HeaderMap, Uri), problem: String, fields: Fields| async move {
-        let own = |withheld: Box<dyn Withheld>, parameters: Parameters| {
+        let shown_page = |withheld: Box<dyn Withheld>, parameters: Parameters| {
             move |app: &App| {
                 withheld.check(&problem)?;
                 make(&app.view(withheld.as_ref()), problem, &parameters)
@@ -84,7 +84,7 @@ fn of_problem(shown: Shown, make: OfProblem) -> MethodRouter<SharedApp> {
             Err(refused) => return answer::refused(&app, &refused),
         };
         match admitted(&app, &headers, shown).await {
-            Ok((place, withheld)) => answer::page(&app, place, own(withheld, parameters)).await,
+            Ok((place, withheld)) => answer::page(&app, place, shown_page(withheld, parameters)).await,
             Err(NotAdmitted::Busy(reason)) => {
                 answer::not_done(&app, reason, Again::of(&app.settings.base_path, &uri.to_string(), &parameters))
             }

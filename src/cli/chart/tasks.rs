@@ -25,7 +25,7 @@ fn names() -> impl Iterator<Item = &'static str> {
 pub(super) fn about(name: &str) -> Option<&'static str> {
     let line = ON_A_LINE.iter().map(|task| (task.name, task.about));
     let plane = IN_THE_PLANE.iter().map(|task| (task.name, task.about));
-    line.chain(plane).find(|(own, _)| *own == name).map(|(_, about)| about)
+    line.chain(plane).find(|(task, _)| *task == name).map(|(_, about)| about)
 }
 
 /// The tasks of these names; all of them where none is named.

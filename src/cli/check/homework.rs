@@ -22,13 +22,13 @@ impl Homeworks {
     /// Takes the files of homework out of those that were named; where none was named, those of the course are read.
     pub(super) fn among(sources: &mut Vec<Source>, names: &[String], bank: &Bank) -> Result<Self, Failure> {
         let mut files: Vec<Source> = sources.extract_if(.., |source| Homework::is(source)).collect();
-        let mut own = Self::default();
+        let mut checked = Self::default();
         let folder = course_folder().join(HOMEWORK_FOLDER);
         if names.is_empty() && folder.is_dir() {
             for path in files_under(&folder)? {
                 match bank.open(&path.display().to_string()) {
                     Ok(source) => files.push(source),
-                    Err(faults) => own.unusable.push(faults),
+                    Err(faults) => checked.unusable.push(faults),
                 }
             }
         }
@@ -37,12 +37,12 @@ impl Homeworks {
                 Ok(homework) => {
                     let points = crate::grade::Points(homework.points());
                     let problems = count(homework.slots.len(), "problem");
-                    own.sound.push(format!("{}  {}: {problems}, {points} points", source.name, homework.title));
+                    checked.sound.push(format!("{}  {}: {problems}, {points} points", source.name, homework.title));
                 }
-                Err(faults) => own.unusable.push(faults),
+                Err(faults) => checked.unusable.push(faults),
             }
         }
-        Ok(own)
+        Ok(checked)
     }
 
     /// Says of each that is in order what it holds.

@@ -55,8 +55,8 @@ mod tests {
             ["Ann", "Ann", "Ben", "Ben"].into_iter().flat_map(|name| bound.add(sheet(name))).collect();
         pages.extend(bound.finish());
         let seen = pages.iter().map(|page| match page {
-            Page::Sheet(own) => {
-                (own.place.as_ref().map(|place| (place.number, place.heading.is_some())), own.student.as_deref())
+            Page::Sheet(sheet) => {
+                (sheet.place.as_ref().map(|place| (place.number, place.heading.is_some())), sheet.student.as_deref())
             }
             Page::Solution(_) | Page::Key(_) => (None, None),
         });

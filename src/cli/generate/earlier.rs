@@ -37,8 +37,8 @@ struct Row {
 impl Row {
     /// Whether its seed is this one, whole or as a spreadsheet has left it.
     fn has(&self, seed: u64) -> bool {
-        let whole = self.seed.parse::<SheetSeed>().is_ok_and(|own| own.number == seed);
-        whole || SpoiltSeed::read(&self.seed).is_some_and(|own| own.is_of(seed))
+        let whole = self.seed.parse::<SheetSeed>().is_ok_and(|sheet_seed| sheet_seed.number == seed);
+        whole || SpoiltSeed::read(&self.seed).is_some_and(|spoilt| spoilt.is_of(seed))
     }
 }
 
@@ -57,10 +57,11 @@ impl Earlier {
             Failure::unusable(format!("{} exists, but is not a table of seeds: {error}", path.display()))
         })?;
         // A homework may ask the same twice.
-        let asked_by = |row: &Row, own: &Asked| {
-            [own.problem.id(), own.problem.drawn_as()].contains(&row.problem.as_str()) && own.form_name() == row.form
+        let asked_by = |row: &Row, question: &Asked| {
+            [question.problem.id(), question.problem.drawn_as()].contains(&row.problem.as_str())
+                && question.form_name() == row.form
         };
-        let is_asked = |row: &Row| asked.iter().any(|own| asked_by(row, own));
+        let is_asked = |row: &Row| asked.iter().any(|question| asked_by(row, question));
         let lost: BTreeSet<[&str; 2]> =
             rows.iter().filter(|row| !is_asked(row)).map(|row| [row.problem.as_str(), &row.form]).collect();
         if lost.is_empty() {
@@ -70,8 +71,8 @@ impl Earlier {
                 row.scheme.unwrap_or(Scheme::Solvable.number()) == scheme.number()
                     && asked
                         .iter()
-                        .filter(|own| asked_by(row, own))
-                        .any(|own| [student, &row.student].iter().any(|id| row.has(own.seed_of(id, seeds))))
+                        .filter(|question| asked_by(row, question))
+                        .any(|question| [student, &row.student].iter().any(|id| row.has(question.seed_of(id, seeds))))
             };
             if rows.iter().all(is_same) {
                 return Ok(Self(rows));

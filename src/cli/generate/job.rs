@@ -84,7 +84,7 @@ impl Wanted {
         let of = move |asked: &'_ [Asked]| {
             let asked = asked.to_vec();
             (first..=last).map(move |number| Job {
-                questions: asked.iter().map(|own| (own.clone(), own.numbered_seed(number))).collect(),
+                questions: asked.iter().map(|question| (question.clone(), question.numbered_seed(number))).collect(),
                 homework: self.homework(),
                 number,
                 scheme,
@@ -103,7 +103,10 @@ impl Wanted {
     ) -> Box<dyn Iterator<Item = Job> + 'a> {
         let of = move |sitter: &'a Sitter| {
             self.sheets().into_iter().map(move |asked| Job {
-                questions: asked.iter().map(|own| (own.clone(), own.seed_of(&sitter.student.id, seeds))).collect(),
+                questions: asked
+                    .iter()
+                    .map(|question| (question.clone(), question.seed_of(&sitter.student.id, seeds)))
+                    .collect(),
                 homework: self.homework(),
                 number: 0,
                 scheme,
@@ -192,7 +195,7 @@ impl Job {
             records.push(record);
         }
         let mut record = match &self.homework {
-            Some(own) => json!({ "homework": own.title, "date": own.date, "problems": records }),
+            Some(homework) => json!({ "homework": homework.title, "date": homework.date, "problems": records }),
             None => records.pop().unwrap_or_default(),
         };
         if let (Some(Sitter { student, .. }), Some(object)) = (&self.sitter, record.as_object_mut()) {

@@ -129,7 +129,7 @@ impl Generate {
         let wanted = homework::wanted(&self.problems, self.form.as_deref(), secret.as_deref())?;
         let asked = wanted.asked();
         let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
-        let first = asked.first().map_or(Ok(self.seed.number), |own| open::seed(&self.seed, &own.problem))?;
+        let first = asked.first().map_or(Ok(self.seed.number), |question| open::seed(&self.seed, &question.problem))?;
         let jobs = |count| match &roster {
             Some(roster) => Ok(wanted.for_students(&roster.0, seeds, self.scheme)),
             None => wanted.for_seeds(first, count, self.scheme),

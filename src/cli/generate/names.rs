@@ -89,8 +89,9 @@ mod tests {
         ];
         for pair in twins {
             let names = of(&pair);
-            let own = |name: &str, text: &str| name.ends_with(&format!("-{}", digits(text))) && name.len() < 120;
-            assert!(names.iter().zip(pair).all(|(name, text)| own(name, text)), "{names:?}");
+            let is_named_after =
+                |name: &str, text: &str| name.ends_with(&format!("-{}", digits(text))) && name.len() < 120;
+            assert!(names.iter().zip(pair).all(|(name, text)| is_named_after(name, text)), "{names:?}");
         }
         assert_eq!(of(&["Ana María", "Zoë"]), ["Ana-María", "Zoë"]);
     }

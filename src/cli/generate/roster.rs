@@ -59,24 +59,25 @@ impl Roster {
         let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
         let headings =
             ["student", "name", "problem", "digest", "form", "seed", "scheme", "given", "derivation", "secret", "file"];
-        let numbered = asked.iter().any(|own| own.slot.is_some());
+        let numbered = asked.iter().any(|question| question.slot.is_some());
         table.write_record(headings.into_iter().chain(numbered.then_some(NUMBER))).map_err(failed)?;
         let number = scheme.to_string();
         let mut drawers: Vec<Option<Drawer<'_>>> =
-            asked.iter().map(|own| Drawer::new(&own.problem, own.form).ok()).collect();
+            asked.iter().map(|question| Drawer::new(&question.problem, question.form).ok()).collect();
         for sitter in &self.0 {
-            for (own, drawer) in asked.iter().zip(&mut drawers) {
-                let seed = own.seed_of(&sitter.student.id, seeds);
+            for (question, drawer) in asked.iter().zip(&mut drawers) {
+                let seed = question.seed_of(&sitter.student.id, seeds);
                 let derivation = seeds.derivation.to_string();
                 // A seed without numbers has no sheet, which is told where sheets are made.
                 let drawn = drawer.as_mut().and_then(|drawer| drawer.draw_by(seed, scheme).ok());
                 let given = drawn.map(|exercise| exercise.sheet_numbers().to_string()).unwrap_or_default();
-                let (digest, seed) = (&own.problem.loaded().digests.draw, SeedWord(seed).to_string());
-                let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), sitter.file_stem(&own.stem));
-                let (id, name, problem) = (&sitter.student.id, &sitter.student.name, own.problem.id());
+                let (digest, seed) = (&question.problem.loaded().digests.draw, SeedWord(seed).to_string());
+                let (mark, file) =
+                    (question.problem.secret_mark().unwrap_or_default(), sitter.file_stem(&question.stem));
+                let (id, name, problem) = (&sitter.student.id, &sitter.student.name, question.problem.id());
                 let row =
-                    [id, name, problem, digest, own.form_name(), &seed, &number, &given, &derivation, mark, &file];
-                let place = own.slot.as_ref().map(|(place, _)| place.to_string());
+                    [id, name, problem, digest, question.form_name(), &seed, &number, &given, &derivation, mark, &file];
+                let place = question.slot.as_ref().map(|(place, _)| place.to_string());
                 let cells = row.into_iter().chain(place.as_deref());
                 table.write_record(cells.map(|cell| defused(cell).into_owned())).map_err(failed)?;
             }
@@ -89,9 +90,9 @@ impl Roster {
     pub(super) fn answers(&self, asked: &[Asked]) -> Result<String, Failure> {
         let mut table = csv::Writer::from_writer(Vec::new());
         let failed = |error: csv::Error| Failure::unusable(format!("the table of answers cannot be written: {error}"));
-        let parts = |own: &Asked| {
-            let number = own.slot.as_ref().map_or(0, |(number, _)| *number);
-            let form = own.problem.forms().get(own.form);
+        let parts = |question: &Asked| {
+            let number = question.slot.as_ref().map_or(0, |(number, _)| *number);
+            let form = question.problem.forms().get(question.form);
             let parts = form.into_iter().flat_map(|form| &form.parts);
             parts.map(|part| format!("{number}.{}", part.id)).collect::<Vec<_>>()
         };

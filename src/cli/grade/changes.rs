@@ -103,11 +103,11 @@ impl Changes {
             }
             match &submission.place {
                 // Rows that are refused now were marked then, or the other way round.
-                Place::Line(line) if of[0].parse().is_ok_and(|own: u64| own < *line) => {
+                Place::Line(line) if of[0].parse().is_ok_and(|number: u64| number < *line) => {
                     self.next = None;
                     self.changed(&of, &before, &Mark::default())?;
                 }
-                Place::Line(line) if of[0].parse().is_ok_and(|own: u64| own > *line) => {
+                Place::Line(line) if of[0].parse().is_ok_and(|number: u64| number > *line) => {
                     return self.changed(&key, &Mark::default(), &now);
                 }
                 _ => {

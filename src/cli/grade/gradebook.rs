@@ -46,7 +46,7 @@ impl Attempts {
             Self::Last => attempts.last().cloned(),
             Self::First => attempts.first().cloned(),
             Self::Mean => {
-                let sum = attempts.iter().fold(Rational::ZERO, |sum, own| sum + own);
+                let sum = attempts.iter().fold(Rational::ZERO, |sum, points| sum + points);
                 (!attempts.is_empty()).then(|| sum / Rational::from(attempts.len()))
             }
         };
@@ -106,7 +106,7 @@ impl Gradebook {
             Students::Column(heading) => vec![heading],
             Students::Canvas => CANVAS.to_vec(),
         };
-        let is_of_brightspace = headings.iter().any(|own| own.eq_ignore_ascii_case(BRIGHTSPACE));
+        let is_of_brightspace = headings.iter().any(|heading| heading.eq_ignore_ascii_case(BRIGHTSPACE));
         let [end, mark] = END_OF_LINE.map(|text| is_of_brightspace.then_some(text));
         let title = format!("{}{}", self.title, if is_of_brightspace { POINTS_GRADE } else { "" });
         let title = defused(&title);

@@ -116,12 +116,12 @@ pub(super) fn answers(path: &Path, homework: &Homework, drawn: &Drawn) -> Result
             }
         };
         let said = |wanted: &Heading| {
-            let place = columns.iter().position(|own| own == wanted);
+            let place = columns.iter().position(|column| column == wanted);
             place.and_then(|place| cells.get(place)).map_or("", String::as_str)
         };
         let student = said(&Heading::Student);
         let first = *firsts.entry(student.to_owned()).or_insert(line);
-        if !drawn.keys().any(|(own, _)| own == student) {
+        if !drawn.keys().any(|(sitter, _)| sitter == student) {
             let message = format!("no sheet of this homework was made for `{}`", excerpt(student));
             found.push(((first, 0, line), Err((Place::Line(line), message))));
             continue;
@@ -134,8 +134,8 @@ pub(super) fn answers(path: &Path, homework: &Homework, drawn: &Drawn) -> Result
                 [Key::Student, Key::Problem, Key::Form, Key::Seed, Key::Attempt].map(Column::Key).to_vec();
             let mut texts: Vec<&str> = keys.into_iter().chain([said(&Heading::Attempt)]).collect();
             for (heading, cell) in columns.iter().zip(&cells) {
-                if let Heading::Part(own, part) = heading
-                    && *own == number
+                if let Heading::Part(of_sheet, part) = heading
+                    && *of_sheet == number
                 {
                     named.push(Column::Part(part.clone()));
                     texts.push(cell);
@@ -180,8 +180,10 @@ fn columns(headings: &[String], homework: &Homework) -> Result<Vec<Heading>, Str
     if !columns.contains(&Heading::Student) {
         return Err(format!("there is no column `{STUDENT}`"));
     }
-    let twice =
-        columns.iter().enumerate().find(|(place, own)| **own != Heading::Nothing && columns[..*place].contains(own));
+    let twice = columns
+        .iter()
+        .enumerate()
+        .find(|(place, column)| **column != Heading::Nothing && columns[..*place].contains(column));
     twice.map_or(Ok(()), |(place, _)| {
         Err(format!("the column `{}` is there twice\nhelp: remove one of them", headings[place].trim()))
     })?;

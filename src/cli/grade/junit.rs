@@ -83,17 +83,17 @@ impl Junit {
         if !self.suites.contains_key(suite) {
             self.suites.insert(suite.to_owned(), Suite::default());
         }
-        let Some(own) = self.suites.get_mut(suite) else { return Ok(()) };
-        own.counts.tests += 1;
+        let Some(open_suite) = self.suites.get_mut(suite) else { return Ok(()) };
+        open_suite.counts.tests += 1;
         let (name, suite) = (printable(name), printable(suite));
         let start = BytesStart::new("testcase").with_attributes([("name", &*name), ("classname", &*suite)]);
-        let mut xml = Writer::new(&mut own.kept.waiting);
+        let mut xml = Writer::new(&mut open_suite.kept.waiting);
         match trouble {
             None => xml.write_event(Event::Empty(start))?,
             Some(trouble) => {
                 match trouble.element {
-                    "error" => own.counts.errors += 1,
-                    _ => own.counts.failures += 1,
+                    "error" => open_suite.counts.errors += 1,
+                    _ => open_suite.counts.failures += 1,
                 }
                 let message = printable(trouble.message);
                 let inner = BytesStart::new(trouble.element).with_attributes([("message", &*message)]);
@@ -103,8 +103,8 @@ impl Junit {
                 xml.write_event(Event::End(BytesEnd::new("testcase")))?;
             }
         }
-        own.kept.waiting.push(b'\n');
-        Ok(self.spool.keep(&mut own.kept)?)
+        open_suite.kept.waiting.push(b'\n');
+        Ok(self.spool.keep(&mut open_suite.kept)?)
     }
 
     /// Writes the report.

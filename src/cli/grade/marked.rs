@@ -55,7 +55,7 @@ pub(super) fn marked(
     let mut portions: Vec<Vec<Entered>> = Vec::new();
     for next in chunk {
         match portions.last_mut() {
-            Some(own) if own.len() < PORTION || !begins(&next) => own.push(next),
+            Some(portion) if portion.len() < PORTION || !begins(&next) => portion.push(next),
             _ => portions.push(vec![next]),
         }
     }
@@ -80,7 +80,7 @@ fn at_one_desk(
     for place in by_question(&groups) {
         let Some(group) = groups.get_mut(place).and_then(Option::take) else { continue };
         let start = rows.length()?;
-        let mut own = Done {
+        let mut portion_done = Done {
             place,
             rows: start..start,
             marked: Vec::new(),
@@ -89,23 +89,23 @@ fn at_one_desk(
             legibility: Legibility::default(),
         };
         match group {
-            Ok(attempts) => own.mark(attempts, desk, &mut rows, keep)?,
-            Err((place, message)) => own.refuse(place, message),
+            Ok(attempts) => portion_done.mark(attempts, desk, &mut rows, keep)?,
+            Err((place, message)) => portion_done.refuse(place, message),
         }
-        own.rows.end = rows.length()?;
-        done.push(own);
+        portion_done.rows.end = rows.length()?;
+        done.push(portion_done);
     }
-    done.sort_by_key(|own| own.place);
+    done.sort_by_key(|done| done.place);
     let bytes = rows.into_bytes()?;
-    let slices: Vec<&[u8]> = done.iter().filter_map(|own| bytes.get(own.rows.clone())).collect();
+    let slices: Vec<&[u8]> = done.iter().filter_map(|done| bytes.get(done.rows.clone())).collect();
     let rows = slices.concat();
     let (counts, legibility) = (RowCounts::default(), Legibility::default());
     let mut portion = Portion { rows, marked: Vec::new(), is_right: true, counts, legibility };
-    for own in done {
-        portion.is_right &= own.is_right;
-        portion.counts += own.counts;
-        portion.legibility += own.legibility;
-        portion.marked.extend(own.marked);
+    for portion_done in done {
+        portion.is_right &= portion_done.is_right;
+        portion.counts += portion_done.counts;
+        portion.legibility += portion_done.legibility;
+        portion.marked.extend(portion_done.marked);
     }
     Ok(portion)
 }
@@ -165,8 +165,8 @@ impl Done {
         let reports = match desk.mark(&attempts) {
             Ok(reports) => reports,
             Err(message) => {
-                for own in attempts {
-                    self.refuse(own.submission.place, message.clone());
+                for attempt in attempts {
+                    self.refuse(attempt.submission.place, message.clone());
                 }
                 return Ok(());
             }
@@ -262,7 +262,7 @@ mod tests {
             for portion in marked(chunk, &reader.problems(), MarksFormat::Csv, false).unwrap() {
                 counts += portion.counts;
                 written += portion.rows.split(|byte| *byte == b'\n').skip(1).count() as u64;
-                refused.extend(portion.marked.into_iter().filter_map(|own| match own {
+                refused.extend(portion.marked.into_iter().filter_map(|marked| match marked {
                     Marked::Refused(Place::Line(line), _) => Some(line),
                     _ => None,
                 }));

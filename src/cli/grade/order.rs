@@ -23,9 +23,9 @@ impl Order {
         let mut firsts = rustc_hash::FxHashMap::default();
         let mut rows: Vec<Stand> = Vec::new();
         while let Some((number, next)) = source.next() {
-            let own = rows.len() as u64;
+            let position = rows.len() as u64;
             let sheet = next.ok().and_then(|submission| register.sheet(&submission));
-            let first = sheet.map_or(own, |sheet| *firsts.entry(sheet).or_insert(own));
+            let first = sheet.map_or(position, |sheet| *firsts.entry(sheet).or_insert(position));
             rows.push(Stand { first, number, place: source.last_place() });
         }
         register.begin_again();

@@ -45,9 +45,9 @@ impl<'p> PortionMarker<'p> {
         }
         let (marker, exercise) = form.open(first.facts.question.seed, &first.facts.handed_out)?;
         let mut order: Vec<(usize, &Entry)> = attempts.iter().enumerate().collect();
-        order.sort_by_key(|(_, own)| own.facts.attempt);
-        let before = order.first().and_then(|(_, own)| own.facts.attempt).map_or(0, |number| number - 1);
-        let tries: Vec<Try<'_>> = order.iter().map(|(_, own)| of(own)).collect();
+        order.sort_by_key(|(_, attempt)| attempt.facts.attempt);
+        let before = order.first().and_then(|(_, attempt)| attempt.facts.attempt).map_or(0, |number| number - 1);
+        let tries: Vec<Try<'_>> = order.iter().map(|(_, attempt)| of(attempt)).collect();
         let marked = marker.mark_attempts(exercise.worked(), &tries, before);
         let mut reports: Vec<(usize, Report)> =
             order.iter().zip(marked).map(|((place, _), report)| (*place, report)).collect();
@@ -82,7 +82,9 @@ impl<'p> Form<'p> {
     /// The marker with the variant that is asked, which is drawn where it is not the one that was drawn last.
     fn open(&mut self, seed: u64, handed_out: &HandedOut) -> Result<(&mut Marker, &Exercise), String> {
         let last = match self.last.take() {
-            Some((own, exercise)) if exercise.variant().seed() == Some(seed) && own == *handed_out => (own, exercise),
+            Some((kept, exercise)) if exercise.variant().seed() == Some(seed) && kept == *handed_out => {
+                (kept, exercise)
+            }
             _ => {
                 let drawn = match &handed_out.given {
                     Some(given) => self.drawer.issued(seed, handed_out.scheme, given),

@@ -40,7 +40,7 @@ impl Problems {
     /// The problems of the bank where the program runs and those that are named, which come first, with answers written with
     /// this decimal mark.
     pub(super) fn here(named: &[String], secret: Option<Vec<u8>>, mark: DecimalMark) -> Result<Self, Failure> {
-        let mut own = Self {
+        let mut problems = Self {
             bank: Bank::here()?,
             secret,
             mark,
@@ -48,20 +48,20 @@ impl Problems {
             met: BTreeMap::new(),
             suggestions: MOST_SUGGESTIONS,
         };
-        let named = if named.is_empty() { Vec::new() } else { open::problems(named, own.secret.as_deref())? };
+        let named = if named.is_empty() { Vec::new() } else { open::problems(named, problems.secret.as_deref())? };
         for problem in named {
             let id = problem.id().to_owned();
             let before = problem.drawn_as().to_owned();
-            let met = own.add(problem);
+            let met = problems.add(problem);
             if before != id {
-                own.met.entry(before).or_insert_with(|| Ok(Arc::clone(&met)));
+                problems.met.entry(before).or_insert_with(|| Ok(Arc::clone(&met)));
             }
-            if own.met.insert(id.clone(), Ok(met)).is_some() {
+            if problems.met.insert(id.clone(), Ok(met)).is_some() {
                 let message = format!("two of the problems named have the identity `{id}`");
                 return Err(Failure::unusable(format!("{message}\nhelp: give one of them another `id`")));
             }
         }
-        Ok(own)
+        Ok(problems)
     }
 
     /// The problems that are open, by their positions.
@@ -79,7 +79,7 @@ impl Problems {
     pub(super) fn find(&mut self, id: &str) -> Result<Arc<Met>, String> {
         match self.met.get(id) {
             Some(met) => return met.clone(),
-            None if self.bank.ids().any(|own| own == id) => {}
+            None if self.bank.ids().any(|listed| listed == id) => {}
             None => {
                 let renamed = self.bank.renamed(id).map(str::to_owned).ok_or_else(|| self.unknown(id))?;
                 let met = self.find(&renamed)?;

@@ -208,12 +208,12 @@ impl Register {
         if !is_beside {
             self.numbered.clear();
         }
-        if let Some(own) = attempt {
-            let first = *self.numbered.entry(own).or_insert(number);
+        if let Some(claimed) = attempt {
+            let first = *self.numbered.entry(claimed).or_insert(number);
             if first != number {
                 let (student, problem, first) = (excerpt(student), variant.problem, place(first));
                 return Err(format!(
-                    "`{student}` already has an attempt {own} at this sheet of {problem}, at {first}\n\
+                    "`{student}` already has an attempt {claimed} at this sheet of {problem}, at {first}\n\
                      help: give each attempt a different number"
                 ));
             }

@@ -53,9 +53,9 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
                     );
                     found.push((String::new(), "", line, Err((Place::Line(line), message))));
                 }
-                for own in responses.of_row(&cells) {
-                    let (code, next) = (own.coded.code.as_str(), submission(line, &own));
-                    found.push((own.student, code, line, next));
+                for response in responses.of_row(&cells) {
+                    let (code, next) = (response.coded.code.as_str(), submission(line, &response));
+                    found.push((response.student, code, line, next));
                 }
             }
             Err(message) => found.push((String::new(), "", line, Err((Place::Line(line), message)))),

@@ -133,8 +133,8 @@ impl Rows {
             message: &part.message,
             understood: part.understood.as_deref(),
             counts: if part.counts { "yes" } else { "no" },
-            mistakes: part.diagnosis.as_ref().map(|own| own.codes.join(" ")).unwrap_or_default(),
-            follows_from: part.follows.as_ref().map(|own| own.from.join(" ")).unwrap_or_default(),
+            mistakes: part.diagnosis.as_ref().map(|diagnosis| diagnosis.codes.join(" ")).unwrap_or_default(),
+            follows_from: part.follows.as_ref().map(|follows| follows.from.join(" ")).unwrap_or_default(),
         };
         match self {
             Self::Table(table) => {

@@ -106,7 +106,7 @@ impl Source {
 
 /// Whether a path is that of a file with an object on each line.
 pub(super) fn is_json(path: &Path) -> bool {
-    let ends = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    let ends = |ending: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending));
     ["jsonl", "ndjson", "json"].into_iter().any(ends)
 }
 

@@ -67,10 +67,10 @@ mod tests {
         let mut spool = Spool::beside(&folder.path().join("a.xml")).unwrap();
         let mut kept = [WaitingText::default(), WaitingText::default()];
         for number in 0..60_000 {
-            let own = &mut kept[number % 2];
-            writeln!(own.waiting, "{number}").unwrap();
-            spool.keep(own).unwrap();
-            assert!(own.waiting.len() < BLOCK);
+            let spooled = &mut kept[number % 2];
+            writeln!(spooled.waiting, "{number}").unwrap();
+            spool.keep(spooled).unwrap();
+            assert!(spooled.waiting.len() < BLOCK);
         }
         for (odd, kept) in kept.into_iter().enumerate() {
             assert!(kept.pieces.len() > 1);

@@ -90,8 +90,8 @@ impl Grade {
                 if !portion.is_right {
                     exit = exit.max(Exit::NotRight);
                 }
-                for own in portion.marked {
-                    match &own {
+                for marked in portion.marked {
+                    match &marked {
                         Marked::Report(..) => {}
                         Marked::NotIssued(place, message) => {
                             tell(&format!("not issued: {}: {message}", position(path, place)));
@@ -100,7 +100,7 @@ impl Grade {
                             tell(&format!("error: {}: {message}", position(path, place)));
                         }
                     }
-                    readers.read(&own, &problems)?;
+                    readers.read(&marked, &problems)?;
                 }
             }
         }

@@ -21,17 +21,17 @@ pub(super) struct Earned {
 impl Earned {
     /// In the points of the homework where there is one, else in those of the problem's file.
     pub(super) fn of(part: &PartReport, worth: Option<&Worth>) -> Self {
-        let own = Rational::from(part.out_of);
+        let out_of = Rational::from(part.out_of);
         match worth.and_then(|worth| worth.get(&part.id)) {
-            Some(worth) if own != Rational::ZERO => {
-                Self { points: Points(&part.points.0 * worth / own), out_of: Points(worth.clone()) }
+            Some(worth) if out_of != Rational::ZERO => {
+                Self { points: Points(&part.points.0 * worth / out_of), out_of: Points(worth.clone()) }
             }
             // A part without points of its own is right or not.
             Some(worth) if part.verdict.is_right() => {
                 Self { points: Points(worth.clone()), out_of: Points(worth.clone()) }
             }
             Some(worth) => Self { points: Points(Rational::ZERO), out_of: Points(worth.clone()) },
-            None => Self { points: part.points.clone(), out_of: Points(own) },
+            None => Self { points: part.points.clone(), out_of: Points(out_of) },
         }
     }
 }

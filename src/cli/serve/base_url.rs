@@ -32,7 +32,7 @@ impl FromStr for BaseUrl {
             return Err("its path has letters, digits, `-`, `_`, `.` and `~` only".to_owned());
         }
         let is_host = |host: &String| {
-            !host.is_empty() && host.chars().all(|own| own.is_ascii_alphanumeric() || "-.:[]".contains(own))
+            !host.is_empty() && host.chars().all(|sign| sign.is_ascii_alphanumeric() || "-.:[]".contains(sign))
         };
         if !host.as_ref().is_none_or(is_host) {
             return Err("its host has letters, digits, `-`, `.` and a port only".to_owned());

@@ -53,7 +53,7 @@ pub(super) fn csv(shot: &Shot) -> Result<Vec<u8>, Failure> {
         for impact in &film.record.impacts {
             let part = |place: usize| impact.impulse.get(place).map(f64::to_string).unwrap_or_default();
             let [time, before, after] =
-                [impact.time, impact.energy_before, impact.energy_after].map(|own| own.to_string());
+                [impact.time, impact.energy_before, impact.energy_after].map(|number| number.to_string());
             let row = [film.stage.to_string(), time, impact.contact.clone(), part(0), part(1), before, after];
             table.write_record(row).map_err(unwritten)?;
         }

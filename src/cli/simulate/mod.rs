@@ -85,8 +85,8 @@ enum Look {
 
 impl Simulate {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        let own = Some(Path::new(&self.problem)).filter(|path| path.is_file());
-        output::keep_apart(own.into_iter().chain(self.secret.path()), self.output.clone())?;
+        let file = Some(Path::new(&self.problem)).filter(|path| path.is_file());
+        output::keep_apart(file.into_iter().chain(self.secret.path()), self.output.clone())?;
         let secret = self.secret.read()?;
         let problem = open::problem(&self.problem, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;

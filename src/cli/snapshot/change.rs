@@ -56,7 +56,7 @@ impl Change {
             changes.entry(problem.to_owned()).or_default().push(Changed { kind, name: name.clone(), before, now });
         }
         let of = |(problem, mut files): (String, Vec<Changed>)| {
-            files.sort_by_key(|own| own.kind);
+            files.sort_by_key(|file| file.kind);
             Self { problem, files }
         };
         changes.into_iter().map(of).collect()
@@ -73,7 +73,7 @@ impl Change {
                 Character::Numbers(changed_lines(before, now), rows(now).max(rows(before)))
             }
             (Kind::Marks, before, now) => {
-                let text = |own: &Option<String>| own.clone().unwrap_or_default();
+                let text = |text: &Option<String>| text.clone().unwrap_or_default();
                 Character::Marks(changed_lines(&text(before), &text(now)))
             }
             (Kind::Words, ..) => Character::Words,
@@ -105,10 +105,10 @@ impl fmt::Display for Character {
 /// All changes in a line: `3 problems changed: 1 in numbers (40 of 40 sheets), 2 in words only`.
 pub(super) fn summary(changes: &[Change]) -> String {
     let characters: Vec<Character> = changes.iter().map(Change::character).collect();
-    let count = |wanted: Character| characters.iter().filter(|own| **own == wanted).count();
-    let numbers: Vec<[usize; 2]> = characters.iter().filter_map(|own| own.sheets()).collect();
-    let answers: Vec<usize> = characters.iter().filter_map(|own| own.answers()).collect();
-    let [changed, all] = [0, 1].map(|place| numbers.iter().map(|own| own[place]).sum::<usize>());
+    let count = |wanted: Character| characters.iter().filter(|character| **character == wanted).count();
+    let numbers: Vec<[usize; 2]> = characters.iter().filter_map(|character| character.sheets()).collect();
+    let answers: Vec<usize> = characters.iter().filter_map(|character| character.answers()).collect();
+    let [changed, all] = [0, 1].map(|place| numbers.iter().map(|pair| pair[place]).sum::<usize>());
     let said = [
         (numbers.len(), format!("in numbers ({changed} of {all} sheets)")),
         (answers.len(), format!("in marks ({})", said_answers(answers.iter().sum()))),
@@ -162,7 +162,7 @@ mod tests {
             ("a/e.numbers.csv", "h\n"),
         ]);
         let changes = Change::all(&before, &now);
-        let characters: Vec<_> = changes.iter().map(|own| (own.problem.as_str(), own.character())).collect();
+        let characters: Vec<_> = changes.iter().map(|change| (change.problem.as_str(), change.character())).collect();
         let expected = [
             ("a/b", Character::Numbers(1, 3)),
             ("a/c", Character::Words),

@@ -49,9 +49,9 @@ impl Kept {
 
     /// Writes the files of a change as they are now.
     pub(super) fn accept(&self, change: &Change) -> Result<(), Failure> {
-        for own in &change.files {
-            let path = self.folder.join(&own.name);
-            match &own.now {
+        for file in &change.files {
+            let path = self.folder.join(&file.name);
+            match &file.now {
                 Some(text) => Output::whole(Some(&path), text)?,
                 None => fs::remove_file(&path).map_err(|error| Failure::file(&path, "removed", &error))?,
             }

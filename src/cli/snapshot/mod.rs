@@ -92,8 +92,8 @@ impl Snapshot {
             .collect();
         let mut failures: Vec<Failure> = unusable.into_iter().map(Failure::from).collect();
         let mut now = Files::new();
-        for own in made {
-            match own {
+        for made in made {
+            match made {
                 Ok(files) => now.extend(files),
                 Err(failure) => failures.push(failure),
             }

@@ -103,8 +103,8 @@ fn written(
     let mut text = document.text;
     let mut figures = Vec::new();
     for BesideFile { name: file, text: drawing } in document.beside {
-        let own = file.replacen(FIGURE, &form, 1);
-        let anchor = own.trim_end_matches(".svg");
+        let figure = file.replacen(FIGURE, &form, 1);
+        let anchor = figure.trim_end_matches(".svg");
         text = text.replace(&format!("({file})"), &format!("({name}{}#{anchor})", Kind::Figures.ending()));
         figures.push(BesideFile { name: anchor.to_owned(), text: drawing });
     }
@@ -119,11 +119,11 @@ fn marked(exercise: &Exercise, form: &str, marks: &mut Table) -> Result<String, 
         let mut said: BTreeSet<String> = BTreeSet::new();
         for (what, typed) in exercise.tried_answers(part) {
             let report = exercise.grade(&BTreeMap::from([(part.id.clone(), typed.clone())]), DecimalMark::Point);
-            let Some(own) = report.parts.iter().find(|own| own.id == part.id) else { continue };
-            let points = format!("{}/{}", own.points, own.out_of);
-            marks.row(&[form, &part.id, &what, &typed, own.verdict.code(), &points])?;
-            if said.insert(own.message.to_string()) {
-                let _ = writeln!(told, "- `{}`: {typed} ({what}): {}", part.id, own.message);
+            let Some(read_part) = report.parts.iter().find(|read_part| read_part.id == part.id) else { continue };
+            let points = format!("{}/{}", read_part.points, read_part.out_of);
+            marks.row(&[form, &part.id, &what, &typed, read_part.verdict.code(), &points])?;
+            if said.insert(read_part.message.to_string()) {
+                let _ = writeln!(told, "- `{}`: {typed} ({what}): {}", part.id, read_part.message);
             }
         }
     }

@@ -47,16 +47,16 @@ pub(super) fn tell(changes: &[Change], kept: &Kept, count: usize) -> Result<Exit
 /// The change of a problem: its lines, and of figures their place.
 pub(super) fn write_change(output: &mut Output, style: Style, change: &Change) -> Result<(), Failure> {
     writeln!(output, "\n{}", style.strong(&format!("{}: {}", change.problem, change.character())))?;
-    for own in &change.files {
-        match (&own.before, &own.now) {
-            (None, _) => writeln!(output, "{} {}", style.note("new, not accepted yet:"), own.name)?,
-            (_, None) => writeln!(output, "{} {}", style.note("no problem produces it any more:"), own.name)?,
-            (Some(_), Some(_)) if own.kind == Kind::Figures => {
+    for file in &change.files {
+        match (&file.before, &file.now) {
+            (None, _) => writeln!(output, "{} {}", style.note("new, not accepted yet:"), file.name)?,
+            (_, None) => writeln!(output, "{} {}", style.note("no problem produces it any more:"), file.name)?,
+            (Some(_), Some(_)) if file.kind == Kind::Figures => {
                 let look = "other figures (`--page changes.html` shows them before and now):";
-                writeln!(output, "{} {}", style.note(look), own.name)?;
+                writeln!(output, "{} {}", style.note(look), file.name)?;
             }
             (Some(before), Some(now)) => {
-                for line in diff(own, before, now).lines() {
+                for line in diff(file, before, now).lines() {
                     let shown = match line.as_bytes().first() {
                         Some(b'-') => style.bad(line),
                         Some(b'+') => style.good(line),
@@ -70,9 +70,9 @@ pub(super) fn write_change(output: &mut Output, style: Style, change: &Change) -
     Ok(())
 }
 
-fn diff(own: &Changed, before: &str, now: &str) -> String {
+fn diff(changed: &Changed, before: &str, now: &str) -> String {
     let diff = TextDiff::from_lines(before, now);
-    diff.unified_diff().context_radius(CONTEXT).header(&own.name, &format!("{}, now", own.name)).to_string()
+    diff.unified_diff().context_radius(CONTEXT).header(&changed.name, &format!("{}, now", changed.name)).to_string()
 }
 
 /// All changes as a page that needs no other file.
@@ -82,27 +82,27 @@ pub(super) fn page(changes: &[Change]) -> String {
     for change in changes {
         // Writing to a string cannot fail.
         let _ = writeln!(body, "<h2>{}: {}</h2>", plain(&change.problem), change.character());
-        for own in &change.files {
-            match (own.kind, &own.before, &own.now) {
+        for file in &change.files {
+            match (file.kind, &file.before, &file.now) {
                 (Kind::Figures, before, now) => {
                     for (label, text) in [("Before", before), ("Now", now)] {
                         let Some(text) = text else { continue };
                         let _ = writeln!(
                             body,
                             "<figure><figcaption>{label}: {}</figcaption><img alt=\"{label}\" src=\"data:image/svg+xml;base64,{}\"></figure>",
-                            plain(&own.name),
+                            plain(&file.name),
                             base64(text.as_bytes())
                         );
                     }
                 }
                 (_, Some(before), Some(now)) => {
-                    let _ = writeln!(body, "<pre>{}</pre>", plain(&diff(own, before, now)));
+                    let _ = writeln!(body, "<pre>{}</pre>", plain(&diff(file, before, now)));
                 }
                 (_, None, _) => {
-                    let _ = writeln!(body, "<p>New: {}</p>", plain(&own.name));
+                    let _ = writeln!(body, "<p>New: {}</p>", plain(&file.name));
                 }
                 (_, _, None) => {
-                    let _ = writeln!(body, "<p>No problem produces it any more: {}</p>", plain(&own.name));
+                    let _ = writeln!(body, "<p>No problem produces it any more: {}</p>", plain(&file.name));
                 }
             }
         }

@@ -21,8 +21,8 @@ pub(super) type FieldItem = (String, u32, Element);
 
 /// A question for each field, with the name of the field and its points; and the pictures of all.
 pub(super) fn items(question: &Question<'_>) -> Result<(Vec<FieldItem>, Pictures), Faults> {
-    let mut pictures = Pictures::new(&question.item.code, |markup, own| {
-        markup.picture(&format!("%24IMS-CC-FILEBASE%24/{FOLDER}{}", own.name), own.drawing)
+    let mut pictures = Pictures::new(&question.item.code, |markup, picture| {
+        markup.picture(&format!("%24IMS-CC-FILEBASE%24/{FOLDER}{}", picture.name), picture.drawing)
     });
     let statement = question.statement(MARKUP, &mut pictures)?;
     let writing = question.writing(MARKUP, TypedUnit::Never);
@@ -54,7 +54,7 @@ pub(super) fn items(question: &Question<'_>) -> Result<(Vec<FieldItem>, Pictures
 
 /// Which of several fields of a part is meant.
 fn place(asking: &Asking<'_>, field: &Field<'_>) -> String {
-    let place = asking.fields.iter().position(|own| own.name == field.name).unwrap_or_default() + 1;
+    let place = asking.fields.iter().position(|listed| listed.name == field.name).unwrap_or_default() + 1;
     match (asking.fields.len(), field.caption.trim_end_matches(':')) {
         (1, "") => String::new(),
         (count, "") => format!(" ({place} of {count})"),
@@ -74,9 +74,9 @@ fn number_item(
     let fib =
         element("render_fib").with("fibtype", "Decimal").holding(element("response_label").with("ident", "answer1"));
     let response = element("response_str").with("ident", RESPONSE).with("rcardinality", "Single").holding(fib);
-    let condition = |own: &Band<'_>| {
+    let condition = |band: &Band<'_>| {
         let bound = |name, end: f64| element(name).with("respident", RESPONSE).text(end.to_string());
-        let within = element("conditionvar").holding(bound("vargte", own.low)).holding(bound("varlte", own.high));
+        let within = element("conditionvar").holding(bound("vargte", band.low)).holding(bound("varlte", band.high));
         element("respcondition").with("continue", "No").holding(within).holding(full())
     };
     item.holding(metadata("numerical_question", question, field, asking, &answers))

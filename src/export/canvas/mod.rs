@@ -65,7 +65,7 @@ impl<W: Write> Export for Canvas<W> {
         self.package.pictures(item::FOLDER, &pictures)?;
         self.pictures.extend(pictures.files.into_iter().map(|(name, _)| name));
         for (field, points, item) in items {
-            let place = self.groups.iter().position(|own| own.name == field).unwrap_or_else(|| {
+            let place = self.groups.iter().position(|group| group.name == field).unwrap_or_else(|| {
                 let title = format!("{} ({field})", question.form_title());
                 self.groups.push(Group { name: field, title, points, items: String::new() });
                 self.groups.len() - 1
@@ -132,13 +132,13 @@ impl<W: Write> Canvas<W> {
         let metadata = element("metadata")
             .holding(element("schema").text("IMS Content"))
             .holding(element("schemaversion").text("1.1.3"));
-        let own = resource(quiz, "imsqti_xmlv1p2")
+        let quiz_resource = resource(quiz, "imsqti_xmlv1p2")
             .holding(file(&self.file()))
             .holding(element("dependency").with("identifierref", &settings));
         let about = resource(&settings, "associatedcontent/imscc_xmlv1p1/learning-application-resource")
             .with("href", self.settings())
             .holding(file(&self.settings()));
-        let resources = element("resources").holding(own).holding(about);
+        let resources = element("resources").holding(quiz_resource).holding(about);
         element("manifest")
             .with("identifier", "manifest")
             .with("xmlns", MANIFEST)

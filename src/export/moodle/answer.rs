@@ -29,8 +29,10 @@ pub(super) struct Answer<'i> {
 
 /// A share of the points in per cent: the nearest that Moodle knows.
 pub(super) fn nearest(share: f64) -> f64 {
-    let away = |own: &f64| (own - share * FRACTIONS[0]).abs();
-    FRACTIONS.into_iter().fold(FRACTIONS[0], |best, own| if away(&own) < away(&best) { own } else { best })
+    let away = |fraction: &f64| (fraction - share * FRACTIONS[0]).abs();
+    FRACTIONS
+        .into_iter()
+        .fold(FRACTIONS[0], |best, fraction| if away(&fraction) < away(&best) { fraction } else { best })
 }
 
 /// What Moodle keeps of a number.
@@ -43,9 +45,9 @@ pub(super) fn answers(item: &NumberItem, out_of: u32) -> Vec<Answer<'_>> {
     let bands = bands(item, out_of);
     let printed = printed(item);
     let parsed: f64 = printed.parse().unwrap_or(item.right);
-    let home = bands.iter().find(|own| own.is_full() && (own.low..=own.high).contains(&parsed));
-    let reach = |own: &Band<'_>| as_moodle_keeps((parsed - own.low).min(own.high - parsed));
-    let first = home.map(|own| Answer { value: printed, tolerance: reach(own), ..answer(own) });
+    let home = bands.iter().find(|band| band.is_full() && (band.low..=band.high).contains(&parsed));
+    let reach = |band: &Band<'_>| as_moodle_keeps((parsed - band.low).min(band.high - parsed));
+    let first = home.map(|band| Answer { value: printed, tolerance: reach(band), ..answer(band) });
     first.into_iter().chain(bands.iter().map(answer)).collect()
 }
 

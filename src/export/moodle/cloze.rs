@@ -26,18 +26,18 @@ pub(super) fn text(before: &str, question: &Question<'_>, markup: Markup) -> Str
 fn gap(field: &Field<'_>, asking: &Asking<'_>) -> String {
     let (kind, alternatives): (&str, Vec<String>) = match &field.asked {
         Asked::Number(number) => {
-            let one = |own: &Answer<'_>| {
-                let said = escaped(&own.feedback.join(" "));
-                format!("{}{}:{}#{said}", share(own.fraction), own.value, own.tolerance)
+            let one = |answer: &Answer<'_>| {
+                let said = escaped(&answer.feedback.join(" "));
+                format!("{}{}:{}#{said}", share(answer.fraction), answer.value, answer.tolerance)
             };
             // A gap is as wide as its longest answer, and that of a thousand times as much would be the longest.
             let answers = answers(number, asking.part.field.points);
-            ("NUMERICAL", answers.iter().filter(|own| !own.is_coarse).map(one).collect())
+            ("NUMERICAL", answers.iter().filter(|answer| !answer.is_coarse).map(one).collect())
         }
         Asked::Choice(options) => {
-            let one = |own: &Choice<'_>| {
-                let fraction = if own.right { 100.0 } else { 0.0 };
-                format!("{}{}#{}", share(fraction), escaped(&in_gap(own)), escaped(&own.feedback))
+            let one = |choice: &Choice<'_>| {
+                let fraction = if choice.right { 100.0 } else { 0.0 };
+                format!("{}{}#{}", share(fraction), escaped(&in_gap(choice)), escaped(&choice.feedback))
             };
             ("MULTICHOICE_V", options.iter().map(one).collect())
         }

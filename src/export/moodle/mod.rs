@@ -89,7 +89,9 @@ struct Texts {
 impl Texts {
     fn of(question: &Question<'_>, markup: Markup) -> Result<Self, NotWritten> {
         let pictures = |name| {
-            Pictures::new(name, |markup, own| markup.picture(&format!("@@PLUGINFILE@@/{}", own.name), own.drawing))
+            Pictures::new(name, |markup, picture| {
+                markup.picture(&format!("@@PLUGINFILE@@/{}", picture.name), picture.drawing)
+            })
         };
         let (mut shown, mut solution_shown) = (pictures("figure"), pictures("solution"));
         let mut text = question.statement(markup, &mut shown)?;
@@ -152,9 +154,9 @@ fn only<'q, 'i>(question: &'q Question<'i>) -> Option<(&'i ItemPart, &'q Field<'
 
 /// Whether students type the unit of a question.
 pub(super) fn types_unit(question: &Question<'_>) -> bool {
-    let number =
-        only(question).and_then(|(_, field)| if let Asked::Number(own) = &field.asked { Some(own) } else { None });
-    number.is_some_and(|own| !units::units(&own.unit).is_empty())
+    let number = only(question)
+        .and_then(|(_, field)| if let Asked::Number(number) = &field.asked { Some(number) } else { None });
+    number.is_some_and(|number| !units::units(&number.unit).is_empty())
 }
 
 fn title(item: &Item) -> String {
@@ -176,14 +178,14 @@ fn id_number(identity: &Identity) -> String {
 }
 
 fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem, markup: Markup) -> io::Result<()> {
-    for own in answer::answers(number, part.field.points) {
-        let fraction = own.fraction.to_string();
+    for answer in answer::answers(number, part.field.points) {
+        let fraction = answer.fraction.to_string();
         let start =
             BytesStart::new("answer").with_attributes([("fraction", &*fraction), ("format", "moodle_auto_format")]);
         xml.write_event(Event::Start(start))?;
-        text(xml, "text", &own.value)?;
-        html(xml, "feedback", &said(markup, own.feedback), &[])?;
-        text(xml, "tolerance", &own.tolerance.to_string())?;
+        text(xml, "text", &answer.value)?;
+        html(xml, "feedback", &said(markup, answer.feedback), &[])?;
+        text(xml, "tolerance", &answer.tolerance.to_string())?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
     let units = units::units(&number.unit);

@@ -80,7 +80,7 @@ pub(super) fn units(asked: &Unit) -> Vec<(String, f64)> {
     for unit in std::iter::once(asked.clone()).chain(same) {
         let multiplier = if unit == *asked { 1.0 } else { asked.in_terms_of(&unit).to_f64() };
         for name in spellings(&unit, asked) {
-            if !all.iter().any(|(own, _)| *own == name) {
+            if !all.iter().any(|(listed, _)| *listed == name) {
                 all.push((name, multiplier));
             }
         }
@@ -103,7 +103,7 @@ fn spellings(unit: &Unit, asked: &Unit) -> Vec<String> {
             1 => divided.extend(["/", &below.concat()]),
             _ => divided.extend(["/(", &below.join(between), ")"]),
         }
-        let powers: Vec<String> = above.iter().cloned().chain(below.iter().map(|own| inverse(own))).collect();
+        let powers: Vec<String> = above.iter().cloned().chain(below.iter().map(|power| inverse(power))).collect();
         let powers = powers.join(between);
         all.extend(
             [seconds(&divided, &above, &below, between), Some(raised(&divided)), Some(raised(&powers))]
@@ -115,12 +115,12 @@ fn spellings(unit: &Unit, asked: &Unit) -> Vec<String> {
     let mut spoken: Vec<String> = Vec::new();
     for plural in [true, false] {
         let words = unit.spoken(plural);
-        let american = AMERICAN.iter().fold(words.clone(), |words, (british, own)| words.replace(british, own));
+        let american = AMERICAN.iter().fold(words.clone(), |words, (british, other)| words.replace(british, other));
         spoken.extend([words, american]);
     }
-    let otherwise = OTHERWISE.iter().filter(|(own, _)| *own == plain).flat_map(|(_, names)| names.iter());
-    all.extend(otherwise.map(|own| (*own).to_owned()));
-    let means = |name: &String| Unit::parse_asked(name, asked.dimension()).is_ok_and(|own| own == *unit);
+    let otherwise = OTHERWISE.iter().filter(|(listed, _)| *listed == plain).flat_map(|(_, names)| names.iter());
+    all.extend(otherwise.map(|name| (*name).to_owned()));
+    let means = |name: &String| Unit::parse_asked(name, asked.dimension()).is_ok_and(|read| read == *unit);
     let mut kept: Vec<String> = Vec::new();
     for name in all.into_iter().chain(spoken) {
         let typed = name.replace(' ', "");
@@ -179,7 +179,8 @@ mod tests {
     #[test]
     fn a_unit_has_the_spellings_that_marking_takes() {
         let names = |unit: &str| units(&Unit::parse(unit).unwrap());
-        let of = |unit: &str, name: &str| names(unit).iter().find(|(own, _)| own == name).map(|(_, times)| *times);
+        let of =
+            |unit: &str, name: &str| names(unit).iter().find(|(listed, _)| listed == name).map(|(_, times)| *times);
         for name in
             ["m/s", "ms^-1", "ms⁻¹", "m·s⁻¹", "m*s^-1", "m·s^-1", "m/sec", "metrespersecond", "meterspersecond", "mps"]
         {

@@ -49,10 +49,14 @@ impl<W: Write> Export for PrairieLearn<W> {
         if self.form.as_ref().is_none_or(|form| form.folder != folder) {
             self.end_form()?;
         }
-        let mut pictures = Pictures::new(&question.item.code, |markup, own| {
-            let about = markup.attribute(&own.drawing.description);
-            let caption = markup.text(&own.drawing.caption);
-            format!("<pl-figure file-name=\"{}\" alt=\"{about}\"></pl-figure>{}", own.name, markup.paragraph(&caption))
+        let mut pictures = Pictures::new(&question.item.code, |markup, picture| {
+            let about = markup.attribute(&picture.drawing.description);
+            let caption = markup.text(&picture.drawing.caption);
+            format!(
+                "<pl-figure file-name=\"{}\" alt=\"{about}\"></pl-figure>{}",
+                picture.name,
+                markup.paragraph(&caption)
+            )
         });
         let variant = variant(question, self.markup, &mut pictures)?;
         self.package.pictures(&format!("{folder}/clientFilesQuestion/"), &pictures)?;
@@ -92,7 +96,7 @@ fn about(question: &Question<'_>) -> Value {
 /// A universally unique identifier of version 8 (RFC 9562) that is made from a text.
 fn uuid(text: &str) -> String {
     let mut bytes = [0; 16];
-    bytes.iter_mut().zip(Sha256::digest(text.as_bytes())).for_each(|(own, byte)| *own = byte);
+    bytes.iter_mut().zip(Sha256::digest(text.as_bytes())).for_each(|(mixed, byte)| *mixed = byte);
     bytes[6] = bytes[6] & 0x0f | 0x80;
     bytes[8] = bytes[8] & 0x3f | 0x80;
     let digits = format!("{:032x}", u128::from_be_bytes(bytes));
@@ -114,30 +118,30 @@ fn variant(question: &Question<'_>, markup: Markup, pictures: &mut Pictures) -> 
 fn field(asking: &Asking<'_>, field: &Field<'_>, markup: Markup, labelled: bool) -> Value {
     let is_first = asking.fields.first().is_some_and(|first| first.name == field.name);
     let asked = if is_first { markup.paragraph(&asking.question(markup, labelled)) } else { String::new() };
-    let mut own = json!({
+    let mut field_of_number = json!({
         "name": field.name, "weight": asking.weight, "before": text(&(asked + &markup.text(&field.caption))),
     });
     match &field.asked {
         Asked::Number(number) => {
             let windows = bands(number, asking.part.field.points);
             let windows =
-                windows.iter().map(|own| json!([own.low, own.high, own.share, text(&said(markup, own.feedback))]));
-            own["number"] = json!(true);
-            own["right"] = json!(number.right);
-            own["unit"] = json!(asking.unit(markup));
-            own["windows"] = windows.collect();
+                windows.iter().map(|band| json!([band.low, band.high, band.share, text(&said(markup, band.feedback))]));
+            field_of_number["number"] = json!(true);
+            field_of_number["right"] = json!(number.right);
+            field_of_number["unit"] = json!(asking.unit(markup));
+            field_of_number["windows"] = windows.collect();
         }
         Asked::Choice(options) => {
-            let option = |own: &Choice<'_>| {
-                let feedback = text(&said(markup, std::slice::from_ref(&own.feedback)));
-                let right = if own.right { "true" } else { "false" };
-                json!({ "html": text(&own.shown(markup)), "right": right, "feedback": feedback })
+            let option = |choice: &Choice<'_>| {
+                let feedback = text(&said(markup, std::slice::from_ref(&choice.feedback)));
+                let right = if choice.right { "true" } else { "false" };
+                json!({ "html": text(&choice.shown(markup)), "right": right, "feedback": feedback })
             };
-            own["choice"] = json!(true);
-            own["options"] = options.iter().map(option).collect();
+            field_of_number["choice"] = json!(true);
+            field_of_number["options"] = options.iter().map(option).collect();
         }
     }
-    own
+    field_of_number
 }
 
 fn text(html: &str) -> String {

@@ -58,9 +58,10 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
                     below.push(interaction.holding_all(options.iter().zip(1..).map(option)));
                 }
             }
-            let spoken = cases.iter().filter(|own| !own.feedback.is_empty());
+            let spoken = cases.iter().filter(|case| !case.feedback.is_empty());
             below.extend(
-                spoken.map(|own| feedback(&feedback_outcome(field), &own.name, said(MARKUP, &own.feedback), dialect)),
+                spoken
+                    .map(|case| feedback(&feedback_outcome(field), &case.name, said(MARKUP, &case.feedback), dialect)),
             );
             processing = processing.holding_all(condition(field, &cases));
         }
@@ -91,28 +92,29 @@ fn cases(asking: &Asking<'_>, field: &Field<'_>) -> Vec<Case> {
     match &field.asked {
         Asked::Number(number) => {
             let mut alike: Vec<Vec<Band<'_>>> = Vec::new();
-            for own in bands(number, asking.part.field.points) {
-                let is_alike = |all: &&mut Vec<Band<'_>>| all.iter().all(|band| band.is_marked_as(&own));
+            for window in bands(number, asking.part.field.points) {
+                let is_alike = |all: &&mut Vec<Band<'_>>| all.iter().all(|band| band.is_marked_as(&window));
                 match alike.iter_mut().find(is_alike) {
-                    Some(all) => all.push(own),
-                    None => alike.push(vec![own]),
+                    Some(all) => all.push(window),
+                    None => alike.push(vec![window]),
                 }
             }
             let case = |(all, place): (Vec<Band<'_>>, usize)| {
                 let first = all.first()?;
                 let (score, feedback) = (first.share * f64::from(asking.weight), first.feedback.to_vec());
-                let mut tests: Vec<Element> = all.iter().map(|own| between(field, own.low, own.high)).collect();
+                let mut tests: Vec<Element> =
+                    all.iter().map(|window| between(field, window.low, window.high)).collect();
                 let test = if tests.len() == 1 { tests.pop()? } else { element("or").holding_all(tests) };
                 Some(Case { name: name(place), test, score, feedback })
             };
             alike.into_iter().zip(1..).filter_map(case).collect()
         }
         Asked::Choice(options) => {
-            let case = |(own, place): (&Choice<'_>, usize)| Case {
+            let case = |(option, place): (&Choice<'_>, usize)| Case {
                 name: name(place),
                 test: element("match").holding(variable(&response(field))).holding(base("identifier", &choice(place))),
-                score: if own.right { f64::from(asking.weight) } else { 0.0 },
-                feedback: [own.feedback.clone()].into_iter().filter(|text| !text.is_empty()).collect(),
+                score: if option.right { f64::from(asking.weight) } else { 0.0 },
+                feedback: [option.feedback.clone()].into_iter().filter(|text| !text.is_empty()).collect(),
             };
             options.iter().zip(1..).map(case).collect()
         }
@@ -121,18 +123,19 @@ fn cases(asking: &Asking<'_>, field: &Field<'_>) -> Vec<Case> {
 
 /// The first case that fits counts.
 fn condition(field: &Field<'_>, cases: &[Case]) -> Option<Element> {
-    let branch = |(own, place): (&Case, usize)| {
-        let mut branch = element(if place == 0 { "response-if" } else { "response-else-if" }).holding(own.test.clone());
-        if own.score > 0.0 {
-            let sum = element("sum").holding(variable("SCORE")).holding(base("float", &own.score.to_string()));
+    let branch = |(case, place): (&Case, usize)| {
+        let mut branch =
+            element(if place == 0 { "response-if" } else { "response-else-if" }).holding(case.test.clone());
+        if case.score > 0.0 {
+            let sum = element("sum").holding(variable("SCORE")).holding(base("float", &case.score.to_string()));
             branch = branch.holding(set("SCORE", sum));
         }
-        if !own.feedback.is_empty() {
-            branch = branch.holding(set(&feedback_outcome(field), base("identifier", &own.name)));
+        if !case.feedback.is_empty() {
+            branch = branch.holding(set(&feedback_outcome(field), base("identifier", &case.name)));
         }
         branch
     };
-    let told = cases.iter().filter(|own| own.score > 0.0 || !own.feedback.is_empty());
+    let told = cases.iter().filter(|case| case.score > 0.0 || !case.feedback.is_empty());
     let branches: Vec<Element> = told.zip(0..).map(branch).collect();
     (!branches.is_empty()).then(|| element("response-condition").holding_all(branches))
 }
@@ -149,7 +152,7 @@ fn declaration(field: &Field<'_>) -> Element {
     let (kind, right) = match &field.asked {
         Asked::Number(number) => ("float", Some(printed(number))),
         Asked::Choice(options) => {
-            let right = options.iter().zip(1..).find(|(own, _)| own.right);
+            let right = options.iter().zip(1..).find(|(option, _)| option.right);
             ("identifier", right.map(|(_, place)| choice(place)))
         }
     };

@@ -11,8 +11,10 @@ const FREE: u64 = 512 << 20;
 /// What there is to say of a folder of data.
 pub(super) fn findings(folder: &Path) -> Vec<Finding> {
     // Where it is not there yet the first start makes it.
-    let Some(there) =
-        folder.ancestors().map(|own| if own == Path::new("") { Path::new(".") } else { own }).find(|own| own.exists())
+    let Some(there) = folder
+        .ancestors()
+        .map(|ancestor| if ancestor == Path::new("") { Path::new(".") } else { ancestor })
+        .find(|ancestor| ancestor.exists())
     else {
         return vec![Finding::wrong(format!("{} cannot be made", folder.display()), "choose a folder with --data")];
     };
@@ -85,7 +87,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         for (mode, is_wrong) in [(0o700, false), (0o750, true), (0o705, true)] {
             std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(mode)).unwrap();
-            assert_eq!(others(folder.path()).is_some_and(|own| own.is_wrong()), is_wrong, "{mode:o}");
+            assert_eq!(others(folder.path()).is_some_and(|reached| reached.is_wrong()), is_wrong, "{mode:o}");
         }
     }
 }

@@ -26,25 +26,25 @@ impl Retention {
         let all = self.data.beside(async |store| {
             let all = Retained::all(&store, &clock).await?;
             if self.delete {
-                for own in &all {
-                    own.forget(&store, &clock).await?;
+                for retained in &all {
+                    retained.forget(&store, &clock).await?;
                 }
             }
             Ok(all)
         })?;
-        let lines: String = all.iter().map(|own| self.line(own)).collect();
+        let lines: String = all.iter().map(|retained| self.line(retained)).collect();
         Output::whole(None, if lines.is_empty() { "There is no course.\n" } else { &lines })?;
         Ok(Exit::Fine)
     }
 
-    fn line(&self, own: &Retained) -> String {
-        let state = match own.until.map(|until| until.shown(&own.course.zone)) {
-            Some(until) if !own.is_over => format!("kept until {until}"),
+    fn line(&self, retained: &Retained) -> String {
+        let state = match retained.until.map(|until| until.shown(&retained.course.zone)) {
+            Some(until) if !retained.is_over => format!("kept until {until}"),
             Some(_) if self.delete => "deleted".to_owned(),
             Some(until) => format!("kept long enough since {until}; --delete deletes them"),
-            None if own.course.retention_days.is_some() => "kept; there is no assignment".to_owned(),
+            None if retained.course.retention_days.is_some() => "kept; there is no assignment".to_owned(),
             None => "kept without end".to_owned(),
         };
-        format!("{}: {}, {state}\n", own.course.title, own.detail())
+        format!("{}: {}, {state}\n", retained.course.title, retained.detail())
     }
 }
