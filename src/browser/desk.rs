@@ -84,7 +84,7 @@ impl Desk {
     /// Answers a request: JSON in, JSON out.
     pub fn answer(&mut self, request: &[u8]) -> String {
         let answered =
-            serde_json::from_slice(request).map_err(|error| invalid(&error)).and_then(|own| self.answered(own));
+            serde_json::from_slice(request).map_err(|error| invalid(&error)).and_then(|request| self.answered(request));
         let answer = answered.unwrap_or_else(Answer::Refused);
         serde_json::to_string(&answer)
             .unwrap_or_else(|error| serde_json::json!({ "text": error.to_string() }).to_string())

@@ -62,25 +62,25 @@ impl Marker {
     /// assert!(report.parts[0].verdict.is_right() && !report.parts[1].verdict.is_right());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn mark_next(&mut self, worked: Worked<'_>, history: &mut History, own: &Try<'_>) -> Report {
+    pub fn mark_next(&mut self, worked: Worked<'_>, history: &mut History, attempt: &Try<'_>) -> Report {
         let rules = self.rubric().attempts.clone();
         let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
-        let answers = self.usual(&ids, &own.answers);
-        let further = self.usual(&ids, &own.further_hints);
+        let answers = self.usual(&ids, &attempt.answers);
+        let further = self.usual(&ids, &attempt.further_hints);
         let of_part = |part: &Part| {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
             let further = further.iter().find(|(id, _)| *id == part.id).map_or(0, |(_, count)| *count);
             // Whether a formula can be judged tells something of the right one.
             let by_reading = rules.told == FeedbackTime::Later && !text.trim().is_empty();
             let readable = by_reading.then(|| matches!(echo(worked, part, text, self.mark), Some(Ok(_))));
-            Typed { text, seen: Seen { hints: own.hints, further }, readable }
+            Typed { text, seen: Seen { hints: attempt.hints, further }, readable }
         };
         let typed: Vec<Typed<'_>> = worked.form.parts.iter().map(of_part).collect();
         let not_asked: Vec<(&str, &str)> = answers.iter().filter(|(part, _)| !ids.contains(part)).copied().collect();
-        history.mark(&typed, &own.factor, &rules, &mut |texts, sittings| {
+        history.mark(&typed, &attempt.factor, &rules, &mut |texts, sittings| {
             let mut sheet: Vec<(&str, &str)> = ids.iter().copied().zip(texts.iter().copied()).collect();
             sheet.extend(&not_asked);
-            self.mark_sheet(worked, &sheet, Sittings::Each(sittings), &own.work_factor)
+            self.mark_sheet(worked, &sheet, Sittings::Each(sittings), &attempt.work_factor)
         })
     }
 
@@ -89,7 +89,8 @@ impl Marker {
     #[must_use]
     pub fn mark_attempts(&mut self, worked: Worked<'_>, attempts: &[Try<'_>], before: u32) -> Vec<Report> {
         let mut history = History::after(before, worked.form.parts.len());
-        let mut reports: Vec<Report> = attempts.iter().map(|own| self.mark_next(worked, &mut history, own)).collect();
+        let mut reports: Vec<Report> =
+            attempts.iter().map(|attempt| self.mark_next(worked, &mut history, attempt)).collect();
         let counting = history.counting().and_then(|number| usize::try_from(number).ok()?.checked_sub(1));
         if let Some(report) = counting.and_then(|place| reports.get_mut(place)) {
             report.parts.iter_mut().for_each(|part| part.counts = true);
@@ -107,7 +108,7 @@ impl Exercise {
     }
 
     /// Marks the next attempt at this variant, after those in its history; where many are marked, a [`Marker`] does it faster.
-    pub fn mark_next(&self, history: &mut History, own: &Try<'_>, mark: DecimalMark) -> Report {
-        self.marker(mark).mark_next(self.worked(), history, own)
+    pub fn mark_next(&self, history: &mut History, attempt: &Try<'_>, mark: DecimalMark) -> Report {
+        self.marker(mark).mark_next(self.worked(), history, attempt)
     }
 }

@@ -20,29 +20,30 @@ impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
     pub(super) fn diagnose(&self, report: &mut grade::Report) {
         let mut changed = false;
-        let right: Vec<bool> = report.parts.iter().map(|own| own.verdict.is_right() && own.follows.is_none()).collect();
-        for (place, own) in report.parts.iter_mut().enumerate() {
-            if !diagnose::is_open(own.verdict) || own.follows.is_some() {
+        let right: Vec<bool> =
+            report.parts.iter().map(|report| report.verdict.is_right() && report.follows.is_none()).collect();
+        for (place, report) in report.parts.iter_mut().enumerate() {
+            if !diagnose::is_open(report.verdict) || report.follows.is_some() {
                 continue;
             }
-            let exactly = own.verdict == Verdict::RoundingSlip;
+            let exactly = report.verdict == Verdict::RoundingSlip;
             let found = self.misjudged(place).or_else(|| {
                 let suspects = self.suspects(place, exactly)?;
                 let possible = self.possible(suspects.clone(), &right);
                 let found = if possible.is_empty() { self.in_one_part(place, suspects) } else { possible };
-                self.diagnosis(unexplained(own.verdict, found))
+                self.diagnosis(unexplained(report.verdict, found))
             });
             let Some(diagnosis) = found else { continue };
             if exactly {
                 // A mistake that gives exactly this value says where it comes from; nothing was rounded.
-                (own.verdict, own.message) = (Verdict::Wrong, grade::not_right());
-                own.points = self.rubric.points(Verdict::Wrong, own.out_of);
+                (report.verdict, report.message) = (Verdict::Wrong, grade::not_right());
+                report.points = self.rubric.points(Verdict::Wrong, report.out_of);
                 changed = true;
             }
             let told = diagnosis.hints.iter().take(self.sitting(place).hints.saturating_add(1)).map(String::as_str);
-            let told = told.filter(|told| **told != *own.message);
-            own.message = std::iter::once(&*own.message).chain(told).collect::<Vec<_>>().join(" ").into();
-            own.diagnosis = Some(diagnosis);
+            let told = told.filter(|told| **told != *report.message);
+            report.message = std::iter::once(&*report.message).chain(told).collect::<Vec<_>>().join(" ").into();
+            report.diagnosis = Some(diagnosis);
         }
         if changed {
             report.recount();
@@ -66,8 +67,8 @@ impl Marking<'_> {
     fn suspects(&self, place: usize, exactly: bool) -> Option<Vec<&Mistake>> {
         match self.answered(place)? {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), written) => {
-                let answer =
-                    diagnose::number(right, written).filter(|own| !diagnose::is_coarse(right, written, *own))?;
+                let answer = diagnose::number(right, written)
+                    .filter(|mistaken| !diagnose::is_coarse(right, written, *mistaken))?;
                 let (mistakes, values) = self.outcomes(|all, mistake, add| {
                     // Numbers that come of other data may be anywhere: nearness alone says nothing of them.
                     let exactly = exactly || mistake.is_of_data();
@@ -178,15 +179,16 @@ impl Marking<'_> {
 pub(super) fn unexplained(verdict: Verdict, mut found: Vec<&Mistake>) -> Vec<&Mistake> {
     match verdict {
         Verdict::Wrong | Verdict::RoundingSlip => {}
-        Verdict::Sense => found.retain(|own| own.is_written()),
-        _ => found.retain(|own| !own.yields()),
+        Verdict::Sense => found.retain(|mistake| mistake.is_written()),
+        _ => found.retain(|mistake| !mistake.yields()),
     }
     found
 }
 
 /// A law says more than a slip of the pen, an author's own words more than ours, and one mistake explains more than several.
 pub(super) fn likeliest_first(worked: Worked<'_>, found: &mut [&Mistake]) {
-    found.sort_by_key(|own| (feedback_on(worked, own.of).is_none(), own.instance.is_none(), own.places));
+    found
+        .sort_by_key(|mistake| (feedback_on(worked, mistake.of).is_none(), mistake.instance.is_none(), mistake.places));
 }
 
 /// What is said of a wrong choice: what the author says of that option, or of the mistake behind any.
@@ -238,7 +240,10 @@ pub(super) fn hints_on(worked: Worked<'_>, found: &[&Mistake]) -> Vec<String> {
         first = format!("{first} Another possibility: {asked}");
         hint = format!("{hint} {}", other.hint);
     }
-    let law = mistake.instance.and_then(|own| worked.problem.model().instances.get(own)).map(|own| own.law);
+    let law = mistake
+        .instance
+        .and_then(|instance| worked.problem.model().instances.get(instance))
+        .map(|instance| instance.law);
     let statement = law.map(|law| format!("{} {}", law.statement, law.signs));
     [Some(first), Some(hint), statement].into_iter().flatten().collect()
 }

@@ -1,4 +1,4 @@
-//! What is understood of an answer, in words, before anybody judges it.
+//! Readings of answers, in words, before anybody judges them.
 
 use momentous_expr::{Leaf, LeafKind, Math};
 use momentous_grade as grade;
@@ -14,8 +14,8 @@ use super::ROOTS_JOINED;
 use super::marker::Blank;
 use super::rules::Rules;
 
-/// What is understood of an answer to a part, or why nothing is; nothing where there is none. Where several values are asked, each is
-/// read by itself, in the order in which they were typed. The right answer is not looked at.
+/// The reading of an answer to a part, or why it cannot be read; none where there is no answer. Where several values are asked,
+/// each is read by itself, in the order in which they were typed. The right answer is not looked at.
 pub(super) fn echo(worked: Worked<'_>, part: &Part, text: &str, mark: DecimalMark) -> Option<Result<String, String>> {
     let blank = Blank::new(Rules { problem: worked.problem, form: worked.form }, part);
     let asked = blank.expected(worked);
@@ -38,8 +38,8 @@ pub(super) fn values(worked: Worked<'_>, part: &Part, text: &str) -> Vec<String>
 }
 
 impl Exercise {
-    /// What is understood of an answer to a part, in words, or why nothing is; nothing where there is none. The right answer is not
-    /// looked at.
+    /// The reading of an answer to a part, in words, or why it cannot be read; none where there is no answer. The right answer is
+    /// not looked at.
     #[must_use]
     pub fn echo(&self, part: &Part, text: &str, mark: DecimalMark) -> Option<Result<String, String>> {
         echo(self.worked(), part, text, mark)

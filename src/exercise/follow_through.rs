@@ -18,7 +18,7 @@ use momentous_quantity::Rational;
 
 use super::marking::Marking;
 
-/// So many wrong earlier answers are looked at in every combination, the latest ones.
+/// The number of wrong earlier answers that are looked at in every combination, the latest ones.
 const MOST_EARLIER: usize = 4;
 /// A given and an answer are the same within this share of it.
 const SAME: f64 = 1e-6;
@@ -40,7 +40,7 @@ pub(super) struct Found {
     pub(super) from: Vec<String>,
     pub(super) by: Vec<&'static Law>,
     pub(super) unphysical: Option<String>,
-    /// What the answer is worth otherwise: less than all where its unit is missing.
+    /// The fraction that the answer is worth otherwise: less than all where its unit is missing.
     pub(super) fraction: Rational,
 }
 
@@ -49,31 +49,32 @@ impl Marking<'_> {
     /// for it; before that it could be typed in.
     pub(super) fn follow_through(&self, report: &mut grade::Report) {
         let mut earlier: Vec<Earlier> = Vec::new();
-        for (place, own) in report.parts.iter_mut().enumerate() {
-            if !diagnose::is_open(own.verdict) {
+        for (place, report) in report.parts.iter_mut().enumerate() {
+            if !diagnose::is_open(report.verdict) {
                 continue;
             }
             let relevant = earlier.split_at(earlier.len().saturating_sub(MOST_EARLIER)).1;
             if let Some(found) = self.followed(place, relevant) {
                 let flagged = found.unphysical.is_some();
-                own.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
-                own.points =
-                    grade::Points(self.rubric.fraction(own.verdict) * found.fraction * Rational::from(own.out_of));
+                report.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
+                report.points = grade::Points(
+                    self.rubric.fraction(report.verdict) * found.fraction * Rational::from(report.out_of),
+                );
                 let by = found.by.iter().map(|law| law.name).collect();
                 let follows = Follows { from: found.from, by, unphysical: found.unphysical };
-                own.message = follows.to_string().into();
-                own.follows = Some(follows);
+                report.message = follows.to_string().into();
+                report.follows = Some(follows);
             } else if self.sitting(place).closed
                 && !relevant.is_empty()
                 && let Some((PartKind::Number(number), ..)) = self.answered(place)
             {
-                own.own_values = self.own_values(number, relevant);
+                report.own_values = self.own_values(number, relevant);
             }
-            let reversed = matches!(own.verdict, Verdict::Sense | Verdict::SenseReversed);
+            let reversed = matches!(report.verdict, Verdict::Sense | Verdict::SenseReversed);
             let fresh = self.given_as(place).into_iter();
             earlier.extend(fresh.filter_map(|(symbol, value, formula)| {
                 self.can_be_built_upon(symbol, value).then(|| Earlier {
-                    id: own.id.clone(),
+                    id: report.id.clone(),
                     symbol,
                     value,
                     reversed,
@@ -84,7 +85,7 @@ impl Marking<'_> {
         report.recount();
     }
 
-    /// What an answer says of the quantities that are asked: values in SI units, and formulas in what is given. Nothing where it
+    /// The values of an answer for the quantities that are asked: in SI units, and as formulas in what is given. None where it
     /// measures something else.
     fn given_as(&self, place: usize) -> Vec<(Symbol, f64, Option<Expr>)> {
         match self.answered(place) {
@@ -99,29 +100,30 @@ impl Marking<'_> {
             Some((PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer)) => {
                 let values = diagnose::components(right, answer).unwrap_or_default();
                 let pairs = vector.components.iter().zip(values);
-                pairs.map(|(own, value)| (own.symbol, value * self.worked.unit_of(own), None)).collect()
+                pairs.map(|(number, value)| (number.symbol, value * self.worked.unit_of(number), None)).collect()
             }
             Some((PartKind::Formula(formula), grade::ExpectedKind::Formula(right), grade::Answer::Formula(answer))) => {
                 let written = right.in_letters(&answer.formula);
                 let fits = written.dimension(&right.symbols) == Ok(right.dimension);
-                let value = written.evaluate(&|own| self.worked.variant.value(own).map_or(f64::NAN, |own| own.value));
+                let value = written
+                    .evaluate(&|symbol| self.worked.variant.value(symbol).map_or(f64::NAN, |number| number.value));
                 fits.then_some((formula.symbol, value, Some(written))).into_iter().collect()
             }
             _ => Vec::new(),
         }
     }
 
-    /// What makes the rest trivial or impossible is not built upon: nothing, and what is given anyway.
+    /// Whether a value can be built upon: none that makes the rest trivial or impossible, as zero and what is given anyway.
     pub(super) fn can_be_built_upon(&self, symbol: Symbol, value: f64) -> bool {
         let dimension = self.worked.problem.model().symbols.entry(symbol).dimension;
-        let given = self.worked.variant.all_given().iter().any(|(own, _, unit)| {
-            let given = self.worked.variant.value(*own).map(|given| given.value);
+        let given = self.worked.variant.all_given().iter().any(|(given_symbol, _, unit)| {
+            let given = self.worked.variant.value(*given_symbol).map(|given| given.value);
             unit.dimension() == dimension && given.is_some_and(|given| (given - value).abs() <= SAME * given.abs())
         });
         value != 0.0 && value.is_finite() && !given
     }
 
-    /// What would have followed from the student's own answers: every value, and the laws by which it follows.
+    /// The values that would have followed from the student's own answers, and the laws by which they follow.
     fn own_values(&self, number: &NumberPart, earlier: &[Earlier]) -> Option<String> {
         let all: Vec<&Earlier> = earlier.iter().collect();
         let last: Vec<&Earlier> = earlier.iter().rev().take(1).collect();
@@ -132,9 +134,9 @@ impl Marking<'_> {
         let unit = self.worked.unit_of(number);
         let said: Vec<String> = found
             .iter()
-            .filter_map(|own| {
-                let value = Printed::new(own.value / unit, number.figures)?.plain();
-                let laws: Vec<&str> = own.by.iter().map(|law| law.name).collect();
+            .filter_map(|consequence| {
+                let value = Printed::new(consequence.value / unit, number.figures)?.plain();
+                let laws: Vec<&str> = consequence.by.iter().map(|law| law.name).collect();
                 Some(format!(
                     "{} by {}",
                     format!("{value} {}", self.worked.problem.unit_name(number)).trim_end(),
@@ -156,5 +158,5 @@ fn exactly(answer: &grade::Answer) -> Option<Expr> {
 /// The parts of earlier answers, each once.
 pub(super) fn names(chosen: &[&Earlier]) -> Vec<String> {
     let mut seen = BTreeSet::new();
-    chosen.iter().filter(|own| seen.insert(&own.id)).map(|own| own.id.clone()).collect()
+    chosen.iter().filter(|answer| seen.insert(&answer.id)).map(|answer| answer.id.clone()).collect()
 }

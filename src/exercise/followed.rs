@@ -24,7 +24,7 @@ const DOUBLE: f64 = 1e-12;
 /// At most so many vectors are put together of what follows for their components.
 const MOST_VECTORS: usize = 256;
 
-/// What may stand as a component: the right value, or what follows from earlier answers.
+/// A component: the right value, or what follows from earlier answers.
 struct Component<'a> {
     value: f64,
     follows: Option<(Vec<&'a Earlier>, Consequence)>,
@@ -83,8 +83,8 @@ impl Marking<'_> {
         earlier: &[Earlier],
     ) -> Option<Found> {
         self.best(part.symbol, earlier, &mut |chosen, candidate| {
-            let own = |symbol: Symbol| chosen.iter().find(|own| own.symbol == symbol)?.formula.clone();
-            if !chosen.iter().all(|own| own.formula.is_some()) {
+            let formula_of = |symbol: Symbol| chosen.iter().find(|answer| answer.symbol == symbol)?.formula.clone();
+            if !chosen.iter().all(|answer| answer.formula.is_some()) {
                 return None;
             }
             let is = |formula: Expr| {
@@ -92,7 +92,7 @@ impl Marking<'_> {
                 let target = grade::Expected { id: String::new(), points: 0, kind };
                 accepted(grade::judge(&target, answer).verdict)
             };
-            candidate.formulas().into_iter().find_map(|formula| is(formula.substitute(&own)))
+            candidate.formulas().into_iter().find_map(|formula| is(formula.substitute(&formula_of)))
         })
     }
 
@@ -112,12 +112,12 @@ impl Marking<'_> {
                 judged.is_some()
             };
             let found = self.consequences(asked, &chosen, &mut accept);
-            for (own, judged) in found.into_iter().zip(verdicts) {
-                if best.as_ref().is_none_or(|best| best.unphysical.is_some() && own.unphysical.is_none()) {
+            for (consequence, judged) in found.into_iter().zip(verdicts) {
+                if best.as_ref().is_none_or(|best| best.unphysical.is_some() && consequence.unphysical.is_none()) {
                     best = Some(Found {
                         from: names(&chosen),
-                        by: own.by,
-                        unphysical: own.unphysical,
+                        by: consequence.by,
+                        unphysical: consequence.unphysical,
                         fraction: self.rubric.fraction(judged),
                     });
                 }
@@ -142,13 +142,13 @@ impl Marking<'_> {
         let mut judge = |picked: &[&Component<'_>]| {
             if let grade::ExpectedKind::Vector(aimed) = &mut target.kind {
                 let all = aimed.components.iter_mut().zip(&right.components).zip(picked);
-                all.for_each(|((own, right), picked)| aim(own, right, picked.value));
+                all.for_each(|((blank, right), picked)| aim(blank, right, picked.value));
             }
             let verdict = accepted(grade::judge(&target, answer).verdict)?;
-            let follow = || picked.iter().filter_map(|own| own.follows.as_ref());
+            let follow = || picked.iter().filter_map(|part| part.follows.as_ref());
             let chosen: Vec<&Earlier> = follow().flat_map(|(chosen, _)| chosen.iter().copied()).collect();
             let mut by = Vec::new();
-            follow().flat_map(|(_, own)| &own.by).for_each(|law| {
+            follow().flat_map(|(_, consequence)| &consequence.by).for_each(|law| {
                 if !by.contains(law) {
                     by.push(law);
                 }
@@ -156,14 +156,14 @@ impl Marking<'_> {
             Some(Found {
                 from: names(&chosen),
                 by,
-                unphysical: follow().find_map(|(_, own)| own.unphysical.clone()),
+                unphysical: follow().find_map(|(_, consequence)| consequence.unphysical.clone()),
                 fraction: self.rubric.fraction(verdict),
             })
         };
         let combined =
-            combinations(&choices).into_iter().filter(|picked| picked.iter().any(|own| own.follows.is_some()));
+            combinations(&choices).into_iter().filter(|picked| picked.iter().any(|part| part.follows.is_some()));
         let mut found: Vec<Found> = combined.filter_map(|picked| judge(&picked)).collect();
-        found.sort_by_key(|own| (own.unphysical.is_some(), own.from.len()));
+        found.sort_by_key(|followed| (followed.unphysical.is_some(), followed.from.len()));
         found.into_iter().next()
     }
 
@@ -172,25 +172,24 @@ impl Marking<'_> {
         let mut choices = vec![Component { value: right, follows: None }];
         for chosen in subsets(earlier) {
             let found = self.consequences(part.symbol, &chosen, &mut |_| true);
-            choices.extend(
-                found
-                    .into_iter()
-                    .map(|own| Component { value: own.value / unit, follows: Some((chosen.clone(), own)) }),
-            );
+            choices.extend(found.into_iter().map(|consequence| Component {
+                value: consequence.value / unit,
+                follows: Some((chosen.clone(), consequence)),
+            }));
         }
         choices
     }
 
-    /// What follows from earlier answers and is wanted, without what makes the rest trivial.
+    /// The consequences of earlier answers that are wanted, without those that make the rest trivial.
     pub(super) fn consequences(
         &self,
         asked: Symbol,
         chosen: &[&Earlier],
         accept: &mut dyn FnMut(&Candidate<'_>) -> bool,
     ) -> Vec<Consequence> {
-        let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
+        let values = chosen.iter().map(|answer| (answer.symbol, answer.value)).collect();
         // A sign that is lost in writing an answer down has not been wrong before.
-        let reversed = chosen.iter().any(|own| own.reversed);
+        let reversed = chosen.iter().any(|answer| answer.reversed);
         let mut accept = |candidate: &Candidate<'_>| {
             let follows = !(reversed && candidate.is_backwards());
             follows && self.can_be_built_upon(asked, candidate.value) && accept(candidate)
@@ -216,8 +215,8 @@ fn is_far(right: &grade::ExpectedNumber, value: f64, answer: f64) -> bool {
 /// Every choice of earlier answers, small ones first.
 fn subsets(earlier: &[Earlier]) -> Vec<Vec<&Earlier>> {
     let mut all: Vec<Vec<&Earlier>> = vec![Vec::new()];
-    for own in earlier {
-        let with: Vec<Vec<&Earlier>> = all.iter().map(|chosen| [chosen.as_slice(), &[own]].concat()).collect();
+    for answer in earlier {
+        let with: Vec<Vec<&Earlier>> = all.iter().map(|chosen| [chosen.as_slice(), &[answer]].concat()).collect();
         all.extend(with);
     }
     all.retain(|chosen| !chosen.is_empty());
@@ -228,8 +227,8 @@ fn subsets(earlier: &[Earlier]) -> Vec<Vec<&Earlier>> {
 /// One choice for each component, in every way; what was listed first comes first.
 fn combinations<'c, 'e>(choices: &'c [Vec<Component<'e>>]) -> Vec<Vec<&'c Component<'e>>> {
     let mut all: Vec<Vec<&Component<'_>>> = vec![Vec::new()];
-    for own in choices {
-        let longer = all.iter().flat_map(|picked| own.iter().map(move |next| [picked.as_slice(), &[next]].concat()));
+    for choice in choices {
+        let longer = all.iter().flat_map(|picked| choice.iter().map(move |next| [picked.as_slice(), &[next]].concat()));
         all = longer.take(MOST_VECTORS).collect();
     }
     all

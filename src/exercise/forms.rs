@@ -1,11 +1,11 @@
-//! What the forms of a problem are called on a page: by what each asks.
+//! Labels of the forms of a problem on a page: by what each asks.
 
 use momentous_explain::Inline;
 use momentous_problem::PlannedForm;
 
 use super::Exercise;
 
-/// So many quantities are named; of more, the first.
+/// The number of quantities that are named; of more, the first.
 const MOST: usize = 3;
 
 /// A form of a problem that has several.
@@ -13,7 +13,7 @@ const MOST: usize = 3;
 pub struct FormLabel {
     /// Its name in the file.
     pub name: String,
-    /// What it asks: `Find v_A2, v_B2`; its name where that is what other forms ask, too, or it asks for no quantity.
+    /// The label: `Find v_A2, v_B2`; its name where that is what other forms ask, too, or it asks for no quantity.
     pub label: Vec<Inline>,
 }
 

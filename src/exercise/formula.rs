@@ -35,7 +35,7 @@ impl Exercise {
             };
             text.extend([Inline::Text(joint.into()), name(*letter)]);
         }
-        let is_first = self.worked().form.parts.iter().find(|own| matches!(own.kind, PartKind::Formula(_)));
+        let is_first = self.worked().form.parts.iter().find(|part| matches!(part.kind, PartKind::Formula(_)));
         if is_first.is_some_and(|first| first.id == part.id) {
             let unnamed = letters.into_iter().filter(|letter| self.is_printed_without_its_letter(*letter));
             for (index, letter) in unnamed.enumerate() {
@@ -52,9 +52,10 @@ impl Exercise {
     fn is_printed_without_its_letter(&self, symbol: Symbol) -> bool {
         let texts = [&self.problem.loaded().draft.text, &self.worked().form.question.text];
         let model = self.problem.model();
-        let own = texts.into_iter().flat_map(Text::placeholders);
-        let mut own = own.filter(|placeholder| model.symbol_of(&placeholder.name) == Some(symbol)).peekable();
-        own.peek().is_some() && !own.any(|placeholder| placeholder.filter.names())
+        let placeholders = texts.into_iter().flat_map(Text::placeholders);
+        let mut placeholders =
+            placeholders.filter(|placeholder| model.symbol_of(&placeholder.name) == Some(symbol)).peekable();
+        placeholders.peek().is_some() && !placeholders.any(|placeholder| placeholder.filter.names())
     }
 
     /// The symbols in which an answer is written: that of which it is a multiple first, then all that are given.
@@ -88,11 +89,11 @@ impl Exercise {
     }
 }
 
-/// What a right answer to a formula is.
+/// The right answer to a formula.
 pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade::ExpectedKind {
     let mut alphabet = worked.alphabet();
     if let Some(unit) = part.in_terms_of
-        && !alphabet.letters.iter().any(|(own, ..)| *own == unit)
+        && !alphabet.letters.iter().any(|(listed, ..)| *listed == unit)
         && let Some(value) = worked.in_givens(unit, &alphabet.values)
     {
         alphabet.values.insert(unit, value);
@@ -102,7 +103,7 @@ pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade:
     let formula = formula.unwrap_or_else(|| Expr::from(part.symbol));
     let table = Arc::new(worked.problem.notation().table(symbols));
     let givens: Vec<Symbol> = alphabet.letters.iter().map(|(symbol, ..)| *symbol).collect();
-    let value = worked.variant.value(part.symbol).map(|own| own.value);
+    let value = worked.variant.value(part.symbol).map(|number| number.value);
     let sign = worked.problem.sign(part.symbol);
     grade::ExpectedKind::Formula(grade::ExpectedFormula {
         value: value.filter(|_| symbols.entry(part.symbol).dimension == Dimension::NONE),

@@ -51,7 +51,7 @@ pub struct Issued {
     pub secret: Option<String>,
     /// The version by which the seed was derived from the person; nothing where it was chosen by hand.
     pub derivation: Option<usize>,
-    /// What stands between whole and decimal digits in the person's answers.
+    /// The sign between whole and decimal digits in the person's answers.
     pub decimal: DecimalMark,
     /// The letters in which it was printed, and in which formulas are typed.
     pub letters: CourseSymbols,
@@ -61,7 +61,7 @@ pub struct Issued {
     parts: Vec<IssuedPart>,
 }
 
-/// What was asked.
+/// The questions.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 struct IssuedPart {
     id: String,
@@ -69,7 +69,7 @@ struct IssuedPart {
     unit: Option<String>,
 }
 
-/// What becomes of a sheet when its problem was corrected.
+/// The treatment of a sheet when its problem was corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remark {
     /// The corrected problem can have the same givens and asks the same parts in the same units: old answers can be marked by it.

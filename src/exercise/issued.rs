@@ -37,7 +37,7 @@ impl Derivation {
     /// The number by which tables and arguments name it.
     #[must_use]
     pub fn number(self) -> usize {
-        Self::ALL.iter().take_while(|own| **own != self).count() + 1
+        Self::ALL.iter().take_while(|derivation| **derivation != self).count() + 1
     }
 }
 
@@ -51,12 +51,12 @@ impl FromStr for Derivation {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|own| own.to_string() == text.trim());
+        let found = Self::ALL.into_iter().find(|derivation| derivation.to_string() == text.trim());
         found.ok_or_else(|| format!("the versions are 1 to {}", Self::ALL.len()))
     }
 }
 
-/// What the seeds of a class are made with: the version, and the secret of the course where it has one.
+/// Seeds of a class: the version of their derivation, and the secret of the course where it has one.
 ///
 /// ```
 /// use momentous_exercise::SeedSource;

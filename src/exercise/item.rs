@@ -206,8 +206,8 @@ impl Exercise {
                 ItemAnswers::Number(Box::new(self.number_item(part, &expected, &mistaken)))
             }
             (ExpectedKind::Vector(expected), PartKind::Vector(vector)) => {
-                let component = |(own, number): (&grade::ExpectedNumber, &NumberPart)| {
-                    self.number_item(part, own, &self.mistaken(number, own, simulated))
+                let component = |(blank, number): (&grade::ExpectedNumber, &NumberPart)| {
+                    self.number_item(part, blank, &self.mistaken(number, blank, simulated))
                 };
                 ItemAnswers::Vector {
                     axes: vector.axes.iter().map(|axis| (*axis).to_owned()).collect(),
@@ -228,8 +228,8 @@ impl Exercise {
                 mistaken: self.mistaken_formulas(part, formula),
             },
             (ExpectedKind::Interval(expected), _) => {
-                let end = |own: &Option<grade::ExpectedEnd>| {
-                    own.as_ref().map(|own| Box::new(self.number_item(part, &own.number, &[])))
+                let end = |end: &Option<grade::ExpectedEnd>| {
+                    end.as_ref().map(|end| Box::new(self.number_item(part, &end.number, &[])))
                 };
                 ItemAnswers::Interval { low: end(&expected.low), high: end(&expected.high) }
             }
@@ -242,15 +242,15 @@ impl Exercise {
         let roots = several(self.worked(), part).unwrap_or_default();
         let expected = each_expected(&self.expected(part), &roots, self.worked(), part);
         let expected: Vec<grade::ExpectedNumber> = expected.into_iter().filter_map(number_expected).collect();
-        let item = |own: &grade::ExpectedNumber| {
-            let PartKind::Number(number) = &part.kind else { return self.number_item(part, own, &[]) };
+        let item = |expected_number: &grade::ExpectedNumber| {
+            let PartKind::Number(number) = &part.kind else { return self.number_item(part, expected_number, &[]) };
             // What is right for another root is no mistake, but in the wrong place.
             let is_other = |mistaken: &Mistaken<'_>| {
                 expected.iter().any(|root| (mistaken.low..=mistaken.high).contains(&root.value))
             };
-            let mut mistaken = self.mistaken(number, own, simulated);
-            mistaken.retain(|own| !is_other(own));
-            self.number_item(part, own, &mistaken)
+            let mut mistaken = self.mistaken(number, expected_number, simulated);
+            mistaken.retain(|mistaken| !is_other(mistaken));
+            self.number_item(part, expected_number, &mistaken)
         };
         let mut items: Vec<NumberItem> = expected.iter().map(item).collect();
         items.sort_by(|left, right| left.right.total_cmp(&right.right));
@@ -261,7 +261,7 @@ impl Exercise {
         let worked = self.worked();
         let rubric = Rules { problem: worked.problem, form: worked.form }.rubric();
         let mut windows = self.windows(&grade::windows(expected), mistaken, part.points, &rubric);
-        for window in windows.iter_mut().filter(|own| own.feedback.is_empty()) {
+        for window in windows.iter_mut().filter(|window| window.feedback.is_empty()) {
             window.feedback.extend(slip(window.verdict, expected));
         }
         NumberItem {
@@ -305,8 +305,8 @@ impl Exercise {
         out_of: u32,
         rubric: &Rubric,
     ) -> Vec<Window> {
-        let ends = judged.iter().flat_map(|own| [own.low, own.high]);
-        let mut cuts: Vec<f64> = ends.chain(mistaken.iter().flat_map(|own| [own.low, own.high])).collect();
+        let ends = judged.iter().flat_map(|window| [window.low, window.high]);
+        let mut cuts: Vec<f64> = ends.chain(mistaken.iter().flat_map(|window| [window.low, window.high])).collect();
         cuts.sort_by(f64::total_cmp);
         // Ends that differ by rounding are one.
         cuts.dedup_by(|next, kept| *next - *kept <= SAME * kept.abs().max(next.abs()));
@@ -314,9 +314,11 @@ impl Exercise {
         for pair in cuts.windows(2) {
             let [low, high] = [pair[0], pair[1]];
             let middle = low + (high - low) / 2.0;
-            let found = judged.iter().find(|own| own.contains(middle)).map_or(Verdict::Wrong, |own| own.verdict);
-            let behind = mistaken.iter().filter(|own| (own.low..=own.high).contains(&middle));
-            let behind: Vec<&Mistake> = behind.map(|own| own.mistake).filter(|_| diagnose::is_open(found)).collect();
+            let found =
+                judged.iter().find(|window| window.contains(middle)).map_or(Verdict::Wrong, |window| window.verdict);
+            let behind = mistaken.iter().filter(|window| (window.low..=window.high).contains(&middle));
+            let behind: Vec<&Mistake> =
+                behind.map(|window| window.mistake).filter(|_| diagnose::is_open(found)).collect();
             if found == Verdict::Wrong && behind.is_empty() {
                 continue;
             }

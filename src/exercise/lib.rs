@@ -90,7 +90,7 @@ pub use work::WORK;
 /// Options with more bytes than this are numbered on a sheet.
 const LONG_OPTION: usize = 30;
 
-/// What stands between several roots of one part, printed or typed.
+/// The text between several roots of one part, printed or typed.
 const ROOTS_JOINED: &str = " or ";
 
 /// One variant of one form of a problem, solved.
@@ -120,7 +120,7 @@ impl Exercise {
         Worked { problem: &self.problem, form, variant: &self.variant }
     }
 
-    /// What makes the same numbers again.
+    /// The identity: it makes the same numbers again.
     #[must_use]
     pub fn identity(&self) -> Identity {
         Identity {
@@ -140,7 +140,7 @@ impl Exercise {
         self.variant.seed().map(code).unwrap_or_default()
     }
 
-    /// What the student is given.
+    /// The givens of the student.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
         let worked = self.worked();
@@ -231,7 +231,7 @@ impl Exercise {
         }
     }
 
-    /// What stands for the unit beside the room for an answer; none for a pure number.
+    /// The unit beside the room for an answer; none for a pure number.
     fn unit_on_sheet(&self, number: &NumberPart) -> Option<Math> {
         match &number.unit {
             AskedUnit::Unit(unit) if unit.is_none() => None,
@@ -276,7 +276,7 @@ impl Exercise {
         let unit = self.problem.unit_name(&range.number);
         let shown = |end: &End| {
             let value = end.value.for_print();
-            let printed = Printed::new(value, range.number.figures).filter(|_| !end.own);
+            let printed = Printed::new(value, range.number.figures).filter(|_| !end.is_limit);
             let printed = printed.map_or_else(|| value.to_string(), |printed| printed.plain());
             format!("{printed} {unit}").trim_end().to_owned()
         };
@@ -307,7 +307,7 @@ impl Exercise {
                     printed.map_or_else(|| "not defined".into(), |printed| printed.plain())
                 };
                 let components: Vec<String> = vector.components.iter().map(shown).collect();
-                let unit = vector.components.first().map(|own| self.problem.unit_name(own)).unwrap_or_default();
+                let unit = vector.components.first().map(|number| self.problem.unit_name(number)).unwrap_or_default();
                 format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
             }
             PartKind::Number(number) => {

@@ -88,8 +88,8 @@ impl Marker {
     /// # Errors
     /// [`NoVariant::NoForm`] where there is none.
     pub fn new(problem: &Arc<Problem>, form: usize, mark: grade::DecimalMark) -> Result<Self, NoVariant> {
-        let own = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
-        Ok(Self::of(problem, own, mark))
+        let planned = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
+        Ok(Self::of(problem, planned, mark))
     }
 
     pub(super) fn of(problem: &Problem, form: &PlannedForm, mark: grade::DecimalMark) -> Self {
@@ -106,8 +106,8 @@ impl Marker {
     #[must_use]
     pub fn part(&self, name: &str) -> Option<usize> {
         let ids: Vec<&str> = self.blanks.iter().map(|blank| blank.id.as_str()).collect();
-        let own = self.names.meant(&ids, name);
-        ids.iter().position(|id| *id == own)
+        let usual = self.names.meant(&ids, name);
+        ids.iter().position(|id| *id == usual)
     }
 
     /// What is said of parts, with the parts' names in the file where others were written.
@@ -141,11 +141,11 @@ impl Marker {
 
 impl Blank {
     pub(super) fn new(rules: Rules<'_>, part: &Part) -> Self {
-        let number = |own: &NumberPart| blank_number(rules, part, own);
+        let number = |asked: &NumberPart| blank_number(rules, part, asked);
         let kind = match &part.kind {
-            PartKind::Number(own) => BlankKind::Number(Box::new((number(own), own.clone()))),
+            PartKind::Number(asked) => BlankKind::Number(Box::new((number(asked), asked.clone()))),
             PartKind::Vector(vector) => {
-                let components = part.numbers().map(|(_, own)| (number(own), own.clone())).collect();
+                let components = part.numbers().map(|(_, asked)| (number(asked), asked.clone())).collect();
                 BlankKind::Vector(components, rules.frame(&vector.axes))
             }
             PartKind::Range(range) => BlankKind::Interval(Box::new((number(&range.number), range.clone()))),
@@ -172,23 +172,24 @@ impl Blank {
     /// The part with its right answer for a variant. What [`widen`] puts in is left out.
     pub(super) fn expected(&self, worked: Worked<'_>) -> grade::Expected {
         let kind = match &self.kind {
-            BlankKind::Number(own) => grade::ExpectedKind::Number(filled(&own.0, worked, &own.1)),
+            BlankKind::Number(pair) => grade::ExpectedKind::Number(filled(&pair.0, worked, &pair.1)),
             BlankKind::Vector(components, frame) => grade::ExpectedKind::Vector(grade::ExpectedVector {
                 components: components.iter().map(|(blank, number)| filled(blank, worked, number)).collect(),
                 frame: frame.clone(),
             }),
-            BlankKind::Interval(own) => {
-                let (boundary, range) = &**own;
+            BlankKind::Interval(pair) => {
+                let (boundary, range) = &**pair;
                 let unit = range.number.plain_unit();
                 let end = |end: End| {
-                    let number = if end.own {
+                    let number = if end.is_limit {
                         grade::ExpectedNumber::new(end.value.value, unit.clone())
                     } else {
                         filled(boundary, worked, &range.number)
                     };
-                    grade::ExpectedEnd { number, closed: end.closed, own: end.own }
+                    grade::ExpectedEnd { number, closed: end.closed, is_limit: end.is_limit }
                 };
-                let ends = worked.interval(range).map(|interval| [interval.low, interval.high].map(|own| own.map(end)));
+                let ends =
+                    worked.interval(range).map(|interval| [interval.low, interval.high].map(|side| side.map(end)));
                 let [low, high] = ends.unwrap_or_default();
                 let name = self.id.clone();
                 grade::ExpectedKind::Interval(Box::new(grade::ExpectedInterval { name, low, high, unit }))
@@ -205,18 +206,18 @@ impl Blank {
 
 /// Puts in how far honest rounding can move the answer, and of one that is nothing the size of what cancels in it.
 pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &Part) {
-    let put = |number: &mut grade::ExpectedNumber, own: &NumberPart| {
-        let judged = worked.judged(own);
+    let put = |number: &mut grade::ExpectedNumber, asked: &NumberPart| {
+        let judged = worked.judged(asked);
         (number.allowance, number.scale) = (judged.allowance, judged.scale);
     };
     match (&mut expected.kind, &part.kind) {
-        (grade::ExpectedKind::Number(number), PartKind::Number(own)) => put(number, own),
+        (grade::ExpectedKind::Number(number), PartKind::Number(asked)) => put(number, asked),
         (grade::ExpectedKind::Vector(expected), PartKind::Vector(vector)) => {
-            expected.components.iter_mut().zip(&vector.components).for_each(|(number, own)| put(number, own));
+            expected.components.iter_mut().zip(&vector.components).for_each(|(number, asked)| put(number, asked));
         }
         (grade::ExpectedKind::Interval(interval), PartKind::Range(range)) => {
             let ends = [&mut interval.low, &mut interval.high].into_iter().flatten();
-            ends.filter(|end| !end.own).for_each(|end| put(&mut end.number, &range.number));
+            ends.filter(|end| !end.is_limit).for_each(|end| put(&mut end.number, &range.number));
         }
         _ => {}
     }

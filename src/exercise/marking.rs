@@ -153,10 +153,10 @@ impl Exercise {
         let parts: Vec<&str> = self.worked().form.parts.iter().map(|part| part.id.as_str()).collect();
         let (mut answers, mut faults) = (BTreeMap::new(), Vec::new());
         for (name, text) in typed {
-            let own = self.usual_name(name);
-            if !parts.contains(&own) {
+            let usual = self.usual_name(name);
+            if !parts.contains(&usual) {
                 faults.push(unknown_name(name, "part of this question", &parts));
-            } else if answers.insert(own.to_owned(), text.to_owned()).is_some() {
+            } else if answers.insert(usual.to_owned(), text.to_owned()).is_some() {
                 faults.push(format!("`{name}` is answered twice"));
             }
         }
@@ -177,8 +177,8 @@ impl Exercise {
     /// The part of that name, in the file's letters or the course's.
     #[must_use]
     pub fn part(&self, name: &str) -> Option<&Part> {
-        let own = self.usual_name(name);
-        self.worked().form.parts.iter().find(|part| part.id == own)
+        let usual = self.usual_name(name);
+        self.worked().form.parts.iter().find(|part| part.id == usual)
     }
 
     /// Marks answers to this variant, by part.

@@ -10,7 +10,7 @@ use momentous_problem::Problem;
 #[derive(Clone, Debug)]
 pub(super) struct Names {
     notation: Notation,
-    /// What the sheet prints for each part, without brackets and marks.
+    /// The names that the sheet prints for each part, without brackets and marks.
     printed: Vec<Vec<String>>,
 }
 
@@ -23,9 +23,9 @@ impl Names {
     /// Of the parts' names in the file, in their order, the one that is meant by what was typed; what was typed where it is none of
     /// them, or could be several.
     pub(super) fn meant<'a>(&self, ids: &[&'a str], typed: &'a str) -> &'a str {
-        let own = self.notation.usual(ids.iter().copied(), typed);
-        if ids.contains(&own) {
-            return own;
+        let usual = self.notation.usual(ids.iter().copied(), typed);
+        if ids.contains(&usual) {
+            return usual;
         }
         let wanted = bare(typed);
         let mut found = ids.iter().zip(&self.printed).filter(|(_, names)| names.contains(&wanted));

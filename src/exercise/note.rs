@@ -1,4 +1,4 @@
-//! What a sheet states beside its questions: constants, and how many figures are wanted.
+//! Notes of a sheet beside its questions: constants, and how many figures are wanted.
 
 use momentous_explain::Inline;
 use momentous_grade::Writing;
@@ -10,7 +10,7 @@ use super::rules::Rules;
 const COUNTS: [&str; 7] = ["no", "one", "two", "three", "four", "five", "six"];
 
 impl Exercise {
-    /// What the sheet must state: the constants that it uses, and how many figures are wanted.
+    /// The note of the sheet: the constants that it uses, and how many figures are wanted.
     pub(super) fn note(&self) -> Vec<Inline> {
         let said = [self.constants(), self.figures()].into_iter().flatten().collect::<Vec<_>>().join(" ");
         if said.is_empty() { Vec::new() } else { vec![Inline::Text(said)] }

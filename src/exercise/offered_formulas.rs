@@ -13,7 +13,7 @@ use super::diagnosis::hints_on;
 use super::item::FormulaItem;
 
 impl Exercise {
-    /// What usual mistakes make of a formula, each once, with what is said of it; none of them is right.
+    /// The formulas to which usual mistakes lead, each once, with its feedback; none of them is right.
     pub(super) fn mistaken_formulas(&self, part: &Part, formula: &FormulaPart) -> Vec<(FormulaItem, String)> {
         let worked = self.worked();
         let symbols = &self.problem.notation().table(&self.problem.model().symbols);
@@ -23,7 +23,7 @@ impl Exercise {
         let mut all: Vec<(FormulaItem, String)> = Vec::new();
         for mistake in worked.mistakes() {
             for wrong in worked.mistaken_formulas(mistake, formula.symbol) {
-                if offered.iter().any(|own| *own == wrong || is_same(&right, own, &wrong)) {
+                if offered.iter().any(|listed| *listed == wrong || is_same(&right, listed, &wrong)) {
                     continue;
                 }
                 let said = hints_on(worked, &[mistake]).into_iter().next().unwrap_or_default();

@@ -14,7 +14,7 @@ use momentous_solve::Bounded;
 
 use super::Exercise;
 
-/// What makes the same variant again, as the first fields of a record.
+/// The fields that make the same variant again, as the first of a record.
 fn named(identity: &Identity) -> Map<String, Value> {
     let fields = [
         ("problem", json!(identity.problem)),
@@ -36,7 +36,7 @@ impl Exercise {
             .variant
             .all_given()
             .iter()
-            .filter(|(symbol, ..)| !self.problem.model().literals.iter().any(|(own, _)| own == symbol))
+            .filter(|(symbol, ..)| !self.problem.model().literals.iter().any(|(literal, _)| literal == symbol))
             .map(|(symbol, value, unit)| {
                 let name = self.problem.model().symbols.entry(*symbol).name.clone();
                 // Of what is told by its symbol only, the value is no part of the question.
@@ -93,15 +93,17 @@ impl Exercise {
                 asked
             }
             PartKind::Vector(vector) => {
-                let answers: Vec<Bounded> = vector.components.iter().map(|own| self.worked().answer(own)).collect();
-                let bounds: Vec<_> = answers.iter().map(|own| own.error.is_finite().then_some(own.error)).collect();
+                let answers: Vec<Bounded> =
+                    vector.components.iter().map(|number| self.worked().answer(number)).collect();
+                let bounds: Vec<_> =
+                    answers.iter().map(|answer| answer.error.is_finite().then_some(answer.error)).collect();
                 json!({
                     "id": part.id,
                     "kind": "vector",
                     "find": part.id,
                     "axes": vector.axes,
-                    "value": answers.iter().map(|own| own.or_zero()).collect::<Vec<_>>(),
-                    "unit": vector.components.first().map(|own| self.problem.unit_name(own)),
+                    "value": answers.iter().map(|answer| answer.or_zero()).collect::<Vec<_>>(),
+                    "unit": vector.components.first().map(|answer| self.problem.unit_name(answer)),
                     "printed": self.printed(part),
                     "error_bound": bounds,
                     "points": part.points,
@@ -112,15 +114,15 @@ impl Exercise {
                 let interval = self.worked().interval(range);
                 let end = |end: Option<End>| {
                     end.map(
-                        |end| json!({ "value": end.value.or_zero(), "closed": end.closed, "limit_of_quantity": end.own }),
+                        |end| json!({ "value": end.value.or_zero(), "closed": end.closed, "limit_of_quantity": end.is_limit }),
                     )
                 };
                 json!({
                     "id": part.id,
                     "kind": "interval",
                     "find": part.label,
-                    "low": interval.as_ref().and_then(|own| end(own.low)),
-                    "high": interval.as_ref().and_then(|own| end(own.high)),
+                    "low": interval.as_ref().and_then(|ends| end(ends.low)),
+                    "high": interval.as_ref().and_then(|ends| end(ends.high)),
                     "unit": self.problem.unit_name(&range.number),
                     "printed": self.printed(part),
                     "points": part.points,
@@ -138,7 +140,8 @@ impl Exercise {
                     "points": part.points,
                 });
                 // In words: what a screen reader says of each.
-                let pictures: Vec<String> = self.pictures(part).into_iter().map(|own| own.description).collect();
+                let pictures: Vec<String> =
+                    self.pictures(part).into_iter().map(|drawing| drawing.description).collect();
                 if let (false, Some(object)) = (pictures.is_empty(), asked.as_object_mut()) {
                     object.insert("pictures".into(), json!(pictures));
                 }

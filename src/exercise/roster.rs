@@ -42,7 +42,7 @@ const TWO_NAMES: [[&str; 2]; 5] = [
     ["given name", "family name"],
     ["vorname", "nachname"],
 ];
-/// What a program writes before the first heading, which is none.
+/// The beginning of a line that a program writes before the first heading.
 const BEFORE_HEADINGS: &str = "# Field order:";
 /// The heading whose identities have a sign before them that is none of theirs.
 const WITH_SIGN: (&str, char) = ("orgdefinedid", '#');
@@ -61,9 +61,9 @@ pub struct KnownBy {
 /// A student.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Student {
-    /// What the course knows the student by.
+    /// The identity by which the course knows the student.
     pub id: String,
-    /// What the student is called; the identity where the table has no names.
+    /// The name of the student; the identity where the table has no names.
     pub name: String,
 }
 
@@ -94,23 +94,25 @@ impl Student {
         for heading in ["id", "name"] {
             table.column(heading).map_err(|message| vec![format!(": {message}")])?;
         }
-        let headings: Vec<String> = table.headings().iter().map(|own| bare(own)).collect();
-        let column = |heading: &str| headings.iter().position(|own| own == heading);
+        let headings: Vec<String> = table.headings().iter().map(|heading| bare(heading)).collect();
+        let column = |heading: &str| headings.iter().position(|listed| listed == heading);
         let Some(identity) = IDENTITIES.iter().find_map(|heading| column(heading)) else {
             return Err(vec![" has neither a column `id` nor a column `name`".to_owned()]);
         };
-        let names: Vec<usize> = match NAMES.iter().find_map(|heading| column(heading).filter(|own| *own != identity)) {
-            Some(one) => vec![one],
-            None => {
-                TWO_NAMES.iter().find_map(|[first, last]| Some(vec![column(first)?, column(last)?])).unwrap_or_default()
-            }
-        };
+        let names: Vec<usize> =
+            match NAMES.iter().find_map(|heading| column(heading).filter(|column| *column != identity)) {
+                Some(one) => vec![one],
+                None => TWO_NAMES
+                    .iter()
+                    .find_map(|[first, last]| Some(vec![column(first)?, column(last)?]))
+                    .unwrap_or_default(),
+            };
         let known_by = KnownBy {
             heading: table.headings().get(identity).cloned().unwrap_or_default(),
-            is_name: headings.get(identity).is_some_and(|own| ["name", "full name"].contains(&own.as_str())),
+            is_name: headings.get(identity).is_some_and(|heading| ["name", "full name"].contains(&heading.as_str())),
         };
         let sign = WITH_SIGN.1;
-        let has_sign = headings.get(identity).is_some_and(|own| own == WITH_SIGN.0);
+        let has_sign = headings.get(identity).is_some_and(|heading| heading == WITH_SIGN.0);
         let mut students: Vec<Self> = Vec::new();
         let mut lines: BTreeMap<String, u64> = BTreeMap::new();
         let mut faults = Vec::new();

@@ -1,4 +1,4 @@
-//! What the problem file says of marking, in the terms of marking.
+//! Rules of the problem file, in the terms of marking.
 
 use momentous_grade as grade;
 use momentous_grade::Attempts;
@@ -21,7 +21,7 @@ pub(super) struct Rules<'a> {
 }
 
 impl Rules<'_> {
-    /// What partly right answers are worth, and what attempts and hints cost.
+    /// The worth of partly right answers, and the cost of attempts and hints.
     pub(super) fn rubric(self) -> Rubric {
         let written = &self.problem.loaded().draft.rubric;
         let mut rubric = Rubric::default();
@@ -53,7 +53,7 @@ impl Rules<'_> {
         }
     }
 
-    /// What is made of the figures of a right value.
+    /// The treatment of the figures of a right value.
     pub(super) fn writing(self) -> grade::Writing {
         match self.problem.loaded().draft.rubric.writing {
             Some(problem::Writing::Ignore) => grade::Writing::Ignore,

@@ -49,7 +49,7 @@ impl SheetNumbers {
             let [number] = <[_; 1]>::try_from(components).ok()?;
             Some((symbol, number, unit))
         };
-        let read = |own: &(String, String)| printed(own).ok_or_else(|| NoVariant::OtherSheet(own.0.clone()));
+        let read = |pair: &(String, String)| printed(pair).ok_or_else(|| NoVariant::OtherSheet(pair.0.clone()));
         self.0.iter().map(read).collect()
     }
 }

@@ -32,13 +32,13 @@ impl SheetSeed {
     pub fn of(&self, problem: &Problem) -> Result<u64, String> {
         match (&self.mark, problem.secret_mark()) {
             (None, _) => Ok(self.number),
-            (Some(own), Some(given)) if own == given => Ok(self.number),
-            (Some(own), Some(given)) => Err(format!(
-                "the sheet was drawn with another secret: its mark is `{own}`, but the mark of the secret given is `{given}`"
+            (Some(mark_of_sheet), Some(given)) if mark_of_sheet == given => Ok(self.number),
+            (Some(mark_of_sheet), Some(given)) => Err(format!(
+                "the sheet was drawn with another secret: its mark is `{mark_of_sheet}`, but the mark of the secret given is `{given}`"
             )),
-            (Some(own), None) => {
-                Err(format!("the sheet was drawn with a secret, whose mark is `{own}`; give it with --secret"))
-            }
+            (Some(mark_of_sheet), None) => Err(format!(
+                "the sheet was drawn with a secret, whose mark is `{mark_of_sheet}`; give it with --secret"
+            )),
         }
     }
 }

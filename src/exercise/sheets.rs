@@ -18,16 +18,16 @@ use super::submission::excerpt;
 use super::table::Table;
 use super::together::hash;
 
-/// Who was given which sheet.
+/// Sheets and the students to whom they were given.
 #[derive(Clone, Debug)]
 pub enum Sheets {
-    /// As the table of seeds lists it.
+    /// Sheets as the table of seeds lists them.
     Listed(Listed),
-    /// As it follows from the students, the secret and the version of the derivation.
+    /// Sheets as they follow from the students, the secret and the version of the derivation.
     Derived(Derived),
 }
 
-/// What a table of seeds says.
+/// The content of a table of seeds.
 #[derive(Clone, Debug, Default)]
 pub struct Listed {
     /// Student, problem, form and seed of each sheet, as a hash: classes are large.
@@ -48,7 +48,7 @@ pub struct HandedOut {
     pub given: Option<Arc<SheetNumbers>>,
 }
 
-/// What sheets are derived from.
+/// The sources from which sheets are derived.
 #[derive(Clone, Debug)]
 pub struct Derived {
     /// The students of the roster.
@@ -181,17 +181,19 @@ impl Listed {
     /// # Errors
     /// Which secret it was; nothing can be marked with another.
     pub fn check_secret(&self, mark: Option<&str>) -> Result<(), String> {
-        let Some(other) = self.secrets.iter().find(|own| own.as_str() != mark.unwrap_or_default()) else {
+        let Some(other) = self.secrets.iter().find(|secret| secret.as_str() != mark.unwrap_or_default()) else {
             return Ok(());
         };
         Err(match (other.as_str(), mark) {
             ("", _) => "its sheets were drawn without a secret\nhelp: leave --secret out".to_owned(),
-            (own, None) => {
-                format!("its sheets were drawn with a secret, whose mark is `{own}`\nhelp: give it with --secret")
-            }
-            (own, Some(mark)) => {
+            (mark_of_sheets, None) => {
                 format!(
-                    "its sheets were drawn with the secret whose mark is `{own}`; that of the secret given is `{mark}`"
+                    "its sheets were drawn with a secret, whose mark is `{mark_of_sheets}`\nhelp: give it with --secret"
+                )
+            }
+            (mark_of_sheets, Some(mark)) => {
+                format!(
+                    "its sheets were drawn with the secret whose mark is `{mark_of_sheets}`; that of the secret given is `{mark}`"
                 )
             }
         })
@@ -243,7 +245,7 @@ impl Derived {
     }
 }
 
-/// As it follows a student and a problem.
+/// A clause that follows a student and a problem.
 impl fmt::Display for NotIssued {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,4 +1,4 @@
-//! What a spreadsheet leaves of a large seed.
+//! Seeds that a spreadsheet has spoilt.
 
 /// Digits at the end of a seed that are zero by chance in one seed of a million.
 const ZEROS: usize = 6;
@@ -23,7 +23,7 @@ pub struct SpoiltSeed {
 }
 
 impl SpoiltSeed {
-    /// What a cell says of a seed that was spoilt; none where it was not.
+    /// A seed as a cell holds it once it was spoilt; none where it was not.
     #[must_use]
     pub fn read(cell: &str) -> Option<Self> {
         let number = cell.split_once('-').map_or(cell, |(number, _)| number).trim();

@@ -1,4 +1,4 @@
-//! What a student may have of a variant: no seed, no answer, no decision.
+//! The sheet of a student: no seed, no answer, no decision.
 
 use momentous_explain::Inline;
 use momentous_expr::Math;
@@ -36,7 +36,7 @@ pub struct StudentSheet {
     pub statement: String,
     /// The figure, which shows only what is given.
     pub figure: Option<Drawing>,
-    /// What is asked, in order.
+    /// The questions, in order.
     pub fields: Vec<Field>,
     /// Constants and conventions to use, such as g.
     pub note: Vec<Inline>,
@@ -51,7 +51,7 @@ pub struct Field {
     pub id: String,
     /// Its label without brackets, `a`.
     pub label: String,
-    /// What is asked.
+    /// The question.
     pub question: Vec<Inline>,
     /// How it is answered.
     pub kind: FieldKind,
@@ -61,7 +61,7 @@ pub struct Field {
     pub unit: Option<Math>,
     /// The names that a formula may contain, as they are typed.
     pub symbols: Vec<String>,
-    /// What it is worth.
+    /// Its points.
     pub points: u32,
 }
 
@@ -83,7 +83,7 @@ pub enum FieldKind {
     Interval,
     /// One of these.
     Choice {
-        /// What can be chosen, as it is typed.
+        /// The options, as they are typed.
         options: Vec<String>,
     },
 }
@@ -104,12 +104,12 @@ impl FieldKind {
 }
 
 impl Exercise {
-    /// What the student may have of this variant.
+    /// The sheet of this variant for a student.
     #[must_use]
     pub fn student_sheet(&self) -> StudentSheet {
         let Sheet { title, statement, parts, note, figure, hints, .. } = self.sheet();
         let fields = parts.into_iter().zip(&self.worked().form.parts).map(|(shown, part)| self.field(shown, part));
-        StudentSheet { title, statement, figure: figure.map(|own| *own), fields: fields.collect(), note, hints }
+        StudentSheet { title, statement, figure: figure.map(|drawing| *drawing), fields: fields.collect(), note, hints }
     }
 
     fn field(&self, SheetPart { label, text, unit, pictures, .. }: SheetPart, part: &Part) -> Field {

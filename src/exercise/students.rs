@@ -30,10 +30,12 @@ impl Exercise {
                 PartKind::Number(number) if worked.is_nothing(number.symbol) => self.printed(part),
                 PartKind::Number(number) if worked.answers(number).len() > 1 => self.printed(part),
                 // Where a root is taken of what is nothing, rounding on the way may leave no value.
-                PartKind::Number(number) => match values(number).get(&number.symbol).filter(|own| own.is_finite()) {
-                    Some(value) => self.written(number, value / worked.unit_of(number)),
-                    None => self.printed(part),
-                },
+                PartKind::Number(number) => {
+                    match values(number).get(&number.symbol).filter(|number| number.is_finite()) {
+                        Some(value) => self.written(number, value / worked.unit_of(number)),
+                        None => self.printed(part),
+                    }
+                }
             };
             (part.id.clone(), text)
         });
@@ -52,7 +54,7 @@ impl Exercise {
                 let value = match closed {
                     Closed::Formula(formula) => formula.evaluate(&|symbol| {
                         let solved = values.get(&symbol).copied();
-                        solved.or_else(|| self.variant.value(symbol).map(|own| own.value)).unwrap_or(f64::NAN)
+                        solved.or_else(|| self.variant.value(symbol).map(|number| number.value)).unwrap_or(f64::NAN)
                     }),
                     Closed::FirstInteger { .. } | Closed::BracketedRoot { .. } => exact.unwrap_or(f64::NAN),
                 };
@@ -80,7 +82,9 @@ impl Exercise {
                 }
                 PartKind::Vector(vector) => {
                     let values = simulated.vectors(mistake, vector).into_iter();
-                    answers.extend(values.map(|own| (mistake.of.id, self.written_vector(vector, own.into_iter()))));
+                    answers.extend(
+                        values.map(|components| (mistake.of.id, self.written_vector(vector, components.into_iter()))),
+                    );
                 }
                 PartKind::Formula(part) => {
                     let formulas = worked.mistaken_formulas(mistake, part.symbol);
@@ -113,7 +117,7 @@ impl Exercise {
     fn written_vector(&self, vector: &VectorPart, values: impl Iterator<Item = f64>) -> String {
         let numbers = vector.components.iter().zip(values);
         let components: Vec<String> = numbers.map(|(number, value)| written_number(number, value)).collect();
-        let unit = vector.components.first().map(|own| self.problem.unit_name(own)).unwrap_or_default();
+        let unit = vector.components.first().map(|number| self.problem.unit_name(number)).unwrap_or_default();
         format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
     }
 }

@@ -18,7 +18,7 @@ impl Exercise {
 
     fn asked_letter(&self) -> Drawing {
         let symbol = self.worked().form.wanted().next();
-        let text = symbol.map_or_else(|| Math::Text("?".to_owned()), |own| self.problem().math_of(own));
+        let text = symbol.map_or_else(|| Math::Text("?".to_owned()), |symbol| self.problem().math_of(symbol));
         let (low, high) = (Point::default() - HALF, HALF);
         let shapes = vec![Shape::Label { at: Point::default(), text, role: Role::Body }];
         Drawing { low, high, shapes, ..Drawing::default() }

@@ -43,7 +43,7 @@ pub struct Together {
 }
 
 impl Together {
-    /// What a student and a sheet are known by, the same for all attempts.
+    /// The key of a student and a sheet, the same for all attempts.
     #[must_use]
     pub fn sheet(student: &str, variant: VariantRef<'_>) -> u64 {
         hash((student, variant))

@@ -19,8 +19,8 @@ impl Exercise {
     #[must_use]
     pub fn tried_answers(&self, part: &Part) -> Vec<(String, String)> {
         let right = self.printed(part);
-        let own = part.expected.iter().map(|(typed, code)| (format!("expected: {code}"), typed.to_owned()));
-        let mut tried: Vec<(String, String)> = own.collect();
+        let expected = part.expected.iter().map(|(typed, code)| (format!("expected: {code}"), typed.to_owned()));
+        let mut tried: Vec<(String, String)> = expected.collect();
         tried.push(("the answer of the key".to_owned(), right));
         match &part.kind {
             PartKind::Number(number) if !number.whole && self.worked().answers(number).len() == 1 => {

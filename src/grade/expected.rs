@@ -284,7 +284,7 @@ pub struct ExpectedEnd {
     /// Whether it belongs to the interval.
     pub closed: bool,
     /// Whether it is a limit of the quantity itself, which a condition need not repeat: `e > 0.5` for `0.5 < e <= 1`.
-    pub own: bool,
+    pub is_limit: bool,
 }
 
 impl ExpectedNumber {

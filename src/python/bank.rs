@@ -61,7 +61,7 @@ impl Bank {
     }
 
     fn __contains__(&self, id: &str) -> bool {
-        self.0.ids().any(|own| own == id)
+        self.0.ids().any(|listed| listed == id)
     }
 
     fn __len__(&self) -> usize {

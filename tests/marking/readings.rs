@@ -92,7 +92,8 @@ fn formula_among(names: &str) -> ExpectedKind {
 /// An interval of e, or of a name with its unit: `v_A2:m/s`.
 fn interval(of: &str) -> ExpectedKind {
     let (name, own) = of.split_once(':').unwrap_or(("e", ""));
-    let end = |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, unit(own)), closed, own: false });
+    let end =
+        |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, unit(own)), closed, is_limit: false });
     let (name, unit) = (name.to_owned(), unit(own));
     ExpectedKind::Interval(Box::new(ExpectedInterval { name, low: end(0.0, false), high: end(0.5, true), unit }))
 }

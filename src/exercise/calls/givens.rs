@@ -25,7 +25,7 @@ pub struct GivenResponse {
 }
 
 impl Engine<'_> {
-    /// What is given in a variant, in the order of the file; what is given by its symbol alone has no value to set.
+    /// The givens of a variant, in the order of the file; what is given by its symbol alone has no value to set.
     ///
     /// # Errors
     /// As for a sheet.
@@ -35,11 +35,11 @@ impl Engine<'_> {
 }
 
 impl GivenResponse {
-    /// What is given in a variant that was drawn.
+    /// The givens of a variant that was drawn.
     #[must_use]
     pub fn all(exercise: &Exercise) -> Vec<Self> {
         let problem = exercise.problem();
-        let is_literal = |symbol| problem.model().literals.iter().any(|(own, _)| *own == symbol);
+        let is_literal = |symbol| problem.model().literals.iter().any(|(literal, _)| *literal == symbol);
         let given = exercise.variant().all_given();
         let set =
             given.iter().filter(|(symbol, ..)| !is_literal(*symbol) && !exercise.worked().form.free.contains(symbol));

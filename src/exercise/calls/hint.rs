@@ -23,7 +23,7 @@ pub struct HintRequest {
 /// A hint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HintResponse {
-    /// What it says.
+    /// Its text.
     pub hint: Fragment,
     /// Whether there are more.
     pub more: bool,

@@ -22,9 +22,9 @@ pub struct MarkRequest {
     /// The variant.
     #[serde(flatten)]
     pub variant: VariantRequest,
-    /// What was typed, by part.
+    /// The typed answers, by part.
     pub answers: BTreeMap<String, String>,
-    /// What stands between whole and decimal digits.
+    /// The sign between whole and decimal digits.
     #[serde(default)]
     pub decimal: DecimalMark,
     /// How many further hints the student has asked for on wrong answers.
@@ -63,13 +63,13 @@ pub struct MarkedPart {
     pub points: Points,
     /// The points that can be reached.
     pub out_of: u32,
-    /// What was understood of the answer.
+    /// The reading of the answer.
     pub understood: Option<String>,
-    /// What the student is told, the hints asked for included.
+    /// The message to the student, the hints asked for included.
     pub message: String,
     /// Whether a further hint can be asked for.
     pub more_hints: bool,
-    /// What would have followed from the student's own earlier answers, once the question is closed.
+    /// The values that would have followed from the student's own earlier answers, once the question is closed.
     pub own_values: Option<String>,
 }
 
@@ -83,7 +83,7 @@ impl MarkedPart {
             out_of: part.out_of,
             understood: part.understood,
             message: part.message.into_owned(),
-            more_hints: part.diagnosis.is_some_and(|own| own.hints.len() > hints + 1),
+            more_hints: part.diagnosis.is_some_and(|diagnosis| diagnosis.hints.len() > hints + 1),
             own_values: part.own_values,
         }
     }

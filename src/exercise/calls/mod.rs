@@ -1,4 +1,4 @@
-//! What every face of the program can ask of the engine: typed requests and responses, with JSON in and out.
+//! Calls of the engine by every face of the program: typed requests and responses, with JSON in and out.
 //!
 //! A face (a page of the web application, a page that works offline) turns what its user does into one of these calls and
 //! shows the response. It knows no physics and marks nothing.
@@ -66,7 +66,7 @@ pub trait Problems {
 pub struct Engine<'a> {
     /// Where problems are found.
     pub problems: &'a dyn Problems,
-    /// What turns solutions into pages.
+    /// The renderer that turns solutions into pages.
     pub renderer: &'a Renderer,
     /// How much a call may take.
     pub limits: Limits,
@@ -97,8 +97,8 @@ impl Engine<'_> {
     /// Where there is no such call, the request is not one of its kind, or the call itself refuses.
     pub fn call(&self, name: &str, request: &[u8]) -> Result<String, Refused> {
         within(request.len(), self.limits.request_bytes, "bytes make a request")?;
-        let Some((_, call)) = CALLS.iter().find(|(own, _)| *own == name) else {
-            let names: Vec<&str> = CALLS.iter().map(|(own, _)| *own).collect();
+        let Some((_, call)) = CALLS.iter().find(|(listed, _)| *listed == name) else {
+            let names: Vec<&str> = CALLS.iter().map(|(known, _)| *known).collect();
             let refused = Refused::new(RefusedKind::Unknown, format!("there is no call `{name}`"));
             return Err(refused.help(format!("the calls are {}", names.join(", "))));
         };

@@ -1,4 +1,4 @@
-//! What a page says of a scene beside its animation: how each part was found, its impacts, and plots that stand still.
+//! Words of a page about a scene beside its animation: how each part was found, its impacts, and plots that stand still.
 
 use serde::Serialize;
 
@@ -40,7 +40,7 @@ pub struct FilmResponse {
     pub kind: &'static str,
     /// Which method ran it, and why.
     pub why: String,
-    /// What a reader must know.
+    /// The cautions for the reader.
     pub cautions: Vec<String>,
     /// How it ended, where that is not at its time.
     pub ending: Option<String>,
@@ -55,7 +55,7 @@ pub struct FilmResponse {
 }
 
 impl PlayResponse {
-    /// What is to be said of the simulation of a variant, beside its animation.
+    /// The words about the simulation of a variant, beside its animation.
     ///
     /// # Errors
     /// Where nothing of it can be simulated.
@@ -85,7 +85,7 @@ fn plot(film: &Film, bodies: &[String], place: usize, axis: &Component) -> Figur
     let curve = |body: usize| -> Vec<[f64; 2]> {
         let moments = film.record.moments.iter();
         let points = moments.map(|moment| {
-            let value = moment.positions.get(body).and_then(|own| own.get(place)).copied();
+            let value = moment.positions.get(body).and_then(|position| position.get(place)).copied();
             [moment.time, value.unwrap_or(f64::NAN)]
         });
         points.collect()

@@ -1,4 +1,4 @@
-//! What is understood of an answer, before anybody judges it.
+//! Readings of an answer, before anybody judges it.
 
 use serde::Deserialize;
 use serde::Serialize;
@@ -19,9 +19,9 @@ pub struct ReadRequest {
     pub variant: VariantRequest,
     /// The part.
     pub part: String,
-    /// What was typed.
+    /// The typed text.
     pub text: String,
-    /// What stands between whole and decimal digits.
+    /// The sign between whole and decimal digits.
     #[serde(default)]
     pub decimal: DecimalMark,
 }
@@ -29,7 +29,7 @@ pub struct ReadRequest {
 /// How an answer is read. It says nothing of the right answer.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct ReadResponse {
-    /// What was understood, in words.
+    /// The reading, in words.
     pub understood: Option<String>,
     /// Why nothing was.
     pub unreadable: Option<String>,

@@ -11,7 +11,7 @@ use momentous_problem::NoVariant;
 pub struct Refused {
     /// Its kind.
     pub kind: RefusedKind,
-    /// What is wrong, in a sentence without a full stop.
+    /// The fault, in a sentence without a full stop.
     pub message: String,
     /// The way out.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -51,7 +51,7 @@ impl Refused {
         self
     }
 
-    /// What is wrong and the way out, as sentences.
+    /// The fault and the way out, as sentences.
     #[must_use]
     pub fn sentences(&self) -> Vec<String> {
         let sentence = |text: &str| {

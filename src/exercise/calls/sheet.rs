@@ -62,13 +62,13 @@ pub struct FieldResponse {
     pub id: String,
     /// Its label without brackets.
     pub label: String,
-    /// What is asked.
+    /// The question.
     pub question: Fragment,
     /// How it is answered: `number`, `count`, `vector`, `formula`, `interval`, `choice`.
     pub kind: &'static str,
     /// The unit that the answer is to be given in.
     pub unit: Option<Fragment>,
-    /// What can be chosen, as it is typed.
+    /// The options, as they are typed.
     pub options: Vec<String>,
     /// The same as it is shown, where that holds mathematics.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -79,7 +79,7 @@ pub struct FieldResponse {
     pub symbols: Vec<String>,
     /// How many components a vector has.
     pub components: usize,
-    /// What it is worth.
+    /// Its points.
     pub points: u32,
 }
 

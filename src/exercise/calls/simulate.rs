@@ -25,7 +25,7 @@ pub struct SimulateRequest {
     /// The greatest relative error.
     #[serde(default)]
     pub accuracy: Option<f64>,
-    /// What was simulated axis by axis or body by body as one motion, for whoever draws it.
+    /// Shots of a variant: what was simulated axis by axis or body by body as one motion, for whoever draws it.
     #[serde(default)]
     pub together: bool,
 }
@@ -51,12 +51,12 @@ impl Engine<'_> {
     }
 }
 
-/// What was simulated of a variant.
+/// Shoots the simulation of a variant.
 pub(super) fn shot(exercise: &Exercise, wanted: &Request) -> Result<Shot, Refused> {
     shoot(exercise.problem(), exercise.variant(), wanted).map_err(|reason| {
         // Its help is about the command line.
-        let own = format!("{}: ", exercise.problem().id());
-        let message = reason.what.strip_prefix(&own).unwrap_or(&reason.what);
+        let prefix = format!("{}: ", exercise.problem().id());
+        let message = reason.what.strip_prefix(&prefix).unwrap_or(&reason.what);
         Refused::new(RefusedKind::NotSimulated, message)
     })
 }

@@ -29,7 +29,7 @@ pub struct VariantRequest {
     /// Values of the user's own, with their units.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub set: BTreeMap<String, String>,
-    /// What to find instead of what the form asks.
+    /// The quantities to find instead of what the form asks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub find: Vec<String>,
 }

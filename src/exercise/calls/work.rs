@@ -26,7 +26,7 @@ pub struct WorkRequest {
     pub variant: VariantRequest,
     /// The lines.
     pub work: String,
-    /// What stands between whole and decimal digits.
+    /// The sign between whole and decimal digits.
     #[serde(default)]
     pub decimal: DecimalMark,
     /// How plain a hint for the next step is asked for: 0 for none, up to 3.
@@ -37,7 +37,7 @@ pub struct WorkRequest {
 /// The lines, judged.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct WorkResponse {
-    /// What is found of each line, and what is established.
+    /// Judges each line, and says what is established.
     #[serde(flatten)]
     pub report: WorkReport,
     /// The next step, as plain as it was asked for.

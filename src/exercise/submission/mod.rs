@@ -47,7 +47,7 @@ const KEYS: [(Key, &str); 10] = [
 impl Key {
     /// The key of that heading, in small or capital letters.
     fn of(heading: &str) -> Option<Self> {
-        KEYS.iter().find(|(_, own)| own.eq_ignore_ascii_case(heading)).map(|(key, _)| *key)
+        KEYS.iter().find(|(_, spelt)| spelt.eq_ignore_ascii_case(heading)).map(|(key, _)| *key)
     }
 
     fn heading(self) -> &'static str {
@@ -188,7 +188,7 @@ impl Submission {
         self.text.get(span.0..span.1).unwrap_or_default()
     }
 
-    /// What stands under a key; nothing where there is none.
+    /// The text under a key; none where there is none.
     #[must_use]
     pub fn key(&self, key: Key) -> &str {
         self.at(self.keys[key as usize])

@@ -149,7 +149,7 @@ impl Submission {
     }
 }
 
-/// What is wrong, with the column; a line of JSON lines is the first for the parser.
+/// The fault, with the column; a line of JSON lines is the first for the parser.
 fn without_line(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or_default();

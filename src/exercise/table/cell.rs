@@ -2,14 +2,14 @@
 
 use std::borrow::Cow;
 
-/// What a formula begins with, in one spreadsheet or another.
+/// The beginnings of a formula, in one spreadsheet or another.
 const STARTS: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
 
-/// What spreadsheets put before a text that would else be a formula.
+/// The sign that spreadsheets put before a text that would else be a formula.
 const MARK: char = '\'';
 
-/// What parts cells in one spreadsheet or another: those of a table with commas take a semicolon or a tab for the end of a cell where
-/// their users' decimals have commas.
+/// The signs between cells in one spreadsheet or another: those of a table with commas take a semicolon or a tab for the end of a
+/// cell where their users' decimals have commas.
 const BETWEEN: [char; 2] = [';', '\t'];
 
 /// A cell as it is safe to open in a spreadsheet: what would be a formula there gets an apostrophe before it. [`super::Table`] takes
@@ -23,8 +23,8 @@ const BETWEEN: [char; 2] = [';', '\t'];
 #[must_use]
 pub fn defused(cell: &str) -> Cow<'_, str> {
     let runs = |(place, piece): (usize, &str)| {
-        let own = if place == 0 { cell } else { piece.trim_end_matches(BETWEEN) };
-        is_formula(piece.trim_start_matches(MARK)) && !is_number(own)
+        let formula = if place == 0 { cell } else { piece.trim_end_matches(BETWEEN) };
+        is_formula(piece.trim_start_matches(MARK)) && !is_number(formula)
     };
     if !pieces(cell).enumerate().any(runs) {
         return Cow::Borrowed(cell);
@@ -48,7 +48,8 @@ pub(super) fn meant(cell: &str) -> Cow<'_, str> {
     if cell.contains(MARK) { Cow::Owned(pieces(cell).map(plain).collect()) } else { Cow::Borrowed(cell) }
 }
 
-/// What a spreadsheet may take for cells, each with what parts it from the next. One that begins with such a sign is a piece of its own.
+/// The pieces that a spreadsheet may take for cells, each with what parts it from the next. One that begins with such a sign is a
+/// piece of its own.
 fn pieces(cell: &str) -> impl Iterator<Item = &str> {
     cell.split_inclusive(BETWEEN)
 }

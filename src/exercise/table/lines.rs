@@ -29,9 +29,9 @@ pub struct Line {
     pub number: u64,
     /// Where it begins, in bytes.
     pub place: u64,
-    /// What stands on it.
+    /// Its bytes.
     pub bytes: Vec<u8>,
-    /// What it ends in: `\n`, `\r\n`, `\r`, or nothing where the file ends.
+    /// Its end: `\n`, `\r\n`, `\r`, or nothing where the file ends.
     pub end: &'static str,
     /// Whether it was longer than a line may be.
     pub is_cut: bool,

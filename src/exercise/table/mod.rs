@@ -62,7 +62,7 @@ impl<R: BufRead> Table<R> {
     /// # Errors
     /// Where two columns have it.
     pub fn column(&self, heading: &str) -> Result<Option<usize>, String> {
-        let mut found = self.headings.iter().enumerate().filter(|(_, own)| own.eq_ignore_ascii_case(heading));
+        let mut found = self.headings.iter().enumerate().filter(|(_, listed)| listed.eq_ignore_ascii_case(heading));
         match (found.next(), found.next()) {
             (Some((first, _)), Some((second, _))) => Err(twice(heading, first, second)),
             (first, _) => Ok(first.map(|(position, _)| position)),
@@ -80,9 +80,9 @@ impl<R: BufRead> Table<R> {
         let wanted = self.headings.len();
         let (line, row) = self.rows.next_row()?;
         let row = row.and_then(|row| match row.len() {
-            own if own == wanted => Ok(row),
+            cells if cells == wanted => Ok(row),
             1 => Err(format!("the row has 1 cell, and there are {wanted} headings")),
-            own => Err(format!("the row has {own} cells, and the headings are {wanted}")),
+            cells => Err(format!("the row has {cells} cells, and the headings are {wanted}")),
         });
         Some((line, row))
     }

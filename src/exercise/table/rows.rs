@@ -208,7 +208,7 @@ fn cells(row: &mut Row, line: &str, delimiter: u8, mut quoted: bool) -> Result<b
     }
 }
 
-/// What separates cells where the first line says it, as spreadsheets do: `sep=;`.
+/// The separator of cells where the first line says it, as spreadsheets do: `sep=;`.
 fn told_delimiter(line: &[u8]) -> Option<u8> {
     match line.trim_ascii_end().strip_prefix(b"sep=") {
         Some([told]) => Some(*told),
@@ -217,7 +217,7 @@ fn told_delimiter(line: &[u8]) -> Option<u8> {
     }
 }
 
-/// What separates the cells of a table whose first line this is.
+/// The separator of the cells of a table whose first line this is.
 fn delimiter_of(line: &[u8]) -> u8 {
     let mut quoted = false;
     let mut found = b',';

@@ -27,7 +27,7 @@ pub(crate) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> 
     });
     let left =
         left.map(|measured| measured.put(number_math(printed(interval.trial.left / display.size(&measured), 3))));
-    let side = if interval.low.is_some_and(|low| !low.own) { "above" } else { "below" };
+    let side = if interval.low.is_some_and(|low| !low.is_limit) { "above" } else { "below" };
     let right = display.symbolic(&claim.right);
     let mut words = Inline::line(&format!("{} ", part.label));
     words.extend([

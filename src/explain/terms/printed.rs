@@ -104,7 +104,7 @@ pub fn printed_range(worked: Worked<'_>, range: &RangePart) -> Option<Math> {
 pub(crate) fn chain(range: &RangePart, name: Math, interval: &Interval) -> Math {
     let value = |end: &End| {
         let value = end.value.for_print();
-        let number = if end.own { Math::Number(value.to_string()) } else { shown(&range.number, value) };
+        let number = if end.is_limit { Math::Number(value.to_string()) } else { shown(&range.number, value) };
         with_unit(number, &range.number.plain_unit())
     };
     let below = |end: &End| Math::Operator(if end.closed { Operator::AtMost } else { Operator::Less });

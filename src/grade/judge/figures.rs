@@ -67,7 +67,7 @@ pub fn too_few_figures(asked: &ExpectedKind, answer: &Answer) -> Option<usize> {
         }
         (ExpectedKind::Interval(own), Answer::Interval(answer)) => {
             // The limits of a quantity itself are whole numbers, which need no figures.
-            let boundary = [&own.low, &own.high].into_iter().flatten().find(|end| !end.own)?;
+            let boundary = [&own.low, &own.high].into_iter().flatten().find(|end| !end.is_limit)?;
             let ends = [&answer.low, &answer.high].into_iter().flatten().filter(|end| !end.number.value().is_int());
             ends.into_iter().find_map(|end| lacks(&boundary.number, &end.number, end.written))
         }

@@ -20,7 +20,7 @@ pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Jud
         let differs = |(asked, given): &(&Option<ExpectedEnd>, &Option<EndAnswer>)| {
             let closed = given.as_ref().map(|end| end.closed);
             // A limit of the quantity's own need not be repeated, so nothing hangs on how it is.
-            asked.as_ref().zip(closed).is_some_and(|(asked, closed)| !asked.own && asked.closed != closed)
+            asked.as_ref().zip(closed).is_some_and(|(asked, closed)| !asked.is_limit && asked.closed != closed)
         };
         return if ends.iter().any(differs) {
             Judgement::of(Verdict::IntervalEnds, Message::Slip(Verdict::IntervalEnds))
@@ -48,7 +48,7 @@ pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Jud
 fn is_other_side(expected: &ExpectedInterval, answer: &IntervalAnswer) -> bool {
     let crossed = [(&expected.low, &answer.high), (&expected.high, &answer.low)];
     let meets = |asked: &Option<ExpectedEnd>, given: &Option<EndAnswer>| {
-        let boundary = asked.as_ref().filter(|asked| !asked.own);
+        let boundary = asked.as_ref().filter(|asked| !asked.is_limit);
         boundary.is_some() && end(boundary, given.as_ref(), answer).is_some_and(|found| found.verdict.is_right())
     };
     crossed.into_iter().any(|(asked, given)| meets(asked, given))
@@ -57,7 +57,7 @@ fn is_other_side(expected: &ExpectedInterval, answer: &IntervalAnswer) -> bool {
 fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &IntervalAnswer) -> Found {
     match (asked, given) {
         (None, None) => None,
-        (Some(asked), None) if asked.own => None,
+        (Some(asked), None) if asked.is_limit => None,
         (Some(asked), Some(given)) => {
             let number = NumberAnswer {
                 number: given.number.clone(),

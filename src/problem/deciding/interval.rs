@@ -38,10 +38,10 @@ pub struct End {
     /// Whether it belongs to the interval.
     pub closed: bool,
     /// Whether it is a limit of the quantity itself, whatever the claim: `e <= 1`.
-    pub own: bool,
+    pub is_limit: bool,
 }
 
-/// What the model gives on the side on which the claim holds.
+/// The values that the model gives on the side on which the claim holds.
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// The value that was tried, in the unit of the question.
@@ -121,11 +121,11 @@ impl Worked<'_> {
         };
         let (below, above) = (side(limits[0], -0.5)?, side(limits[1], 1.0)?);
         let reached = matches!(range.claim.relation, Relation::AtMost | Relation::AtLeast);
-        let at_boundary = End { value: self.answer(&range.number), closed: reached, own: false };
+        let at_boundary = End { value: self.answer(&range.number), closed: reached, is_limit: false };
         let end = |limit: Option<(f64, bool)>| {
             limit.map(|(value, closed)| {
                 let value = Bounded { value: value / unit.factor().to_f64(), error: 0.0 };
-                End { value, closed, own: true }
+                End { value, closed, is_limit: true }
             })
         };
         match (below, above) {

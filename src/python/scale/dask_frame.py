@@ -24,7 +24,7 @@ if __name__ == "__main__":
 
     table = submissions.table(ROWS)
     # Frames of pandas have no maps.
-    answers = [json.dumps(dict(own)) for own in table["answers"].to_pylist()]
+    answers = [json.dumps(dict(row)) for row in table["answers"].to_pylist()]
     frame = table.drop_columns("answers").to_pandas(types_mapper=pandas.ArrowDtype).assign(answers=answers)
     with LocalCluster(n_workers=2, threads_per_worker=1, env={"RAYON_NUM_THREADS": "1"}) as cluster, Client(cluster):
         start = time.monotonic()

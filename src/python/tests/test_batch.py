@@ -38,22 +38,22 @@ class Batches(unittest.TestCase):
         columns = {name: [row[name] for row in rows] for name in ("student", "problem", "form", "seed")}
         answers = [row["answers"] for row in rows]
         for given in (
-            pyarrow.array([list(own.items()) for own in answers], kind),
-            [json.dumps(own) for own in answers],
+            pyarrow.array([list(row.items()) for row in answers], kind),
+            [json.dumps(row) for row in answers],
             answers,
         ):
             marked = mark_batch({**columns, "answers": given})
             self.assertEqual(marked["student"].to_pylist(), columns["student"])
             self.assertEqual(marked["fault"].null_count, len(rows))
-            self.assertEqual([json.loads(own) for own in marked["report"].to_pylist()], expected)
-            points = [own["total"] for own in expected]
+            self.assertEqual([json.loads(report) for report in marked["report"].to_pylist()], expected)
+            points = [report["total"] for report in expected]
             self.assertTrue(all(abs(a - b) < 1e-9 for a, b in zip(marked["points"].to_pylist(), points)), points[:3])
 
     def test_one_problem_has_a_struct_of_answers(self):
         answers = pyarrow.array([{"v_A2": "1 m/s", "v_B2": None}, {"v_A2": None, "v_B2": "2 m/s"}])
         table = pyarrow.table({"problem": ["impact/two-carts"] * 2, "seed": pyarrow.array([7.0, 8.0]), "answers": answers})
-        verdicts = [[part["verdict"] for part in json.loads(own)["parts"]] for own in mark_batch(table)["report"].to_pylist()]
-        self.assertEqual([own.count("unanswered") for own in verdicts], [2, 2])
+        verdicts = [[part["verdict"] for part in json.loads(report)["parts"]] for report in mark_batch(table)["report"].to_pylist()]
+        self.assertEqual([sheet.count("unanswered") for sheet in verdicts], [2, 2])
 
     def test_a_row_that_cannot_be_marked_says_why(self):
         good = ("impact/two-carts", 7, None, "{}")
@@ -99,6 +99,6 @@ class Batches(unittest.TestCase):
             there = momentous.Bank(home)
             expected = there["own/push"].variant(1).mark({"v_A2": "2 m/s"}).record()
         rows = {"problem": ["own/push"], "seed": [1], "answers": [{"v_A2": "2 m/s"}]}
-        marked = [mark_batch(rows, bank=own) for own in (bank, bank)]
-        self.assertEqual([json.loads(own["report"][0].as_py()) for own in marked], [expected] * 2)
+        marked = [mark_batch(rows, bank=problems) for problems in (bank, bank)]
+        self.assertEqual([json.loads(table["report"][0].as_py()) for table in marked], [expected] * 2)
         self.assertIn("there is no problem", mark_batch(rows)["fault"][0].as_py())

@@ -44,12 +44,12 @@ class Marks(unittest.TestCase):
                         asked.append((variant, answers))
         self.assertGreater(len(asked), 200)
         with ThreadPoolExecutor() as pool:
-            program = lambda own: by_program(own[0].problem, own[0].seed, own[0].form, own[1])
+            program = lambda question: by_program(question[0].problem, question[0].seed, question[0].form, question[1])
             theirs = list(pool.map(program, asked))
-            ours = list(pool.map(lambda own: own[0].mark(own[1]).record(), asked))
+            ours = list(pool.map(lambda question: question[0].mark(question[1]).record(), asked))
         for (variant, answers), marked, expected in zip(asked, ours, theirs):
             self.assertEqual(marked, expected, f"{variant!r} {answers}")
-        self.assertGreater(len({part["verdict"] for own in ours for part in own["parts"]}), 4)
+        self.assertGreater(len({part["verdict"] for report in ours for part in report["parts"]}), 4)
 
     def test_a_comma_is_read_where_it_is_said(self):
         answers = {"v_A2": "-0,400 m/s", "v_B2": "3,10 m/s"}

@@ -8,7 +8,7 @@ use momentous_quantity::with_minus_signs;
 /// The figures that pages show, as worked solutions do.
 const FIGURES: usize = 3;
 
-/// What is smaller than this share of its scale is rounding, and nothing.
+/// The share of a scale below which a value is rounding, and nothing.
 const ROUNDING: f64 = 1e-11;
 
 /// A number in SI units, and how it is shown.

@@ -65,7 +65,7 @@ pub(super) fn over(record: &Record, name: &str, role: &'static str, value: impl 
 
 fn each(record: &Record, value: impl Fn(&Moment, usize) -> Option<f64>) -> Vec<Curve> {
     let bodies = record.bodies.iter().zip(ROLES).enumerate();
-    bodies.map(|(body, (own, role))| over(record, &own.name, role, |moment| value(moment, body))).collect()
+    bodies.map(|(body, (named, role))| over(record, &named.name, role, |moment| value(moment, body))).collect()
 }
 
 fn part(vectors: &[Vec<f64>], body: usize, axis: usize) -> Option<f64> {

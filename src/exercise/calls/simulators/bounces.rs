@@ -88,7 +88,7 @@ pub(super) fn envelope(name: &str, bounces: &[Bounce]) -> Curve {
     Curve::new(name, "total", bounces.iter().map(|bounce| [bounce.peak, bounce.height.value])).dashed()
 }
 
-/// What the ball does, one after another.
+/// The phases of the ball's motion, one after another.
 pub(super) fn phases(bounces: &[Bounce], end: f64, rests: bool) -> Vec<Phase> {
     let mut all: Vec<Phase> = Vec::new();
     for (bounce, last) in bounces.iter().skip(1).zip(bounces) {

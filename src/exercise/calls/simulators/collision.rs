@@ -33,9 +33,9 @@ const LONGEST: f64 = 6.0;
 /// Everything that the page of the collision shows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CollisionResponse {
-    /// What happens, in a sentence.
+    /// The course of events, in a sentence.
     pub told: String,
-    /// What the carts do, one after another.
+    /// The phases of the carts' motion, one after another.
     pub phases: Vec<Phase>,
     /// The impact, where there is one.
     pub meeting: Option<Meeting>,
@@ -206,7 +206,7 @@ fn table(places: &[Curve], meeting: Option<f64>, end: f64) -> Vec<Vec<Amount>> {
     [Some(0.0), meeting, Some(end)].into_iter().flatten().map(row).collect()
 }
 
-/// What must be seen of the track: both bodies at all times, those of a wrong method included.
+/// The part of the track that must be seen: both bodies at all times, those of a wrong method included.
 fn track(world: &World<1>, places: &[Curve], compared: Option<&Compared>) -> [f64; 2] {
     let radius = world.bodies.iter().map(|body| body.radius).fold(0.0, f64::max);
     let wrong = compared.iter().flat_map(|compared| &compared.places);

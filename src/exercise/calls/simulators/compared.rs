@@ -52,7 +52,7 @@ pub struct Compared {
     pub broke_off: Option<String>,
     /// Where each body is.
     pub places: Vec<Curve>,
-    /// What of the balances is not level, as shares: of momentum (of the greatest of any body) and of energy (of that at the start).
+    /// The drifts of the balances, as shares: of momentum (of the greatest of any body) and of energy (of that at the start).
     pub drifts: Vec<Curve>,
     /// The errors in numbers.
     pub rows: Vec<Row>,
@@ -61,7 +61,7 @@ pub struct Compared {
 /// A number of a method, in a sentence of the table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
-    /// What it is.
+    /// Its name.
     pub what: String,
     /// How large it is.
     pub amount: Amount,
@@ -107,11 +107,11 @@ impl Compared {
     }
 
     /// Where the bodies are, and how far from where they should be.
-    fn place(&mut self, own: &Record, exact: &Record) {
-        for (body, recorded) in own.bodies.iter().enumerate() {
+    fn place(&mut self, taken: &Record, exact: &Record) {
+        for (body, recorded) in taken.bodies.iter().enumerate() {
             let name = format!("{}, {}", recorded.name, self.name);
             let role = ROLES[body.min(1)];
-            let wrong = Curve::place(name, role, own, [body, 0]).dashed();
+            let wrong = Curve::place(name, role, taken, [body, 0]).dashed();
             let right = Curve::place("", role, exact, [body, 0]);
             let off = wrong.points.iter().filter_map(|[time, up]| Some((up - right.at(*time)?).abs()));
             let size = right.points.iter().map(|[_, up]| up.abs()).fold(0.0, f64::max);
@@ -121,9 +121,9 @@ impl Compared {
         }
     }
 
-    /// What of the balances is not level at the ends of steps.
-    fn balance(&mut self, own: &Record, exact: &Record) {
-        let Some(first) = own.moments.first() else { return };
+    /// Adds the drift of the balances at the ends of steps.
+    fn balance(&mut self, taken: &Record, exact: &Record) {
+        let Some(first) = taken.moments.first() else { return };
         let momentum = |moment: &Moment| one(&moment.momentum) - one(&moment.outside);
         // Bodies that move against each other have little momentum together, and a ball at rest has none.
         let greatest = |moment: &Moment| {
@@ -132,15 +132,15 @@ impl Compared {
         };
         let of_momentum = (momentum(first), exact.moments.iter().map(greatest).fold(0.0, f64::max));
         let of_energy = (first.balance(), first.balance());
-        self.drift("momentum", "body-3", own, of_momentum, momentum);
-        self.drift("energy", "body-4", own, of_energy, Moment::balance);
+        self.drift("momentum", "body-3", taken, of_momentum, momentum);
+        self.drift("energy", "body-4", taken, of_energy, Moment::balance);
     }
 
     fn drift(
         &mut self,
         name: &str,
         role: &'static str,
-        own: &Record,
+        taken: &Record,
         (start, scale): (f64, f64),
         of: impl Fn(&Moment) -> f64,
     ) {
@@ -148,7 +148,7 @@ impl Compared {
             let share = if scale > 0.0 { 100.0 * (value - start) / scale } else { 0.0 };
             if share.abs() < ROUNDING { 0.0 } else { share }
         };
-        let points = own.moments.iter().map(|moment| [moment.time, percent(of(moment))]);
+        let points = taken.moments.iter().map(|moment| [moment.time, percent(of(moment))]);
         let curve = Curve::new(name, role, points);
         let last = curve.points.last().map_or(0.0, |[_, drift]| *drift);
         self.rows.push(Row { what: format!("Drift of {name} at the end"), amount: Amount::new(last, 100.0, "%") });
@@ -156,7 +156,7 @@ impl Compared {
     }
 }
 
-/// What a drift owes to rounding alone, in percent.
+/// The drift by rounding alone, in percent.
 const ROUNDING: f64 = 1e-9;
 
 /// The looks of the places, of the first body and of the second.

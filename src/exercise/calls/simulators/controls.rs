@@ -1,4 +1,4 @@
-//! What can be set in each simulator, and in which limits.
+//! Settings of each simulator, and their limits.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ pub struct Control {
     pub given: &'static str,
     /// Its letter and index.
     pub symbol: [&'static str; 2],
-    /// What it is.
+    /// Its label.
     pub label: &'static str,
     /// Its unit; empty where it has none.
     pub unit: &'static str,
@@ -42,7 +42,7 @@ impl Control {
     }
 }
 
-/// What a row of the tables below says, in the order of the fields of [`Control`].
+/// The words of a row of the tables below, in the order of the fields of [`Control`].
 type Words = (&'static str, &'static str, [&'static str; 2], &'static str, &'static str);
 
 const fn control(words: Words, [min, max, step, usual]: [f64; 4]) -> Control {
@@ -128,8 +128,8 @@ impl SimulatorRequest {
 /// The values as they may be set in the problem.
 pub(super) fn set(controls: &'static [Control], values: &[f64]) -> Vec<(&'static str, String)> {
     let with_unit = |control: &Control, value: &f64| format!("{value} {}", control.unit).trim_end().to_owned();
-    let own = controls.iter().zip(values).filter(|(control, _)| !control.given.is_empty());
-    own.map(|(control, value)| (control.given, with_unit(control, value))).collect()
+    let settable = controls.iter().zip(values).filter(|(control, _)| !control.given.is_empty());
+    settable.map(|(control, value)| (control.given, with_unit(control, value))).collect()
 }
 
 /// A value that lies outside the limits of its control.

@@ -10,9 +10,9 @@ const STRAIGHT: f64 = 1e-9;
 /// A line of a plot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Curve {
-    /// What it is.
+    /// Its name.
     pub name: String,
-    /// What it means, which decides how it looks.
+    /// Its role, which decides how it looks.
     pub role: &'static str,
     /// Whether it is dashed: what is not the exact motion.
     pub dashed: bool,
@@ -59,7 +59,7 @@ impl Curve {
 
     /// The height of the line at a time.
     pub(super) fn at(&self, time: f64) -> Option<f64> {
-        let after = self.points.partition_point(|[own, _]| *own < time);
+        let after = self.points.partition_point(|[at, _]| *at < time);
         let [end, up] = *self.points.get(after)?;
         let Some([start, low]) = after.checked_sub(1).and_then(|before| self.points.get(before)).copied() else {
             return (end <= time).then_some(up);

@@ -31,9 +31,9 @@ const LONGEST: f64 = 6.0;
 /// Everything that the page of the two discs shows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DiscsResponse {
-    /// What happens, in a sentence.
+    /// The course of events, in a sentence.
     pub told: String,
-    /// What the discs do, one after another.
+    /// The phases of the discs' motion, one after another.
     pub phases: Vec<Phase>,
     /// The impact, where there is one; its impulse is along the line of impact.
     pub meeting: Option<Meeting>,
@@ -113,14 +113,14 @@ impl Engine<'_> {
 
     /// The problem with these values; without a line of impact there is none.
     fn discs_problem(&self, values: &[f64], line: Option<f64>) -> Result<ProblemOf, Refused> {
-        let mut own = set(DISCS, values);
+        let mut settings = set(DISCS, values);
         let Some(line) = line else {
             let reason = "the discs pass each other without touching".to_owned();
-            return Ok(ProblemOf { id: PROBLEM, set: own, solved: None, reason: Some(reason), hidden: false });
+            return Ok(ProblemOf { id: PROBLEM, set: settings, solved: None, reason: Some(reason), hidden: false });
         };
         let level = |name| (name, "0 m/s".to_owned());
-        own.extend([level("v_A1.y"), level("v_B1.y"), ("alpha", format!("{line} deg"))]);
-        self.problem_of(PROBLEM, own)
+        settings.extend([level("v_A1.y"), level("v_B1.y"), ("alpha", format!("{line} deg"))]);
+        self.problem_of(PROBLEM, settings)
     }
 }
 
@@ -207,7 +207,7 @@ fn sentence(meeting: Option<&Meeting>, line: Option<f64>, problem: &ProblemOf) -
     }
 }
 
-/// What must be seen: both discs at all times.
+/// The extent that must be seen: both discs at all times.
 fn reach(curves: &[Curve]) -> [f64; 2] {
     let all = curves.iter().flat_map(|curve| &curve.points).map(|[_, place]| *place);
     let (low, high) =

@@ -13,7 +13,7 @@ pub struct Meeting {
     pub impulse: Amount,
 }
 
-/// What the bodies do until the end of what is shown.
+/// The phases of the bodies' motion until the end of what is shown.
 pub(super) fn phases(meeting: Option<&Meeting>, end: f64) -> Vec<Phase> {
     match meeting {
         None => vec![Phase { until: end, words: "no impact" }],

@@ -40,12 +40,12 @@ pub use meeting::Meeting;
 pub use restitution::{LookedAt, RestitutionResponse, Sums};
 pub use second::Second;
 
-/// What a body does until a time.
+/// A phase of a body's motion until a time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Phase {
     /// Until when, in s.
     pub until: f64,
-    /// What it does, in words.
+    /// Its description, in words.
     pub words: &'static str,
 }
 
@@ -95,8 +95,8 @@ impl Engine<'_> {
         let (problem, exercise) = self.solved(id, set)?;
         let quantity = exercise.and_then(|exercise| {
             let asked = VariantRequest { find: vec![name.to_owned()], ..problem.variant() };
-            let own = self.typed(exercise.problem(), exercise.variant().form(), &asked).ok()?;
-            let answer = answers(&own).into_iter().find(|answer| answer.id == name)?;
+            let exercise = self.typed(exercise.problem(), exercise.variant().form(), &asked).ok()?;
+            let answer = answers(&exercise).into_iter().find(|answer| answer.id == name)?;
             Some(Amount::with_text(answer.value?, &answer.printed))
         });
         Ok((problem, quantity))

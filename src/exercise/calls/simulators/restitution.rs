@@ -35,9 +35,9 @@ const FOR_EVER: u32 = 8;
 /// Everything that the page of the bouncing ball shows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RestitutionResponse {
-    /// What happens, in a sentence.
+    /// The course of events, in a sentence.
     pub told: String,
-    /// What the ball does, one after another.
+    /// The phases of the ball's motion, one after another.
     pub phases: Vec<Phase>,
     /// The release and the bounces.
     pub bounces: Vec<Bounce>,
@@ -149,7 +149,7 @@ impl Engine<'_> {
 
 /// A number of bounces.
 fn whole(number: f64, most: u32) -> Result<u32, Refused> {
-    (1..=most).find(|own| f64::from(*own).total_cmp(&number).is_eq()).ok_or_else(|| {
+    (1..=most).find(|bounces| f64::from(*bounces).total_cmp(&number).is_eq()).ok_or_else(|| {
         let message = format!("`n` is a number of bounces, 1, 2, 3, ... {most}, and {number} is none");
         Refused::new(RefusedKind::Values, message)
     })
@@ -183,7 +183,8 @@ fn in_air(world: &World<1>, bounces: u32, limits: &Limits) -> Result<(Trajectory
 /// printed may fall to the other side.
 fn sums(train: &BounceTrain, problem: &ProblemOf, path: Option<Amount>) -> Sums {
     let answers = problem.solved.as_ref().map(|solved| solved.answers.as_slice()).unwrap_or_default();
-    let total = answers.iter().find(|answer| answer.id == "t_total").and_then(|own| Some((own.value?, &own.printed)));
+    let total =
+        answers.iter().find(|answer| answer.id == "t_total").and_then(|part| Some((part.value?, &part.printed)));
     let time = match total {
         Some((value, printed)) => Amount::with_text(value, printed),
         None => Amount::new(train.end(), 0.0, "s"),
@@ -225,7 +226,7 @@ fn shown(
     RestitutionResponse {
         told,
         phases: phases(&bounces, end, rests),
-        looked_at: looked_at.filter(|own| own.speeds.value.is_finite()),
+        looked_at: looked_at.filter(|looked_at| looked_at.speeds.value.is_finite()),
         no_sums: sums.as_ref().err().copied(),
         sums: sums.ok(),
         end,
@@ -245,7 +246,7 @@ fn shown(
 impl RestitutionResponse {
     /// With what is shown of both balls, or of the one.
     fn with_second(mut self, second: Option<Second>, record: &Record) -> Self {
-        let balls = [Some(("A", "body-0", record)), second.as_ref().map(|own| ("B", "body-1", &own.record))];
+        let balls = [Some(("A", "body-0", record)), second.as_ref().map(|shown| ("B", "body-1", &shown.record))];
         let balls: Vec<(&str, &'static str, &Record)> = balls.into_iter().flatten().collect();
         self.velocities = balls.iter().map(|(name, role, record)| over(record, name, role, velocity)).collect();
         self.bars = energies(&balls).collect();
