@@ -31,7 +31,7 @@ pub enum DimensionClash {
     },
     /// A root of a quantity that has none: the square root of a length.
     Root {
-        /// What the root is taken of.
+        /// The term under the root.
         base: Expr,
         /// Its dimension.
         dimension: Dimension,

@@ -1,4 +1,4 @@
-//! What must hold for every term: tried on random ones.
+//! Properties that hold for every term: tried on random ones.
 
 use proptest::prelude::*;
 

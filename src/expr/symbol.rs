@@ -14,14 +14,14 @@ impl Symbol {
     }
 }
 
-/// What a problem knows of a symbol.
+/// The facts that a problem states of a symbol.
 #[derive(Clone, Debug)]
 pub struct SymbolEntry {
     /// The name in problem files and answers: `v_A1.x`, `J_A[hit]`.
     pub name: String,
     /// The dimension of its value.
     pub dimension: Dimension,
-    /// What it is, as a noun phrase: `the velocity of cart A just before the impact`.
+    /// Its meaning as a noun phrase: `the velocity of cart A just before the impact`.
     pub meaning: String,
 }
 
@@ -69,7 +69,7 @@ impl SymbolTable {
         u32::try_from(index).ok().map(Symbol)
     }
 
-    /// What is known of a symbol of this table.
+    /// The entry of a symbol of this table.
     #[must_use]
     pub fn entry(&self, symbol: Symbol) -> &SymbolEntry {
         &self.entries[symbol.index()]

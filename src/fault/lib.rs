@@ -38,7 +38,7 @@ pub enum Code {
     Duplicate,
     /// More equations than unknowns, and they do not agree.
     OverDetermined,
-    /// What is asked does not follow from what is given.
+    /// The quantity asked does not follow from those given.
     UnderDetermined,
     /// No tactic closes a block of equations.
     Stuck,
@@ -59,7 +59,7 @@ pub enum Code {
 pub struct Fault {
     /// Its kind.
     pub code: Code,
-    /// What is wrong, in a sentence without a full stop.
+    /// The fault, in a sentence without a full stop.
     pub message: String,
     /// The way out.
     pub help: Option<String>,

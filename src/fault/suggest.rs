@@ -22,7 +22,7 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str
     (distance <= most && distance < length).then_some(best)
 }
 
-/// What is said of a name that is none of the known ones: the nearest, or all of them.
+/// Says of an unknown name which known one is nearest, or lists them all.
 ///
 /// ```
 /// use momentous_fault::unknown_name;

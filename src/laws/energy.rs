@@ -105,7 +105,7 @@ pub const RUBBING: Law = Law {
     wrong: wrong::energy::RUBBING,
 };
 
-/// What friction between two bodies turns into heat.
+/// Friction between two bodies turns kinetic energy into heat.
 pub const HEAT: Law = Law {
     id: "heat-of-friction",
     name: "conservation of energy",
@@ -132,7 +132,7 @@ pub fn lost_in_impact([first, second]: [&Expr; 2], e: &Expr, approach: &Expr) ->
     Expr::product([Expr::ratio(1, 2), reduced, rest, approach.clone().powi(2)])
 }
 
-/// What is there at the start and the work on the way make up what is there at the end.
+/// The energy at the start and the work on the way make up the energy at the end.
 #[must_use]
 pub fn work_energy(start: Expr, works: impl IntoIterator<Item = Expr>, end: Expr) -> Sides {
     (Expr::sum([start].into_iter().chain(works)), end)

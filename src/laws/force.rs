@@ -116,7 +116,7 @@ pub const TRACK: Law = Law {
     wrong: wrong::force::TRACK,
 };
 
-/// What holds a body on a level circle.
+/// The force that holds a body on a level circle.
 pub const HOLDING: Law = Law {
     id: "pull-on-a-level-circle",
     name: "Newton's second law towards the centre of the circle",

@@ -149,7 +149,7 @@ pub const BOUNDARY: Law = Law {
     wrong: &[],
 };
 
-/// What an expression in a question stands for.
+/// An expression in a question stands for a quantity.
 pub const ASKED: Law = Law {
     id: "expression-asked",
     name: "the definition of what is asked for",

@@ -7,9 +7,9 @@ use super::wrong::WrongForm;
 pub struct Law {
     /// A stable name for tools and tests: `conservation-of-momentum`.
     pub id: &'static str,
-    /// What it is called in a sentence: `conservation of linear momentum`.
+    /// Its name in a sentence: `conservation of linear momentum`.
     pub name: &'static str,
-    /// What it says, in words.
+    /// Its statement, in words.
     pub statement: &'static str,
     /// Which directions count as positive.
     pub signs: &'static str,

@@ -27,7 +27,7 @@ pub use sides::Sides;
 pub struct Chapter {
     /// A stable name for tools and rubrics: `momentum`.
     pub id: &'static str,
-    /// What it is called: `Linear impulse and momentum`.
+    /// Its title: `Linear impulse and momentum`.
     pub title: &'static str,
     /// Its laws.
     pub laws: &'static [&'static Law],

@@ -7,7 +7,7 @@ use super::Law;
 use super::Sides;
 use super::wrong;
 
-/// What a stream brings in a given time.
+/// The mass that a stream brings in a given time.
 pub const FLOW: Law = Law {
     id: "mass-flow",
     name: "the conservation of mass in a stream",

@@ -1,4 +1,4 @@
-//! What acts during a stage, as diagrams show it: forces one by one, the slopes of floors, streams.
+//! Forces that act during a stage, as diagrams show them: one by one, the slopes of floors, streams.
 
 use std::borrow::Cow;
 
@@ -14,9 +14,9 @@ pub struct ActingForce {
     pub stage: usize,
     /// The short name of the body on which it acts.
     pub on: String,
-    /// What it is.
+    /// Its kind.
     pub kind: ForceKind,
-    /// What it is called: `the thrust`, `weight`.
+    /// Its name: `the thrust`, `weight`.
     pub called: String,
     /// Its strength, a term in the time `t` where it changes.
     pub strength: Expr,
@@ -27,14 +27,14 @@ pub struct ActingForce {
 }
 
 impl ActingForce {
-    /// What it is called in a sentence: `the thrust`, `the force of the club`.
+    /// Its name in a sentence: `the thrust`, `the force of the club`.
     #[must_use]
     pub fn in_words(&self) -> Cow<'_, str> {
         wording::force_of(&self.called)
     }
 }
 
-/// What a force is.
+/// The kinds of force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceKind {
     /// A push or a pull that the problem refers to.

@@ -24,7 +24,7 @@ use super::Name;
 use super::QuantityKind;
 use super::mistaken::unit_acceleration;
 
-/// What stands in the place of each given.
+/// The expression in the place of each given.
 type InPlace = BTreeMap<Symbol, Expr>;
 
 impl Model {

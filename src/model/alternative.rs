@@ -6,7 +6,7 @@ use momentous_solve::Equation;
 /// One of several ways in which a stage can go, with what holds only there.
 #[derive(Clone, Debug, Default)]
 pub struct Alternative {
-    /// What happens, as a clause: `the crate stays at rest`.
+    /// The course of events, as a clause: `the crate stays at rest`.
     pub what: String,
     /// Equations that hold only there.
     pub equations: Vec<Equation>,

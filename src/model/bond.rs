@@ -18,7 +18,7 @@ struct Bond<'a> {
     bodies: Vec<&'a str>,
 }
 
-/// What binds them.
+/// The kind of the bond.
 #[derive(Clone, Copy)]
 enum Kind<'a> {
     /// They stuck together in an impact.
@@ -213,7 +213,7 @@ impl<'a> Bond<'a> {
         }
     }
 
-    /// What changes the velocities of its bodies as long as they are bound, where anything does.
+    /// The agent that changes the velocities of its bodies as long as they are bound, where any does.
     fn acts_all_the_time(&self) -> Option<&'static str> {
         match self.kind {
             Kind::Stuck | Kind::OnSurface(_) | Kind::OnArm | Kind::Coupled | Kind::LiesOn { slides: false } => None,
@@ -225,8 +225,8 @@ impl<'a> Bond<'a> {
         }
     }
 
-    /// What becomes of the bond in a stage that neither makes nor undoes it: a body that becomes part of another is bound as that, and one
-    /// that lies on another slides on it once one of the two alone is struck.
+    /// Carries the bond through a stage that neither makes nor undoes it: a body that becomes part of another is bound as that,
+    /// and one that lies on another slides on it once one of the two alone is struck.
     fn goes_through(&mut self, scene: &'a Scene, stage: &'a Stage) {
         let struck = Description::of(scene, stage).changed();
         if let Kind::LiesOn { slides } = &mut self.kind

@@ -50,7 +50,7 @@ use super::taut_string::TautString;
 use super::timeline::Timeline;
 use super::turned::Turned;
 
-/// What using an equation costs a plan.
+/// The cost of an equation in a plan.
 pub(super) const LAW_COST: u32 = 10;
 /// The cost of an equation that says the same as others in a way that is taught second.
 pub(super) const SECOND_COST: u32 = 11;
@@ -65,9 +65,9 @@ pub struct Builder<'s> {
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<(Axis, Senses)>,
     pub(super) symbols: SymbolTable,
-    /// What each symbol is.
+    /// The name behind each symbol.
     pub(super) names: Vec<Name>,
-    /// Of components, what the whole vector is.
+    /// The whole vector behind each component.
     pub(super) vectors: BTreeMap<Symbol, Meaning>,
     pub(super) instances: Vec<Instance>,
     pub(super) reasons: Vec<Reason>,
@@ -101,7 +101,7 @@ pub struct Builder<'s> {
     pub(super) expressions: BTreeMap<Symbol, Expr>,
     /// Names that are asked and whose dimension only their place can say.
     pub(super) unmeasured: BTreeSet<String>,
-    /// What the author named at a place of the scene, with the first such place.
+    /// The names that the author wrote at a place of the scene, each with the first such place.
     pub(super) named: BTreeMap<Symbol, Path>,
     pub(super) mentions: BTreeMap<String, Symbol>,
     pub(super) words: Vec<(String, Path)>,
@@ -231,13 +231,13 @@ impl<'s> Builder<'s> {
             .find_map(|(choice, ways)| Some((choice, ways.iter().find(is_meant)?.what.as_str())))
     }
 
-    /// What a quantity is: its name, taken apart.
+    /// The name of a quantity, taken apart.
     #[must_use]
     pub fn name(&self, symbol: Symbol) -> &Name {
         &self.names[symbol.index()]
     }
 
-    /// What the vector is of which a quantity is a component.
+    /// The vector of which a quantity is a component.
     #[must_use]
     pub fn vector_of(&self, component: Symbol) -> Option<String> {
         self.vectors.get(&component).map(Meaning::to_string)

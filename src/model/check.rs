@@ -1,4 +1,4 @@
-//! What must fit together in a scene before any law is written down.
+//! Checks of a scene before any law is written down: whether its parts fit together.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -294,7 +294,7 @@ fn names_of_instants(scene: &Scene) -> Vec<Fault> {
     faults
 }
 
-/// What does not fit two bodies that follow each other on a string, or in a row.
+/// The misfits of two bodies that follow each other on a string, or in a row.
 fn in_a_row(scene: &Scene, stage: &Stage, [what, axis]: [&str; 2], at: Path) -> Vec<Fault> {
     let fault = match &Description::of(scene, stage).bodies[..] {
         _ if !matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1) => {
@@ -310,7 +310,7 @@ fn in_a_row(scene: &Scene, stage: &Stage, [what, axis]: [&str; 2], at: Path) -> 
     vec![fault.at_path(at)]
 }
 
-/// What two bodies become is a body of its own: its name must not be that of another.
+/// The union of two bodies is a body of its own: its name must not be that of another.
 fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
     let mut taken: Vec<&str> = scene.bodies.keys().map(String::as_str).collect();
     let mut faults = Vec::new();
@@ -326,7 +326,7 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
     faults
 }
 
-/// Who parts, and from what.
+/// Checks which bodies part, and from which whole.
 fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate, at: &Path) -> Vec<Fault> {
     let mut faults = Vec::new();
     if stage.into.len() < 2 {

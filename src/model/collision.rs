@@ -10,7 +10,7 @@ use super::Builder;
 use super::Name;
 use super::QuantityKind;
 
-/// What the time is that runs within a stage.
+/// The words for the time that runs within a stage.
 const RUNNING: &str = "the time";
 
 impl Builder<'_> {

@@ -66,7 +66,7 @@ impl Builder<'_> {
         Direction::turned(0, self.zero_if_so_written(turn))
     }
 
-    /// What is counted counter-clockwise, from x to y, needs axes that turn so.
+    /// Angles counted counter-clockwise, from x to y, need axes that turn so.
     pub(super) fn counts_turns(&mut self, what: &str, path: &Path) {
         if self.scene.axes.are_left_handed() && self.defined.insert("left-handed axes".to_owned()) {
             let message = format!("{what} is counted counter-clockwise, but these axes turn clockwise from x to y");

@@ -42,11 +42,11 @@ pub struct Model {
     pub choices: Vec<Vec<Alternative>>,
     /// Which law each equation is, and why it applies.
     pub instances: Vec<Instance>,
-    /// What to say where a condition is broken; conditions' tags count these.
+    /// The reasons to give where a condition is broken; conditions' tags count these.
     pub reasons: Vec<Reason>,
     /// Which of the reasons belong to each stage.
     pub(super) reasons_of_stages: Vec<Range<usize>>,
-    /// What was left out on purpose.
+    /// The omissions made on purpose.
     pub omissions: Vec<Omission>,
     /// The impulses of each stage.
     pub impulses: Vec<Impulse>,
@@ -70,7 +70,7 @@ pub struct Model {
     pub strings: Vec<TautString>,
     /// Names that terms introduced without defining them: to be given, or asked.
     pub free: BTreeSet<Symbol>,
-    /// What questions call by names of their own, each with the expression for which it stands.
+    /// The expressions that questions call by names of their own.
     pub expressions: BTreeMap<Symbol, Expr>,
     pub(super) mentions: BTreeMap<String, Symbol>,
 }
@@ -86,7 +86,7 @@ impl Model {
         equations.map(Equation::symbols).chain(sides).flatten().collect()
     }
 
-    /// What a quantity is: its name, taken apart.
+    /// The name of a quantity, taken apart.
     #[must_use]
     pub fn name(&self, symbol: Symbol) -> &Name {
         &self.names[symbol.index()]

@@ -28,7 +28,7 @@ use super::stage::Pushed;
 
 /// The forces on a body that rests or slides on a floor, along its motion.
 struct Contact {
-    /// What the pushes and weight make up along the floor.
+    /// The sum of the pushes and weight along the floor.
     along: Expr,
     /// The normal force.
     normal: Expr,
@@ -39,7 +39,7 @@ struct Contact {
 }
 
 impl Contact {
-    /// What is left along the motion while the body slides.
+    /// The force left along the motion while the body slides.
     fn net(&self) -> Expr {
         self.along.clone() - self.kinetic.clone() * self.normal.clone()
     }
@@ -313,7 +313,7 @@ impl Builder<'_> {
         slides
     }
 
-    /// What a body that was at rest gains from the time on at which it starts to slide.
+    /// The velocity that a body at rest gains from the time on at which it starts to slide.
     fn gains(&mut self, pushed: &Pushed<'_>, contact: &Contact, begins: &Expr, since: &str) -> Vec<Equation> {
         let (index, net) = (pushed.index, contact.net());
         let name = self.called(pushed.body);

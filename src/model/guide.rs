@@ -23,7 +23,7 @@ use super::frame::Direction;
 pub(super) struct Guided {
     /// The body.
     pub body: String,
-    /// What guides it.
+    /// The guide, as it is called in a sentence.
     pub by: String,
     /// Where the body can move.
     pub along: Direction,
@@ -72,7 +72,8 @@ impl Builder<'_> {
         }
     }
 
-    /// That a guided body does not move at right angles to its guide; `stage` says what brought it to that instant.
+    /// Requires that a guided body does not move at right angles to its guide; `stage` is the one that brought it to that
+    /// instant.
     pub(super) fn hold(&mut self, guide: &Guided, instant: usize, stage: Option<usize>) {
         let since = self.timeline.naming_instant(&guide.body, instant);
         if !self.defined.insert(format!("guided {}{since}", guide.body)) {

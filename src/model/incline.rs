@@ -48,7 +48,7 @@ impl Incline {
     }
 }
 
-/// What weight does along one axis to a body in the air.
+/// The acceleration by weight along one axis of a body in the air.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Fall {
     /// It draws the body to the floor, along the axis (1) or against it (-1).
@@ -85,8 +85,8 @@ impl Builder<'_> {
         Incline { angle, sign, along, press }
     }
 
-    /// What weight does along each axis to a body in the air: with an incline the first axis runs along the slope and the second
-    /// away from it. A fault is noted where weight has no part in the scene.
+    /// The acceleration by weight along each axis of a body in the air: with an incline the first axis runs along the slope and
+    /// the second away from it. A fault is noted where weight has no part in the scene.
     pub(super) fn falling(&mut self, index: usize, incline: Option<&Term>, path: &Path) -> Option<Vec<Fall>> {
         let gravity = self.gravity();
         if let Some(term) = incline {

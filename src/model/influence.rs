@@ -1,4 +1,4 @@
-//! What acts on bodies during a stage that lasts: it decides what stays the same all the way, and not only at both ends.
+//! Influences on bodies during a stage that lasts: they decide what stays the same all the way, and not only at both ends.
 
 use momentous_expr::Expr;
 
@@ -11,13 +11,13 @@ pub struct Influence {
     pub on: String,
     /// The bodies that give it, and feel the opposite; none where it comes from outside the scene.
     pub by: Vec<String>,
-    /// What it is called: `weight`, `the cord`.
+    /// Its name: `weight`, `the cord`.
     pub called: String,
     /// Its force along each axis of the scene.
     pub force: Vec<Effect>,
-    /// What it does to the kinetic energy.
+    /// Its effect on the kinetic energy.
     pub work: Work,
-    /// What it does to angular momentum.
+    /// Its effect on angular momentum.
     pub moment: Moment,
 }
 
@@ -30,7 +30,7 @@ pub enum Effect {
     Open,
 }
 
-/// What an influence does to the kinetic energy of bodies.
+/// The effect of an influence on the kinetic energy of bodies.
 #[derive(Clone, Debug)]
 pub enum Work {
     /// It acts at right angles to the motion.
@@ -41,14 +41,14 @@ pub enum Work {
     OfForce,
     /// Work where this is not zero, and how that is said.
     Where(Effect, String),
-    /// None where all of these are zero, for then the body moves round a circle about the centre of the force.
+    /// No work where all of these are zero, for then the body moves round a circle about the centre of the force.
     UnlessRound([Expr; 3]),
 }
 
-/// What an influence does to angular momentum.
+/// The effect of an influence on angular momentum.
 #[derive(Clone, Debug)]
 pub enum Moment {
-    /// That of its force.
+    /// The moment of its force.
     OfForce,
     /// None about a fixed point of that name, through which its line always passes.
     Through(String),

@@ -18,7 +18,7 @@ pub struct Instance {
     pub stage: Option<usize>,
     /// The integral that the equation's right side is the value of, where the law defines one.
     pub integral: Option<Integral>,
-    /// What its equation follows from, to be shown with it.
+    /// The line from which its equation follows, to be shown with it.
     pub shown: Option<Shown>,
     /// The uses of laws, as positions in [`Model::instances`](super::Model::instances), that name what stands in the value of the integral
     /// for the ends of the range.
@@ -59,7 +59,7 @@ impl From<String> for Because {
     }
 }
 
-/// As a clause.
+/// Written as a clause.
 impl fmt::Display for Because {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -75,7 +75,7 @@ impl fmt::Display for Because {
 pub enum Shown {
     /// Something equals an integral.
     Integral {
-        /// What equals it.
+        /// The quantity that equals it.
         of: Expr,
         /// The integral.
         integral: Integral,
@@ -91,7 +91,7 @@ pub enum Shown {
 /// A factor times a sum whose terms go on in the same way.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// What all terms have in common.
+    /// The common factor of all terms.
     pub factor: Expr,
     /// The first terms.
     pub terms: Vec<Expr>,
@@ -102,7 +102,7 @@ pub struct Series {
 /// A definite integral, to be shown before its value.
 #[derive(Clone, Debug)]
 pub struct Integral {
-    /// What is integrated.
+    /// The integrand.
     pub integrand: Expr,
     /// Over what.
     pub variable: Symbol,
@@ -126,7 +126,7 @@ pub enum Omitted {
 pub struct Omission {
     /// Whether it is neglected, or has no part in what is asked.
     pub kind: Omitted,
-    /// What is left out: `weight`.
+    /// The omitted quantity: `weight`.
     pub what: String,
     /// Why that is right: `it is not impulsive: during the short contact its impulse is negligible`.
     pub why: String,
@@ -141,9 +141,9 @@ pub struct Impulse {
     pub stage: usize,
     /// The short name of the body on which it acts.
     pub on: String,
-    /// What gives it.
+    /// The giver of the impulse.
     pub by: Agent,
-    /// What it is called: `the contact with cart B`, `the thrust`, `weight`.
+    /// Its name: `the contact with cart B`, `the thrust`, `weight`.
     pub called: String,
     /// Its components along the scene's axes, in their order; none where it is only one magnitude along `line`.
     pub components: Vec<Expr>,
@@ -151,14 +151,14 @@ pub struct Impulse {
     pub impulsive: bool,
 }
 
-/// What gives an impulse.
+/// The giver of an impulse.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Agent {
     /// Another body of the scene.
     Body(String),
     /// A surface of the scene.
     Surface(String),
-    /// What guides a body, at right angles to the way in which it lets it move.
+    /// The guide of a body, at right angles to the way in which it lets it move.
     Guide,
     /// Something outside the scene: a hand, an engine, the earth.
     Outside,

@@ -1,4 +1,4 @@
-//! What a jerk has to be told: one string, or several that are jerked at the same time.
+//! The strings of a jerk: one, or several that are jerked at the same time.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;

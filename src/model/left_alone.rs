@@ -6,11 +6,11 @@ pub(super) struct LeftAlone {
     pub(super) stage: usize,
     /// The short name of the body.
     pub(super) body: String,
-    /// What acts on it.
+    /// The forces on it.
     pub(super) by: Acts,
 }
 
-/// What acts on a body that a stage does not name.
+/// The forces on a body that a stage does not name.
 pub(super) enum Acts {
     /// Its weight.
     Weight,

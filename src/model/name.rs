@@ -7,7 +7,7 @@ use super::QuantityKind;
 /// The mass centre as it stands in names.
 pub(super) const MASS_CENTRE: &str = "G";
 
-/// What a symbol stands for: a name, taken apart. Which names a scene has is decided elsewhere.
+/// Names of symbols, taken apart. Which names a scene has is decided elsewhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// The kind of quantity.
@@ -52,7 +52,7 @@ impl<'a> VectorName<'a> {
     }
 }
 
-/// What a quantity is, as a noun and what belongs to it: `the velocity`, `of cart A just before the impact`.
+/// The meaning of a quantity, as a noun and what belongs to it: `the velocity`, `of cart A just before the impact`.
 #[derive(Clone, Debug)]
 pub(super) struct Meaning {
     pub noun: &'static str,
@@ -160,7 +160,7 @@ impl Name {
         })
     }
 
-    /// What a name of the author's own stands for, as far as its letter says.
+    /// Reads a name of the author's own, as far as its letter tells.
     pub(super) fn written(text: &str) -> Self {
         let name_by_author = || Self::of(QuantityKind::Own(text.to_owned()), "");
         Self::parse(text).filter(|name| name.to_string() == text).unwrap_or_else(name_by_author)

@@ -1,4 +1,4 @@
-//! What a model in the making tells of itself to whoever reads the question.
+//! The facts of a model in the making that the reader of questions needs.
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -115,7 +115,7 @@ impl<'s> Builder<'s> {
         &self.impulses
     }
 
-    /// What acts during the stages that last, so far.
+    /// The influences of the stages that last, so far.
     #[must_use]
     pub fn influences(&self) -> &[Influence] {
         &self.influences

@@ -18,7 +18,7 @@ pub(super) struct Pair<'a> {
     pub bodies: [&'a str; 2],
     pub before: [Expr; 2],
     pub after: [Expr; 2],
-    /// What acts between them: `the spring`, `the string`.
+    /// The link between them: `the spring`, `the string`.
     pub link: &'a str,
     /// Along what it acts, by another word.
     pub line: &'a str,

@@ -14,7 +14,7 @@ pub struct Passage {
     pub ends: [Expr; 2],
     /// The kinetic energy at the position, or what else must not become negative.
     pub kinetic: Expr,
-    /// What to say where the body does not get through.
+    /// The reason to give where the body does not get through.
     pub reason: Reason,
     /// The only way of going to which it belongs, where a stage can go in several: the position of the choice, and what happens.
     pub way: Option<(usize, String)>,

@@ -9,7 +9,7 @@ use momentous_fault::Path;
 pub struct PrintedGraph {
     /// The stage, counted from 0.
     pub stage: usize,
-    /// What the force is called.
+    /// The name of the force.
     pub called: String,
     /// Time and force of each point: zero, a quantity, or a multiple of one.
     pub points: Vec<[Expr; 2]>,

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use momentous_quantity::Dimension;
 use momentous_scene::Axis;
 
-/// What kind of quantity a symbol stands for. It is known where the symbol is made.
+/// The kind of quantity that a symbol stands for. It is known where the symbol is made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum QuantityKind {
     /// Velocity, of a body or of the centre of mass.
@@ -130,7 +130,7 @@ pub enum QuantityKind {
     Own(String),
 }
 
-/// What a direction is the direction of.
+/// The vector whose direction a symbol gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VectorKind {
     /// Velocity.

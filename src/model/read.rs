@@ -126,7 +126,8 @@ impl Builder<'_> {
         expr
     }
 
-    /// What a text of the wrong dimension was taken for, where it may mean something else: a name of the scene, or `2m` for `2*m`.
+    /// The reading for which a text of the wrong dimension was taken, where it may mean something else: a name of the scene, or
+    /// `2m` for `2*m`.
     fn misread(&self, expr: &Expr, text: &str) -> Option<String> {
         let Expr::Symbol(symbol) = expr else { return None };
         let Some((_, quantity)) = self.literals.iter().find(|(literal, _)| literal == symbol) else {
@@ -236,7 +237,7 @@ impl Builder<'_> {
     }
 }
 
-/// What to write for a quantity that several stages have.
+/// Advice on how to write a quantity that several stages have.
 fn of_several_stages(names: impl IntoIterator<Item = String>) -> String {
     format!("several stages have this quantity: write {}", quoted(names, " or "))
 }
@@ -246,7 +247,7 @@ fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String 
 }
 
 impl Builder<'_> {
-    /// What a name lacks that several quantities here have in common: the stage, or the component.
+    /// The part that a name lacks where several quantities have it in common: the stage, or the component.
     fn not_alone(&self, name: &str) -> Option<String> {
         let parsed = Name::parse(name)?;
         if parsed.instant.is_some() && parsed.stage.is_some() {
@@ -276,7 +277,7 @@ impl Builder<'_> {
         is_vector.then(|| format!("it is a vector here, which is named by its components: {}", quoted(parts, " and ")))
     }
 
-    /// What the least or the greatest distance of a body lacks that moves under gravity on an orbit of no stated shape.
+    /// The facts that the least or the greatest distance of a body lacks that moves under gravity on an orbit of no stated shape.
     fn extreme_distance(&self, name: &str) -> Option<&'static str> {
         let name = Name::parse(name).filter(|name| name.kind == QuantityKind::Position && name.instant.is_none())?;
         name.component.as_deref().filter(|which| ["min", "max"].contains(which))?;

@@ -1,6 +1,6 @@
 //! Why a root or a way is not possible.
 
-/// What acts against the motion of a body, whichever way it moves.
+/// Forces against the motion of a body, whichever way it moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Opposing {
     /// Friction of bodies that slide.
@@ -127,7 +127,7 @@ pub enum Reason {
     /// A body that falls moves downwards at the end.
     #[error("{0} downwards at the end of {1}")]
     Downwards(String, String),
-    /// What can only pull would go slack.
+    /// A string that can only pull would go slack.
     #[error("{0} would go slack")]
     Slack(String),
     /// The cord of a body that swings would go slack.
@@ -236,7 +236,7 @@ pub enum Reason {
     /// The author asks for the other solution.
     #[error("the problem asks for the other solution")]
     OtherSolutionAsked,
-    /// What would be so in the other solution, in the author's words.
+    /// The other solution would have this property, in the author's words.
     #[error("{0}")]
     Otherwise(String),
     /// It is what a question asks.
@@ -244,7 +244,7 @@ pub enum Reason {
     Asked,
 }
 
-/// What is unphysical about a solution, by the names that authors write under `allow`.
+/// Ways in which a solution is unphysical, by the names that authors write under `allow`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warning {
     /// The bodies would not meet.
@@ -274,7 +274,7 @@ impl Warning {
 }
 
 impl Reason {
-    /// What an author may allow by name; none where it only tells one way of a scene from another.
+    /// The name by which an author may allow it; `None` where it only tells one way of a scene from another.
     #[must_use]
     pub fn warning(&self) -> Option<Warning> {
         Some(match self {
@@ -353,7 +353,7 @@ impl Reason {
         }
     }
 
-    /// What else an author may write for what happens then, where the scene has words for it.
+    /// Another name that an author may write for what happens then, where the scene has words for it.
     #[must_use]
     pub fn way_out(&self) -> Option<&'static str> {
         Some(match self {
@@ -379,7 +379,7 @@ impl Reason {
         })
     }
 
-    /// What a check says where the condition holds; none where that is not worth a word.
+    /// The sentence of a check where the condition holds; `None` where that is not worth a word.
     #[must_use]
     pub fn what_holds(&self) -> Option<String> {
         match self {

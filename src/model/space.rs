@@ -1,4 +1,4 @@
-//! What a scene in three dimensions can hold, and where its points are.
+//! Checks of a scene in three dimensions, and the places of its points.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -15,7 +15,7 @@ use super::stage::ROTOR;
 use super::timeline::Timeline;
 use super::unknown::unknown;
 
-/// What a scene says of places and directions that its axes do not allow.
+/// The places and directions of a scene that its axes do not allow.
 pub(super) fn faults(scene: &Scene) -> Vec<Fault> {
     let Axes::Rectangular(axes) = &scene.axes else { return points(scene, &|_| false).collect() };
     let mut faults: Vec<Fault> = points(scene, &|letter| axes.keys().any(|axis| axis.letter() == letter)).collect();
@@ -49,7 +49,7 @@ fn points<'a>(scene: &'a Scene, has: &'a dyn Fn(&str) -> bool) -> impl Iterator<
     })
 }
 
-/// What does not fit a stage in which bodies turn about a point, or act on each other in a plane or in space.
+/// The misfits of a stage in which bodies turn about a point, or act on each other in a plane or in space.
 pub(super) fn turning(scene: &Scene, timeline: &Timeline, stage: &Stage, at: Path) -> Vec<Fault> {
     let axes = match &scene.axes {
         Axes::Polar(_) => 0,

@@ -1,4 +1,4 @@
-//! What an expression is called in words, where its author gives it no label: `v_B2 - v_A2` is the velocity of B minus that of A.
+//! Words for an expression that its author gives no label: `v_B2 - v_A2` is the velocity of B minus that of A.
 
 use momentous_expr::Expr;
 use momentous_expr::Function;

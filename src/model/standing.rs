@@ -1,5 +1,5 @@
-//! What is said of a body or of the scene outside the stages and acts in each of them: a guide, weight in the plane, the slope of
-//! an axis, the bonds between bodies. A stage takes account of it, or is refused; none passes it over.
+//! Conditions stated outside the stages that act in each of them: a guide, weight in the plane, the slope of an axis, the bonds
+//! between bodies. A stage takes account of it, or is refused; none passes it over.
 
 #![deny(clippy::wildcard_enum_match_arm)]
 
@@ -16,7 +16,7 @@ use super::name::MASS_CENTRE;
 use super::stage::Description;
 use super::timeline::Timeline;
 
-/// What a stage makes of something that is said outside it.
+/// The account that a stage takes of something stated outside it.
 enum Account {
     /// Its equations hold it, or nothing of it acts in such a stage.
     Taken,

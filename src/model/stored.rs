@@ -13,7 +13,7 @@ const SPRING: &str = "spring";
 #[derive(Clone, Debug)]
 pub(super) struct Stored {
     pub stage: usize,
-    /// What it is called in a sentence.
+    /// Its name in a sentence.
     pub called: String,
     pub stiffness: Expr,
     pub deformations: [Expr; 2],

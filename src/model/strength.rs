@@ -1,4 +1,4 @@
-//! What changes with time, as an author tells it: a term in `t`, pieces, the points of a graph, components.
+//! Strengths that change with time, as an author states them: a term in `t`, pieces, the points of a graph, components.
 
 use std::sync::Arc;
 

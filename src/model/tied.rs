@@ -1,4 +1,4 @@
-//! What a string over a pulley needs of the stages before it: both of its bodies have one speed when it begins to pull.
+//! The condition of a string over a pulley on the stages before it: both of its bodies have one speed when it begins to pull.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;

@@ -1,4 +1,4 @@
-//! Who exists when, and since when a body has had its present velocity.
+//! The lives of bodies: which exist when, and since when each has had its present velocity.
 
 use std::collections::BTreeMap;
 

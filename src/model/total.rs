@@ -1,4 +1,4 @@
-//! What bodies have together at an instant, as terms: momentum, kinetic energy, angular momentum.
+//! Totals of bodies at an instant, as terms: momentum, kinetic energy, angular momentum.
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -134,8 +134,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What an impact leaves of the kinetic energy of those who take part, before and after; at a surface that moves, as it is seen
-    /// from there.
+    /// The kinetic energy of those who take part in an impact, before and after; at a surface that moves, as it is seen from
+    /// there.
     pub fn energies_of_impact(&mut self, stage: usize) -> Option<[Expr; 2]> {
         let Some(Stage::Impact(impact)) = self.scene.stages.get(stage) else { return None };
         match impact.partners()? {
@@ -168,8 +168,8 @@ impl Builder<'_> {
         velocity.map_or_else(Expr::zero, |term| self.read(&term, momentous_quantity::Dimension::VELOCITY, "", &path))
     }
 
-    /// Of bodies at an instant the ones to be weighed, each with the body whose velocity it has: itself, what it is part of, or
-    /// its own parts.
+    /// The bodies to be weighed at an instant, each with the body whose velocity it has: itself, what it is part of, or its own
+    /// parts.
     fn movers_of(&self, bodies: &[String], instant: usize) -> Vec<(String, String)> {
         let alive = self.timeline.alive(instant);
         let mut all = Vec::new();

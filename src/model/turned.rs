@@ -12,6 +12,6 @@ pub(super) struct Turned {
     pub letter: Option<String>,
     pub law: &'static Law,
     pub because: String,
-    /// What it is added to, and the result.
+    /// The term to which it is added, and the result.
     pub ends: [Expr; 2],
 }

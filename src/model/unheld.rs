@@ -37,7 +37,7 @@ impl Builder<'_> {
         self.unheld.extend(others);
     }
 
-    /// What is used of a body at an instant has been so since its last stage only if nothing has acted on it meanwhile.
+    /// Notes that a body, to be used as it was since its last stage, must not have been moved by anything meanwhile.
     pub(super) fn has_not_fallen(&mut self, body: &str, instant: usize) {
         let since = self.timeline.naming_instant(body, instant);
         let between = |left_alone: &mut LeftAlone| {

@@ -1,4 +1,4 @@
-//! What weight needs of a scene: a vertical plane, and an axis that points up or down, or along the string over a pulley.
+//! The conditions of weight on a scene: a vertical plane, and an axis that points up or down, or along the string over a pulley.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -10,14 +10,14 @@ use momentous_scene::stage::Taut;
 /// The axis along which bodies on a string over a pulley move.
 const ALONG: &str = "`axes: { x: [along the string, back along the string] }`";
 
-/// What moves by its weight needs a plane in which weight acts.
+/// A body that moves by its weight needs a plane in which weight acts.
 pub(super) fn not_vertical(scene: &Scene, what: &str, at: &Path) -> Vec<Fault> {
     let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
     let fault = (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"));
     fault.map(|fault| fault.at_path(at.clone())).into_iter().collect()
 }
 
-/// What falls does so along an axis.
+/// A body that falls does so along an axis.
 pub(super) fn falling(scene: &Scene, index: usize, body: &str, at: &Path) -> Vec<Fault> {
     let mut faults = not_vertical(scene, "a fall", at);
     let on_a_string = scene.axes.rectangular().len() == 1 && scene.sinks(index, body).is_some();

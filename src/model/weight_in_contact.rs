@@ -32,7 +32,7 @@ impl Builder<'_> {
         &self.weights
     }
 
-    /// What a contact that includes weight adds to each component of a velocity; none where it leaves weight out.
+    /// The terms that a contact which includes weight adds to each component of a velocity; none where it leaves weight out.
     pub(super) fn included_weight(&mut self, contact: &Lasting<'_>, body: &str) -> Option<Vec<Expr>> {
         if contact.include.is_empty() {
             return None;
@@ -66,7 +66,7 @@ impl Builder<'_> {
         Some((0..self.axes.len()).map(component).collect())
     }
 
-    /// What weight adds to a velocity along and across a normal; nothing where it adds none.
+    /// The terms that weight adds to a velocity along and across a normal; none where it adds nothing.
     pub(super) fn turned_into(&self, gained: &[Expr], frame: &Frame) -> [Option<Expr>; 2] {
         let part = |part: Expr| Some(part).filter(|part| !part.is_zero());
         if let [only] = gained {

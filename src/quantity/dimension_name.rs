@@ -59,7 +59,7 @@ fn find(dimension: Dimension) -> Option<(&'static Row, &'static [OnceLock<Unit>;
     NAMES.iter().zip(&UNITS).find(|(([mass, length, time], ..), _)| Dimension::new(*mass, *length, *time) == dimension)
 }
 
-/// What has this dimension, with its article: "an impulse or momentum".
+/// The name of a quantity of this dimension, with its article: "an impulse or momentum".
 ///
 /// ```
 /// use momentous_quantity::{Dimension, dimension_name};
@@ -100,7 +100,7 @@ fn base_unit(dimension: Dimension, system: UnitSystem) -> Unit {
     Unit::from_powers(bases.map(|(symbol, exponent)| (symbol, i32::from(exponent)))).unwrap_or_default()
 }
 
-/// As a product of SI base units: `kg m/s`; a pure number is `1`.
+/// A product of SI base units: `kg m/s`; a pure number is `1`.
 impl fmt::Display for Dimension {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = base_unit(*self, UnitSystem::Si);

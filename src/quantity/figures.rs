@@ -91,7 +91,7 @@ impl Printed {
         self.power_of_ten
     }
 
-    /// As plain text: `-2.30`, `1.20 × 10^7`.
+    /// Plain text: `-2.30`, `1.20 × 10^7`.
     #[must_use]
     pub fn plain(&self) -> String {
         match self.power_of_ten {

@@ -20,7 +20,7 @@ pub(super) struct Symbol {
 }
 
 impl Symbol {
-    /// What tells it from every other: each row of the tables has its own symbol.
+    /// The key that tells it from every other: each row of the tables has its own symbol.
     fn key(&self) -> (Option<&'static str>, &'static str) {
         (self.prefix.map(|prefix| prefix.symbol), self.row.symbol)
     }
@@ -47,7 +47,7 @@ pub(super) struct Power {
     pub(super) exponent: i8,
 }
 
-/// So many powers are kept in place: few units have more, and units are copied often.
+/// The powers kept in place: few units have more, and units are copied often.
 const USUAL: usize = 3;
 
 /// A product of units, as it is printed: `kg m/s` and `N s` are different units of the same dimension and size.
@@ -176,7 +176,7 @@ impl Unit {
         self.powers.is_empty()
     }
 
-    /// What it measures.
+    /// The dimension that it measures.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension

@@ -1,4 +1,4 @@
-//! What is wrong with a text that is not a unit.
+//! Faults of a text that is not a unit.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -8,7 +8,7 @@ use momentous_fault::Span;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{kind}")]
 pub struct UnitFault {
-    /// What is wrong.
+    /// The fault.
     pub kind: UnitFaultKind,
     /// Where: bytes of the text that was read.
     pub span: Span,

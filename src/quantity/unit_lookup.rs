@@ -81,7 +81,7 @@ pub(super) fn in_other_case(word: &str) -> Vec<String> {
     found
 }
 
-/// What a word that is not a unit's own name stands for.
+/// Finds the unit behind a word that is not a unit's own name.
 pub(super) fn find_spelling(word: &str) -> Option<&'static str> {
     SPELLINGS.iter().find(|(written, _)| *written == word).map(|(_, meaning)| *meaning)
 }

@@ -74,8 +74,9 @@ enum Raised {
     Either([Powers; 2]),
 }
 
-/// What a power behind a word applies to. `Nm^-1` is one newton per metre: letters that are written together are units of their own. The
-/// SI reads `ms^-1` as one per millisecond; whoever types it nearly always means metres per second.
+/// A power behind a word applies to its last unit. `Nm^-1` is one newton per metre: letters that are written together
+/// are units of their own. The SI reads `ms^-1` as one per millisecond; whoever types it nearly always means metres per
+/// second.
 fn raised_word(word: &str, span: Span, powers: Powers, exponent: i32, depth: usize) -> Raised {
     if find_symbol(word).is_none() && powers.len() > 1 {
         let mut last = powers.clone();
@@ -153,7 +154,8 @@ impl<'text> Reader<'text> {
         }
     }
 
-    /// As [`Reader::factor`]; here alone the number one may stand, of which something is said per something: `1/s`.
+    /// Reads like [`Reader::factor`]; here alone the number one may stand, of which something is said per something:
+    /// `1/s`.
     fn first_factor(&mut self, depth: usize) -> Result<Powers, UnitFault> {
         if !self.take_if(Token::One) {
             return self.factor(depth);

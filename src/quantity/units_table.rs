@@ -3,14 +3,14 @@
 use super::Dimension;
 use super::factor::StaticFactor;
 
-/// What is known of a unit that has a symbol of its own.
+/// A unit that has a symbol of its own.
 #[derive(Debug)]
 pub(super) struct UnitRow {
     /// How it is printed.
     pub(super) symbol: &'static str,
     /// Other ways to write it.
     pub(super) aliases: &'static [&'static str],
-    /// What it measures.
+    /// The dimension that it measures.
     pub(super) dimension: Dimension,
     /// Its size in the coherent SI unit.
     pub(super) factor: StaticFactor,

@@ -32,7 +32,7 @@ pub enum QuantityFault {
     /// It does not begin with a number, or with none that can be read.
     #[error("{0}")]
     Number(DecimalFault),
-    /// What follows the number is not a unit; places are those of the whole text.
+    /// The text behind the number is not a unit; places are those of the whole text.
     #[error("{0}")]
     Unit(UnitFault),
 }

@@ -1,4 +1,4 @@
-//! What is in a scene: bodies, axes, surfaces, points and a timeline of stages. Data only; no law is known here.
+//! The contents of a scene: bodies, axes, surfaces, points and a timeline of stages. Data only; no law is known here.
 
 mod axes;
 mod body;
@@ -54,7 +54,7 @@ impl Scene {
         self.bodies.iter().filter(|(_, body)| body.inertia.is_some()).map(|(name, _)| name.as_str())
     }
 
-    /// What a body consists of that is not declared because a stage makes it, or divides it; empty for any other body.
+    /// The parts of a body that is not declared because a stage makes it, or divides it; empty for any other body.
     #[must_use]
     pub fn parts_of(&self, whole: &str) -> Vec<&str> {
         if self.bodies.contains_key(whole) {
@@ -109,8 +109,8 @@ impl Scene {
         }
     }
 
-    /// What a stage says of the mass of a body at an instant: the last that changed it; or, of a body without a mass of its own, the
-    /// first that will, if it is a burn.
+    /// The mass of a body at an instant as a stage states it: the last that changed it; or, of a body without a mass of
+    /// its own, the first that will, if it is a burn.
     #[must_use]
     pub fn stage_mass(&self, body: &str, instant: usize) -> Option<StageMass<'_>> {
         let past = instant.checked_sub(1)?.min(self.stages.len());

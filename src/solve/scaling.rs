@@ -69,7 +69,7 @@ impl Power {
     }
 }
 
-/// What is known of the powers so far: some of them in terms of the others.
+/// The powers known so far: some of them in terms of the others.
 struct Powers<'a> {
     system: &'a System,
     known: &'a BTreeSet<Symbol>,

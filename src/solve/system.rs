@@ -9,13 +9,14 @@ use momentous_expr::{Expr, Operator, Symbol};
 pub struct System {
     /// An independent set, and combinations derived from it that a plan may prefer.
     pub equations: Vec<Equation>,
-    /// What every true solution satisfies; a root that breaks one is not a solution.
+    /// The conditions that every true solution satisfies; a root that breaks one is not a solution.
     pub conditions: Vec<Condition>,
     /// Symbols whose value is positive in every admissible solution: masses, speeds, durations, distances.
     pub positive: BTreeSet<Symbol>,
     /// Symbols that stand for one pure number in every problem with these equations, such as a right angle in degrees.
     pub fixed: BTreeMap<Symbol, Expr>,
-    /// What is known beforehand of known symbols: a plan holds for these values alone, and divides by nothing that is zero there.
+    /// Values known beforehand of known symbols: a plan holds for these values alone, and divides by nothing that is
+    /// zero there.
     pub values: BTreeMap<Symbol, Expr>,
 }
 
@@ -30,15 +31,15 @@ impl System {
 /// One equation, as it is taught.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// What it states.
+    /// Its statement.
     pub statement: Statement,
     /// The caller's own number for it: which instance of which law.
     pub tag: usize,
-    /// What using it costs a plan; 1 as a rule, more for what is taught only when nothing else serves.
+    /// The cost of using it in a plan; 1 as a rule, more for what is taught only when nothing else serves.
     pub cost: u32,
 }
 
-/// What an equation states.
+/// The statement of an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Statement {
     /// Two sides are equal.
@@ -81,7 +82,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// What holds where this does not.
+    /// The opposite: the relation that holds where this one does not.
     #[must_use]
     pub fn opposite(self) -> Self {
         match self {

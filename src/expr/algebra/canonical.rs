@@ -185,7 +185,7 @@ impl Rules<'_> {
         self.settled(sum?).map(Some)
     }
 
-    /// What a power of an atom is in simpler terms: (base, its exponent, exponent of the atom that is left).
+    /// A power of an atom in simpler terms: (base, its exponent, exponent of the atom that is left).
     fn lower(&self, atom: &Atom, power: i32) -> Option<(Expr, i32, i32)> {
         match atom {
             Expr::Power(pair) => {

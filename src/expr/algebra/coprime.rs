@@ -1,5 +1,6 @@
-//! What is seen without the algebra of remainders: that two polynomials have no factor in common. Modulo a prime, and with
-//! numbers for all atoms but one, a common factor stays a common factor, so where the images have none, the polynomials have none.
+//! A test without the algebra of remainders, that two polynomials have no factor in common. Modulo a prime, and with
+//! numbers for all atoms but one, a common factor stays a common factor, so where the images have none, the polynomials
+//! have none.
 //!
 //! Source: W. S. Brown, On Euclid's Algorithm and the Computation of Polynomial Greatest Common Divisors, J. ACM 18 (1971).
 

@@ -13,7 +13,7 @@ const MAX_WORK: usize = 6_000;
 /// Polynomials with more terms than this are not searched.
 const MAX_TERMS: usize = 80;
 
-/// What a search may still cost, in pairs of terms multiplied.
+/// The budget of a search, in pairs of terms multiplied.
 pub(super) struct Work(usize);
 
 impl Default for Work {
@@ -128,7 +128,7 @@ fn degree(polynomial: &Polynomial, atom: &Atom) -> i32 {
     polynomial.terms().map(|(monomial, _)| monomial.exponent(atom)).max().unwrap_or(0)
 }
 
-/// What division leaves when the dividend may be multiplied by the divisor's leading coefficient.
+/// The remainder of a division in which the dividend may be multiplied by the divisor's leading coefficient.
 fn pseudo_remainder(dividend: Polynomial, divisor: &Polynomial, atom: &Atom, work: &mut Work) -> Option<Polynomial> {
     let top = degree(divisor, atom);
     let lead = divisor.coefficients(atom).remove(&top)?;

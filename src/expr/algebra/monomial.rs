@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::super::Expr;
 
-/// What the algebra of polynomials does not look into: a symbol, pi, a root, a sine, an exponential.
+/// A term that the algebra of polynomials does not look into: a symbol, pi, a root, a sine, an exponential.
 pub(super) type Atom = Expr;
 
 /// A product of integer powers of distinct atoms; empty for 1. Only exponentials, which are never zero, have negative powers.

@@ -5,7 +5,7 @@ use super::super::{Expr, Symbol};
 /// Powers above this are not multiplied out.
 const MAX_POWER: i32 = 16;
 
-/// What takes more than this to write fills pages: it is not multiplied out, and not integrated.
+/// The largest size that is multiplied out and integrated; a term that takes more to write fills pages.
 pub(crate) const MAX_SIZE: usize = 10_000;
 
 /// The coefficients of the powers 0, 1, 2, ... of `symbol`; `None` where the term is not such a polynomial as it is written.

@@ -9,9 +9,9 @@ use super::polynomial::Polynomial;
 /// A quotient of two polynomials; the denominator is never zero, and has whole coprime coefficients and a positive leading term.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Quotient {
-    /// What is divided.
+    /// The dividend.
     pub(crate) numerator: Polynomial,
-    /// What it is divided by.
+    /// The divisor.
     pub(crate) denominator: Polynomial,
 }
 
@@ -179,7 +179,7 @@ impl Quotient {
     }
 }
 
-/// What stands above and below the bar, both without negative powers but those of atoms that are never zero.
+/// The factors above and below the bar, both without negative powers but those of atoms that are never zero.
 fn above_and_below(monomial: &Monomial) -> (Monomial, Monomial) {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     for (atom, power) in monomial.powers() {

@@ -1,4 +1,4 @@
-//! What is seen without algebra, by values: that a term is not linear, and that two terms are not equal.
+//! Judgements by values, without algebra: that a term is not linear, and that two terms are not equal.
 
 use super::super::{Expr, Symbol};
 

@@ -9,7 +9,7 @@ pub const MAX_LENGTH: usize = 2000;
 /// Brackets, functions and powers nested deeper than this are not read.
 pub const MAX_DEPTH: usize = 100;
 
-/// Who knows the names of a problem.
+/// The names that a problem gives to its quantities.
 pub trait Names {
     /// The symbol of that name: `v_A1.x`, `J_A[hit]`, `angle(v_A2, v_B2)`.
     fn symbol(&mut self, name: &str) -> Option<Symbol>;

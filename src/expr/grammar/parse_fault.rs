@@ -7,7 +7,7 @@ pub struct ParseFault {
     pub start: usize,
     /// The byte after the last.
     pub end: usize,
-    /// What is wrong, in a sentence without a full stop.
+    /// The fault, in a sentence without a full stop.
     pub message: String,
     /// The way out.
     pub help: Option<String>,

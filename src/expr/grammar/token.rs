@@ -7,7 +7,7 @@ use super::parse_fault::ParseFault;
 /// Powers of ten beyond this are not read.
 const MAX_EXPONENT: u32 = 300;
 
-/// What a word is.
+/// The kinds of words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A decimal number, exact.
@@ -27,7 +27,7 @@ pub(super) enum Kind {
 /// A word and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Token<'a> {
-    /// What it is.
+    /// Its kind.
     pub(crate) kind: Kind,
     /// The word itself.
     pub(crate) written: &'a str,

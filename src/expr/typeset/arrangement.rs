@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::super::{Expr, Math, Operator, Symbol};
 
-/// What stands for a symbol: its name, or the number that it has.
+/// The text in place of a symbol: its name, or the number that it has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Leaf {
     /// The typeset name, or the number with its unit.
@@ -50,7 +50,7 @@ pub struct Arrangement(pub(super) Node);
 /// A part of an arrangement.
 #[derive(Clone, Debug)]
 pub(super) enum Node {
-    /// What has no symbols.
+    /// A part without symbols.
     Fixed(Math, Shape),
     Symbol(Symbol),
     /// A minus in front.
@@ -78,7 +78,7 @@ pub(super) enum Node {
 }
 
 impl Arrangement {
-    /// As typeset mathematics, with `leaf` saying what stands for each symbol.
+    /// Typeset mathematics, with `leaf` saying what stands for each symbol.
     #[must_use]
     pub fn with(&self, leaf: &dyn Fn(Symbol) -> Leaf) -> Math {
         self.0.put(&Put { leaf, value: None }).0
@@ -92,7 +92,7 @@ impl Arrangement {
     }
 }
 
-/// What stands for the symbols.
+/// The texts that stand for the symbols.
 struct Put<'a> {
     leaf: &'a dyn Fn(Symbol) -> Leaf,
     /// Their values, where numbers stand for them.

@@ -85,7 +85,7 @@ impl Operator {
 }
 
 impl Math {
-    /// As LaTeX for math mode, without the dollar signs.
+    /// LaTeX for math mode, without the dollar signs.
     ///
     /// ```
     /// use std::sync::Arc;

@@ -114,7 +114,7 @@ impl Math {
     }
 }
 
-/// What is held in many places equals the same by itself.
+/// Shared parts are equal by their address, before their contents are compared.
 impl PartialEq for Math {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {

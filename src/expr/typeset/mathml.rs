@@ -29,7 +29,7 @@ impl Operator {
 const SPACE: &str = r#"<mspace width="0.25em"/>"#;
 
 impl Math {
-    /// As a whole `math` element, on a line of its own where `display` holds.
+    /// A whole `math` element, on a line of its own where `display` holds.
     ///
     /// ```
     /// use momentous_expr::Math;
@@ -47,7 +47,7 @@ impl Math {
         row(parts)
     }
 
-    /// As one element without the `math` around it, for what arranges several of them.
+    /// One element without the `math` around it, for a caller that arranges several of them.
     #[must_use]
     pub fn element(&self) -> String {
         match self {

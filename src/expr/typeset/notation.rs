@@ -43,8 +43,8 @@ impl Notation {
         }
     }
 
-    /// Of some usual names the one that is meant by what was typed, in the usual letters or in the course's; what was typed
-    /// where it is none of them.
+    /// Finds the usual name that is meant by a typed text, in the usual letters or in the course's; returns the text
+    /// itself where it is none of them.
     #[must_use]
     pub fn usual<'a>(&self, names: impl IntoIterator<Item = &'a str>, typed: &'a str) -> &'a str {
         let meant = |name: &&str| *name == typed || self.name(name) == typed;

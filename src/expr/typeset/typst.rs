@@ -29,7 +29,7 @@ impl Operator {
 }
 
 impl Math {
-    /// As Typst for math mode, without the dollar signs.
+    /// Typst for math mode, without the dollar signs.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -53,7 +53,7 @@ pub struct TypstMath {
 }
 
 impl TypstMath {
-    /// What was written.
+    /// The text written so far.
     #[must_use]
     pub fn into_code(self) -> String {
         self.code

@@ -1,4 +1,4 @@
-//! What a wrong form of a law is: the mistake behind it, what it is made from, and what stands in place of the law.
+//! A wrong form of a law: the mistake behind it, what it is made from, and what stands in place of the law.
 
 use std::collections::BTreeSet;
 
@@ -12,9 +12,9 @@ use momentous_expr::SymbolTable;
 pub struct Misconception {
     /// A stable name for tools, tables and an author's `feedback`: `restitution-inverted`.
     pub id: &'static str,
-    /// What the student does, as it follows a subject: `divides by the coefficient of restitution`.
+    /// The mistake as it follows a subject: `divides by the coefficient of restitution`.
     pub does: &'static str,
-    /// What the student is asked first. It holds no value.
+    /// The first question to the student. It holds no value.
     pub ask: &'static str,
     /// The plainer hint that follows. It holds no value either.
     pub hint: &'static str,
@@ -48,13 +48,13 @@ pub struct Taught<'a> {
     pub beside: &'a [(&'static str, Sides)],
     /// The quantities.
     pub symbols: &'a SymbolTable,
-    /// What is known before anything is solved.
+    /// The symbols known before anything is solved.
     pub known: &'a BTreeSet<Symbol>,
-    /// What `g` is to one who takes a weight for a mass: one unit of acceleration.
+    /// One unit of acceleration: `g` to one who takes a weight for a mass.
     pub unit_acceleration: &'a Expr,
 }
 
-/// What stands in place of a law for a student who made a mistake.
+/// The equations in place of a law for a student who made a mistake.
 #[derive(Clone, Debug)]
 pub struct Wrong {
     /// The equations in its place.

@@ -132,7 +132,7 @@ impl Builder<'_> {
         [stage + 1, stage + 2].map(|instant| self.quantity(Name::of(QuantityKind::KineticEnergy, "").at(instant)))
     }
 
-    /// What joins a body, or leaves it, or is thrown away, carries kinetic energy that is no work and no loss.
+    /// Matter that joins a body, leaves it or is thrown away carries kinetic energy that is no work and no loss.
     fn check_energy(&mut self, stage: usize, carries: impl Fn(&MassChange<'_>) -> bool) {
         let of = self.scene.stages.get(stage);
         let found = if let Some(Stage::Push(push)) = of {

@@ -56,7 +56,7 @@ use velocity::velocity;
 
 type Define = for<'b, 's> fn(&'b mut Builder<'s>, &Name) -> Option<Symbol>;
 
-/// What makes a quantity that exists because it is mentioned.
+/// The definition of each kind of quantity that exists because it is mentioned.
 const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::Velocity, velocity),
     (QuantityKind::Speed, speed),

@@ -18,7 +18,7 @@ use super::super::name::Meaning;
 
 /// A vector that a name stands for, or a direction.
 struct Vector {
-    /// What it is, as a noun phrase.
+    /// Its meaning, as a noun phrase.
     meaning: Meaning,
     /// Its components along the axes of the scene.
     components: Vec<Expr>,

@@ -57,7 +57,7 @@ impl Builder<'_> {
         all
     }
 
-    /// What has a moment about the fixed point, and what it does to the angular momentum.
+    /// The forces that have a moment about the fixed point, and their effect on the angular momentum.
     pub(super) fn changing(moment: bool, forces: &[Along<'_>], centre: &str) -> String {
         let names: Vec<&str> = forces.iter().map(|force| force.name.as_str()).collect();
         let of_forces = |these: &str| format!("the moment{these} of {}", names.join(" and "));
@@ -70,7 +70,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What such a force does at every moment.
+    /// The effects of such a force at every moment.
     pub(super) fn along_acts(&mut self, index: usize, force: &Along<'_>) {
         let influence = Influence::outside(index, force.on, force.name.as_str()).moment(vec![force.moment.clone()]);
         let words = format!("{} does work along the path", force.name);

@@ -1,4 +1,4 @@
-//! What the rest of the room knows of each kind of stage: one description, in place of a question for each purpose.
+//! A description of each kind of stage for the rest of the room, in place of a question for each purpose.
 
 #![deny(clippy::wildcard_enum_match_arm)]
 
@@ -15,7 +15,7 @@ pub(crate) const ROTOR: &str = "rotor";
 
 /// A stage as the rest of the room sees it.
 pub(crate) struct Description<'a> {
-    /// What it is called.
+    /// Its noun.
     pub noun: &'a str,
     /// How its start and its end are said.
     pub ends: Span<'a>,
@@ -51,11 +51,11 @@ pub(crate) enum Span<'a> {
 /// Whose place a stage leaves as it was.
 #[derive(Clone, Copy)]
 pub(crate) enum Leaves {
-    /// That of every body.
+    /// The velocities of every body.
     All,
-    /// That of the bodies that it does not name.
+    /// The velocities of the bodies that it does not name.
     Others,
-    /// That of none.
+    /// The velocity of none.
     None,
 }
 

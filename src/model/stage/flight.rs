@@ -149,7 +149,7 @@ impl Builder<'_> {
         self.note_impulse_of_all(index, body, Vec::new());
     }
 
-    /// What is so at the end: the top of the path, or a place; `moved` says where a body then is, if that is to be put in.
+    /// The conditions at the end: the top of the path, or a place; `moved` says where a body then is, if that is to be put in.
     pub(crate) fn end_of_flight(
         &mut self,
         index: usize,

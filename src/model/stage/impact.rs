@@ -25,7 +25,7 @@ use momentous_scene::stage::Impact;
 use momentous_scene::stage::Partners;
 use momentous_solve::Relation;
 
-/// What is the same for both bodies of an impact.
+/// The facts that both bodies of an impact share.
 pub(super) struct Contact<'a> {
     pub index: usize,
     pub stage: &'a Impact,
@@ -230,7 +230,8 @@ impl Builder<'_> {
         );
     }
 
-    /// That two bodies push each other, and against the way on which they meet: not that they go on as if nothing had happened.
+    /// Requires that two bodies push each other, and against the way on which they meet: not that they go on as if nothing had
+    /// happened.
     fn push_each_other(&mut self, index: usize, first: &str, second: &str) {
         let [first_before, second_before, after] =
             [(first, index + 1), (second, index + 1), (second, index + 2)].map(|(body, at)| self.velocities(body, at));
@@ -242,7 +243,8 @@ impl Builder<'_> {
         self.require(Expr::zero(), Relation::Less, pushed, reason);
     }
 
-    /// That two bodies part no faster along the line of impact than they met, where no coefficient of restitution says so.
+    /// Requires that two bodies part no faster along the line of impact than they met, where no coefficient of restitution says
+    /// so.
     pub(super) fn parts_no_faster(&mut self, contact: &Contact<'_>, before: [&Expr; 2], after: [&Expr; 2]) {
         if contact.stage.restitution.is_none() {
             let lost = (before[0].clone() - before[1].clone()) - (after[1].clone() - after[0].clone());
@@ -251,7 +253,7 @@ impl Builder<'_> {
         }
     }
 
-    /// That two bodies have no more kinetic energy after an impact than before it.
+    /// Requires that two bodies have no more kinetic energy after an impact than before it.
     pub(super) fn creates_no_energy(&mut self, index: usize, bodies: [&str; 2]) {
         let [start, end] = [index + 1, index + 2]
             .map(|instant| Expr::sum(bodies.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>()));
@@ -387,7 +389,7 @@ impl Builder<'_> {
         Name::of(kind, subject).during(self.stage_label(index))
     }
 
-    /// What tells the impulses of several stages apart in their names.
+    /// The label by which the names of impulses of several stages are told apart.
     pub(crate) fn stage_label(&self, index: usize) -> Option<String> {
         let stage_name = || self.scene.stages.get(index).and_then(momentous_scene::Stage::name).map(str::to_owned);
         (self.scene.stages.len() > 1).then(|| stage_name().unwrap_or_else(|| (index + 1).to_string()))

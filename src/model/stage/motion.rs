@@ -69,7 +69,7 @@ impl Builder<'_> {
         self.note_impulse_of_all(index, &stage.body, acting);
     }
 
-    /// What is given along an axis.
+    /// Reads the course that is given along an axis.
     fn course(&mut self, stage: &Motion, axis: Axis, clock: Symbol, path: &Path) -> Option<Course> {
         let letter = axis.letter();
         let along = if self.axes.len() > 1 { format!(" along {letter}") } else { String::new() };

@@ -19,7 +19,7 @@ use momentous_solve::Relation;
 /// Gravity's parameter GM.
 const PARAMETER: Dimension = Dimension::new(0, 3, -2);
 
-/// What the laws of one orbit have in common.
+/// The terms that the laws of one orbit have in common.
 struct Round<'a> {
     index: usize,
     body: &'a str,

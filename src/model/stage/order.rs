@@ -1,4 +1,4 @@
-//! Who lies behind whom along a line of impact: the first body catches up with the second, which lies ahead.
+//! The order of bodies along a line of impact: the first catches up with the second, which lies ahead.
 
 use crate::Builder;
 use crate::Reason;

@@ -13,7 +13,7 @@ use momentous_scene::stage::Partners;
 use momentous_scene::stage::Separate;
 use momentous_solve::Relation;
 
-/// What parts at a contact along a line.
+/// The bodies that part at a contact along a line.
 enum Parted {
     /// Two bodies, the second ahead of the first.
     Bodies([String; 2]),
@@ -84,7 +84,7 @@ impl Builder<'_> {
         Some(Expr::sum(ways))
     }
 
-    /// What parts at a contact along the only axis.
+    /// The bodies that part at a contact along the only axis.
     fn parted_at(&mut self, contact: usize) -> Vec<Parted> {
         let scene = self.scene;
         let Some(stage) = scene.stages.get(contact) else { return Vec::new() };

@@ -45,7 +45,7 @@ pub(crate) struct Acting {
     pub points: Vec<[Expr; 2]>,
 }
 
-/// What is the same all through a push.
+/// The terms that are the same all through a push.
 pub(crate) struct Pushed<'a> {
     pub index: usize,
     pub body: &'a str,

@@ -142,7 +142,7 @@ impl Builder<'_> {
         symbol.into()
     }
 
-    /// What cannot be known, or is not known yet, where a force depends on the place.
+    /// The quantities that cannot be known, or are not known yet, where a force depends on the place.
     fn check_by_place(&mut self, pushed: &Pushed<'_>, place: Symbol, stage: &Push, path: &Path) {
         let letter = self.symbols.entry(place).name.clone();
         let mut fault = |message: &str, help: String, path: Path| {

@@ -28,7 +28,7 @@ use super::thrust::FLOW;
 struct Changing<'a> {
     pushed: &'a Pushed<'a>,
     gains: bool,
-    /// What joins or leaves.
+    /// The matter that joins or leaves.
     what: &'a str,
     axis: Axis,
     name: String,
@@ -58,7 +58,7 @@ impl Changing<'_> {
     }
 }
 
-/// What has joined or left in all, and the laws that name it and the mass at the end.
+/// The mass that has joined or left in all, and the laws that name it and the mass at the end.
 struct Changed {
     whole: Expr,
     laws: Vec<usize>,
@@ -224,7 +224,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What acts, and what is left out.
+    /// Notes the influences of the stage, and its omissions.
     fn note_changing(&mut self, changing: &Changing<'_>) {
         let Changing { pushed, what, name, .. } = changing;
         let acts = Acts { stage: pushed.index, on: pushed.body, during: [&pushed.start, &pushed.end] };
@@ -243,7 +243,7 @@ impl Builder<'_> {
         self.neglect("friction", "the problem gives none");
     }
 
-    /// What has no formula while the mass changes.
+    /// Refuses quantities that have no formula while the mass changes.
     fn check_changing(&mut self, pushed: &Pushed<'_>, change: &MassChange<'_>, stage: &Push, path: &Path) {
         let key = change.key();
         let letter = self.axes.first().map_or("", |(axis, _)| axis.letter());

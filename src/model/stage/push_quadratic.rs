@@ -31,7 +31,7 @@ struct Counted<'a> {
     mass: Expr,
     resists: &'a Expr,
     lasts: &'a Expr,
-    /// What acts besides the resistance.
+    /// The forces besides the resistance.
     others: Expr,
     speeds: [Expr; 2],
 }
@@ -48,7 +48,7 @@ impl Builder<'_> {
         self.read_positive(term, QUADRATIC, "the resistance divided by the square of the speed", &path)
     }
 
-    /// What a push against such a resistance says of the one axis.
+    /// Adds the equations of a push against such a resistance along the one axis.
     pub(super) fn quadratically_resisted(
         &mut self,
         pushed: &Pushed<'_>,

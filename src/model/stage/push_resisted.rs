@@ -73,7 +73,7 @@ impl Builder<'_> {
         Some(self.sliding_friction(pushed, friction, axis, path))
     }
 
-    /// What acts along the axis of that position beside the resistance.
+    /// The forces along the axis of that position beside the resistance.
     fn steady_along(&mut self, pushed: &Pushed<'_>, position: usize) -> Expr {
         let mut forces = Vec::new();
         for force in &pushed.acting {
@@ -86,7 +86,7 @@ impl Builder<'_> {
         Expr::sum(forces).simplify()
     }
 
-    /// What a push against a resistance in proportion to the speed says besides of one axis.
+    /// Adds the equations of a push against a resistance in proportion to the speed along one axis.
     fn linearly_resisted(&mut self, pushed: &Pushed<'_>, axis: Axis, steady: Expr, resists: &Expr) {
         let (index, body) = (pushed.index, pushed.body);
         let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
@@ -106,7 +106,7 @@ impl Builder<'_> {
         self.resisted(&Resisted { index, body, axis, steady, resists, clock, during, moved, after });
     }
 
-    /// What has no formula beside a resistance.
+    /// Refuses quantities that have no formula beside a resistance.
     fn check_resisted(&mut self, pushed: &Pushed<'_>, stage: &Push, path: &Path) {
         if stage.is_of_several() {
             let fault = Fault::new(Code::Value, "a `resistance` in a push needs a single body");

@@ -25,7 +25,7 @@ use momentous_scene::Scene;
 use momentous_scene::Stage;
 use momentous_scene::stage::Push;
 
-/// What must fit together in a push before any law is written down.
+/// The misfits of a push before any law is written down.
 pub(crate) fn pushing(scene: &Scene, push: &Push, at: &Path) -> Vec<Fault> {
     let bodies: Vec<&str> = push.pushed().collect();
     if bodies.is_empty() {
@@ -65,7 +65,7 @@ pub(crate) fn pushing(scene: &Scene, push: &Push, at: &Path) -> Vec<Fault> {
     faults
 }
 
-/// What only a push of one body may have, with the key that says so.
+/// The keys that only a push of one body may have, with their places.
 fn of_one_body<'a>(scene: &Scene, push: &Push) -> impl Iterator<Item = (&'a str, &'a str)> {
     let rubs = push.forces.iter().any(|force| matches!(force, Force::Friction(_)));
     let axes = scene.axes.rectangular();

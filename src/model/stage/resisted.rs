@@ -23,7 +23,7 @@ pub(super) struct Resisted<'a> {
     pub index: usize,
     pub body: &'a str,
     pub axis: Axis,
-    /// What acts along the axis besides, and stays the same.
+    /// The force along the axis besides, which stays the same.
     pub steady: Expr,
     /// The resistance divided by the speed.
     pub resists: &'a Expr,

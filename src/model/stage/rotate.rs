@@ -301,7 +301,7 @@ fn holding(stage: &Rotate, centre: &str) -> String {
     }
 }
 
-/// What acts on what turns.
+/// The words for the influences on bodies that turn.
 fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
     let moment = stage.moment.iter().map(|_| format!("the moment about {centre}"));
     let others: Vec<String> = forces.iter().map(|force| force.name.clone()).chain(moment).collect();

@@ -93,7 +93,7 @@ impl Builder<'_> {
         self.neglect("air resistance", "the problem gives none");
     }
 
-    /// What only friction can have is told without it.
+    /// Refuses, without friction, keys that only friction can have.
     pub(crate) fn nothing_rubs(&mut self, stage: &Interact, path: &Path) {
         let told = [
             ("direction", stage.direction.is_some()),
@@ -164,7 +164,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What the friction takes from the kinetic energy of both.
+    /// The heat of the friction, which the kinetic energy of both loses.
     fn heat(&mut self, rubbing: &Rubbing<'_>, slid: &Expr) {
         let index = rubbing.index;
         let [name, other] = &rubbing.names;

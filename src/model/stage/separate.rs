@@ -71,7 +71,7 @@ impl Builder<'_> {
         self.not_needed("the forces between the parts", "their impulses cancel in pairs, however long they act");
     }
 
-    /// That the masses of the parts add up, where the whole has a mass of its own.
+    /// Adds up the masses of the parts, where the whole has a mass of its own.
     fn mass_of_parts(&mut self, index: usize, whole: &str, parts: &[&str]) {
         let (mass, sum) = (self.mass(whole), parts.iter().map(|part| self.mass(part)).collect::<Vec<_>>());
         let sum = Expr::sum(sum);
@@ -81,7 +81,7 @@ impl Builder<'_> {
         }
     }
 
-    /// That bodies which part had one velocity before.
+    /// Gives bodies which part one velocity before.
     fn together(&mut self, index: usize, parts: &[&str]) {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         for (axis, pair) in axes.iter().flat_map(|axis| parts.windows(2).map(move |pair| (axis, pair))) {

@@ -58,7 +58,7 @@ pub(super) fn under(value: &Expr, clock: Symbol, [start, end]: [&Expr; 2]) -> Op
         .then_some(shapes)
 }
 
-/// What lies under a straight line between these heights; nothing under one at zero.
+/// The shapes under a straight line between these heights; none under one at zero.
 fn shape(width: &Expr, [low, high]: [Expr; 2]) -> Option<(Shape, Expr)> {
     let half = |height: Expr| Expr::product([Expr::ratio(1, 2), width.clone(), height]);
     match (low.is_zero(), high.is_zero()) {

@@ -22,7 +22,7 @@ use momentous_scene::stage::Slide;
 use momentous_scene::stage::UpOrDown;
 use momentous_solve::Relation;
 
-/// What holds a sliding body back, for each unit of its mass; negative where weight drives it on.
+/// The retardation of a sliding body, for each unit of its mass; negative where weight drives it on.
 struct Retardation {
     parts: Vec<Expr>,
     /// Why it is all that acts, as a clause.
@@ -136,7 +136,7 @@ impl Builder<'_> {
         Retardation { parts, because }
     }
 
-    /// What a body loses over the distance and over the time.
+    /// The speed that a body loses over the distance and over the time.
     fn slowed(
         &mut self,
         (index, body): (usize, &str),
@@ -199,7 +199,7 @@ impl Builder<'_> {
         self.note_floor(acts, incline, weight, normal, kinetic, way.sign < 0);
     }
 
-    /// What gives the body an impulse along its way; without friction nothing does so on a level floor.
+    /// The forces that give the body an impulse along its way; without friction nothing does so on a level floor.
     fn slide_impulse(&mut self, index: usize, stage: &Slide, incline: &Incline) {
         let called = match stage.friction {
             Some(_) => "friction",

@@ -103,7 +103,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What acts from outside on a body and on what it slides down: weight, and the guide at right angles to its way.
+    /// The influences from outside on a body and on the one that it slides down: weight, and the guide at right angles to its
+    /// way.
     fn weight_and_guide(&mut self, index: usize, stage: &SlideOff, by: &str, along: &[Expr]) -> Vec<Influence> {
         let weight = self.weight_on(index, &stage.body);
         let held =

@@ -27,7 +27,7 @@ use momentous_scene::stage::Spring;
 use momentous_scene::stage::Until;
 use momentous_solve::Relation;
 
-/// What a spring does to the kinetic energy.
+/// The words for the effect of a spring on the kinetic energy.
 const SPRING_WORKS: &str = "the spring does work: it stores kinetic energy when it is deformed, and gives it back";
 
 /// The deformation of a spring at both ends of a stage, and how far its end moves in between.
@@ -37,7 +37,7 @@ struct Deformation {
     travel: Expr,
 }
 
-/// What acts besides the spring while its end moves.
+/// The forces besides the spring while its end moves.
 struct OnTheWay {
     index: usize,
     mass: Expr,

@@ -282,7 +282,7 @@ impl Builder<'_> {
         Some(symbol)
     }
 
-    /// What carries a body that catches a stream, where weight acts.
+    /// The support of a body that catches a stream, where weight acts.
     fn stream_support(&mut self, index: usize, stage: &Stream, caught: Option<&Expr>, forces: &[Expr]) {
         let vertical = (0..self.axes.len()).find_map(|position| Some((position, self.downwards(position)?)));
         let Some((position, down)) = vertical.filter(|_| stage.stays) else { return };
@@ -307,7 +307,7 @@ fn why(stage: &Stream, name: &str) -> String {
     format!("{}; the force on {by} is opposite to that on {name}", meets(stage, name))
 }
 
-/// What the body does with the stream.
+/// The verb for what the body does with the stream.
 fn meets(stage: &Stream, name: &str) -> String {
     let by = &stage.by;
     let seen = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };

@@ -88,7 +88,7 @@ impl Builder<'_> {
         self.not_needed(format!("the impulse at {centre}"), "it has no moment there");
     }
 
-    /// What is struck, as it is called.
+    /// The name of the struck body.
     fn struck(&self, stage: &Strike) -> String {
         stage.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| self.called(rotor))
     }

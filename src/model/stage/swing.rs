@@ -234,7 +234,7 @@ impl Builder<'_> {
         self.require(pull, Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// What happens where nothing holds the body on its circle.
+    /// The reason to give where nothing holds the body on its circle.
     fn lets_go(&self, index: usize, stage: &Swing) -> Reason {
         match stage.radius {
             Some(_) => Reason::LeavesTrack(self.called(&stage.body), self.stage_phrase(index)),

@@ -25,7 +25,7 @@ struct Pulling {
     impulse: Expr,
     /// The components of the unit vector from the first end to the second.
     line: Vec<Expr>,
-    /// As it is called in a sentence.
+    /// Its name in a sentence.
     called: String,
 }
 
@@ -125,7 +125,7 @@ impl Builder<'_> {
 }
 
 impl Pulling {
-    /// What it gives a body along an axis: towards its other end.
+    /// The impulse on a body along an axis: towards its other end.
     fn on(&self, body: &str, position: usize) -> Option<Expr> {
         let part = self.line.get(position).filter(|part| !part.is_zero())?;
         let sign = if self.ends[0] == body { 1 } else { -1 };

@@ -30,7 +30,7 @@ pub(crate) const FLOW: Dimension = Dimension::new(1, 0, -1);
 /// Resistance by the square of the speed.
 const RESISTANCE: Dimension = Dimension::new(1, -1, 0);
 
-/// What a burn has read of itself.
+/// The terms of a burn, as read.
 pub(super) struct Burn {
     pub index: usize,
     pub body: String,

@@ -27,7 +27,7 @@ use super::planned::Form;
 use super::regimes::Leaf;
 use super::regimes::Regimes;
 
-/// What may be anything, and what a form's text names without telling its value.
+/// The symbols that may be anything, and those that a form's text names without telling their values.
 pub(crate) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let any = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
     any.chain(symbols_only(loaded, form, &|name| model.symbol_of(name))).collect()
@@ -89,7 +89,7 @@ pub(crate) fn is_independent(leaf: &Leaf, symbol: Symbol, given: Symbol) -> bool
         || written_in_givens(leaf, symbol, &mut BTreeMap::new()).is_some_and(|term| does_not_depend(&term, given))
 }
 
-/// What may be anything and the value of a quantity may depend on, as a form solves it.
+/// The symbols that may be anything and on which the value of a quantity may depend, as a form solves it.
 pub(crate) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Option<&'f Known> {
     let free: Vec<&Known> = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).collect();
     if free.is_empty() {
@@ -103,7 +103,7 @@ pub(crate) fn behind<'f>(model: &Model, form: &'f Form, symbol: Symbol) -> Optio
     })
 }
 
-/// What is given by an expression of what may be anything: a sheet prints the expression in place of a value.
+/// The givens that are expressions of what may be anything: a sheet prints the expression in place of a value.
 pub(crate) fn by_formula(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let symbols = loaded.given.iter().filter_map(|(name, _)| model.symbol_of(name));
     // A value with its unit stands in no formula, nor does what the sheet does not tell.
@@ -150,7 +150,7 @@ impl Proof<'_> {
     }
 }
 
-/// What is zero in every variant.
+/// The symbols that are zero in every variant.
 fn zeros(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
     let given = known.iter().filter(|known| matches!(&known.origin, Origin::Fixed(value) if value.is_zero()));
     let written = model.literals.iter().filter(|(_, quantity)| quantity.value.is_zero());

@@ -124,7 +124,7 @@ pub fn compile_ad_hoc(loaded: Loaded) -> Result<Problem, Faults> {
 /// How a problem is asked.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Asked {
-    /// As its file asks.
+    /// Asked as in its file.
     AsWritten,
     /// With other values or for other quantities.
     Anew,

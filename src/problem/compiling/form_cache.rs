@@ -5,12 +5,12 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-/// What a later room works out of a form once, for all its variants. Only that room knows the type.
+/// Values that a later room works out of a form once, for all its variants. Only that room knows the type.
 #[derive(Clone, Default)]
 pub struct FormCache(OnceLock<Arc<dyn Any + Send + Sync>>);
 
 impl FormCache {
-    /// What is kept, made when it is first wanted.
+    /// Returns the kept value, made when it is first wanted.
     pub fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
         let kept = self.0.get_or_init(|| Arc::new(make()));
         // A second room that kept something else would have to make it each time.

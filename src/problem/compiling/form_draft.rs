@@ -102,7 +102,7 @@ impl FormDraft {
         self.wanted.contains(&symbol) || self.reveal.iter().any(|reveal| reveal.symbol == symbol)
     }
 
-    /// What its parts refer to.
+    /// The symbols to which its parts refer.
     pub(crate) fn mentioned(&self) -> impl Iterator<Item = Symbol> {
         self.parts.iter().flat_map(|part| match &part.kind {
             PartKind::Choice(choice) => choice.mentioned(),

@@ -1,4 +1,4 @@
-//! What a graph on a sheet must not print, and what it cannot.
+//! Values that a graph on a sheet must not print, and those that it cannot.
 
 use momentous_expr::Symbol;
 use momentous_fault::Code;

@@ -1,4 +1,4 @@
-//! What an author may do where a form cannot be solved. Whatever is advised has been tried: with it, there is a plan.
+//! Advice to an author where a form cannot be solved. Whatever is advised has been tried: with it, there is a plan.
 
 use std::cell::Cell;
 use std::collections::BTreeSet;
@@ -37,7 +37,7 @@ struct Lacking<'a> {
     wanted: &'a [Symbol],
 }
 
-/// What an author may do.
+/// The remedies open to an author.
 #[derive(Default)]
 struct Ways {
     /// Sets of quantities that let everything be found, if one of them is told as well.

@@ -1,4 +1,4 @@
-//! What is worked out of a form when it is first wanted, and then kept beside it.
+//! Values that are worked out of a form when they are first wanted, and then kept beside it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -38,7 +38,7 @@ use super::on_demand::Sensitivities;
 use super::regimes::Leaf;
 use super::regimes::Regimes;
 
-/// What compiling makes of a file.
+/// The parts of a compiled file.
 pub(super) struct Built {
     pub model: Model,
     pub known: Vec<Known>,
@@ -65,26 +65,27 @@ pub struct Problem {
 /// One way in which a problem is asked, planned.
 #[derive(Clone, Debug)]
 pub struct Form {
-    /// What the file says of it.
+    /// The question of the file.
     pub question: Question,
-    /// What is known, in the order of the file: the same quantities in every form.
+    /// The givens, in the order of the file: the same quantities in every form.
     pub known: Vec<Known>,
-    /// What is asked.
+    /// The questions.
     pub parts: Vec<Part>,
-    /// What the author means of what `momentous check` would find.
+    /// The findings of `momentous check` that the author means.
     pub meant: Vec<Meant>,
-    /// What the student is told: the symbols that the solver takes as known.
+    /// The symbols that the student is told, and the solver takes as known.
     pub told: BTreeSet<Symbol>,
     /// The quantities whose values the sheet prints, given or derived.
     pub printed: BTreeSet<Symbol>,
-    /// Of what is told, the quantities that the words and numbers of the sheet tell: neither what is drawn and not printed, nor what may be
-    /// anything.
+    /// Those of the told quantities that the words and numbers of the sheet tell: neither what is drawn and not printed, nor what
+    /// may be anything.
     pub on_sheet: BTreeSet<Symbol>,
-    /// Of what is told, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
+    /// Those of the told quantities whose values the sheet does not tell: they may be anything, or are known by their symbols
+    /// only.
     pub free: BTreeSet<Symbol>,
-    /// What is given by an expression of what may be anything: the sheet prints the expression, `3m`, in place of a value.
+    /// The givens that are expressions of what may be anything: the sheet prints the expression, `3m`, in place of a value.
     pub(crate) by_formula: BTreeSet<Symbol>,
-    /// What is solved first and then given.
+    /// The quantities that are solved first and then given.
     pub reveal: Vec<Reveal>,
     /// Solves what is revealed.
     pub forward: Option<Regimes>,
@@ -94,19 +95,19 @@ pub struct Form {
     pub(crate) trials: Vec<(Symbol, Regimes)>,
     /// Solves what weight does in short contacts, where the answers need it not.
     pub(crate) weighed: Option<Regimes>,
-    /// What comes of the common mistakes; planned when a wrong answer first asks for it.
+    /// The consequences of the common mistakes; planned when a wrong answer first asks for them.
     pub(crate) mistakes: Mistakes,
     /// How answers move with the values on the way; worked out when a wrong answer first asks for it.
     pub(crate) sensitivities: Sensitivities,
-    /// What follows from earlier answers; planned when a wrong answer first asks for it.
+    /// The consequences of earlier answers; planned when a wrong answer first asks for them.
     pub(crate) followings: Followings,
     /// The formulas of what is asked; composed when one is first wanted.
     pub(crate) formulas: Formulas,
     /// Values of its givens near which formulas are compared; drawn when a formula is first marked.
     pub(crate) samples: Samples,
-    /// What all explanations of the form have in common; worked out when one is first wanted.
+    /// The common part of all explanations of the form; worked out when one is first wanted.
     pub cache: FormCache,
-    /// What the lines of a student's work are compared with; worked out when one is first judged.
+    /// The equations with which the lines of a student's work are compared; worked out when one is first judged.
     pub work: FormCache,
 }
 
@@ -172,7 +173,7 @@ impl Form {
         counts.fold(1, u128::saturating_mul)
     }
 
-    /// What the answer plans, and what is to be decided, use of what is given.
+    /// The givens used by the answer plans, and by what is to be decided.
     #[must_use]
     pub fn needed(&self) -> BTreeSet<Symbol> {
         let mut needed = BTreeSet::new();
@@ -323,7 +324,7 @@ impl Problem {
         is_line && self.model.name(symbol).kind == QuantityKind::Speed
     }
 
-    /// What is known, in the order of the file.
+    /// The givens, in the order of the file.
     #[must_use]
     pub fn known(&self) -> &[Known] {
         &self.known

@@ -30,7 +30,7 @@ use super::input::Input;
 /// One way in which the scene can go.
 #[derive(Clone, Debug)]
 pub struct Leaf {
-    /// What happens, as clauses: `the crate stays at rest`; empty where there is only one way.
+    /// The course of events, as clauses: `the crate stays at rest`; empty where there is only one way.
     pub words: Vec<String>,
     /// The equations and conditions of this way.
     pub system: System,
@@ -134,7 +134,7 @@ impl Regimes {
         &self.tree
     }
 
-    /// What the programs take, in order.
+    /// The inputs of the programs, in order.
     #[must_use]
     pub fn inputs(&self) -> &[Symbol] {
         &self.inputs
@@ -284,7 +284,7 @@ impl Scratch {
 pub struct Dead {
     /// The step of the plan; none where the givens themselves break a condition.
     pub step: Option<usize>,
-    /// What is wrong with it.
+    /// The cause of its failure.
     pub cause: Cause,
     /// The values of the step's unknowns, in the step's order.
     pub values: Vec<Bounded>,

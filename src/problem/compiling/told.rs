@@ -1,4 +1,4 @@
-//! What a text must tell and must not tell: every number that the solution needs, drawn or not, and nothing that is asked.
+//! Checks of a text: it must tell every number that the solution needs, drawn or not, and nothing that is asked.
 
 use std::collections::BTreeSet;
 
@@ -178,8 +178,8 @@ fn lost(model: &Model, form: &Form, path: &Path, hint: &Text) -> Option<Fault> {
     Some(Fault::new(Code::Text, message).help(help).at_path(path.clone()).within(placeholder.span))
 }
 
-/// What the text of a form may not give away. A question with options compares what it is about, and some of that may be given as
-/// an expression.
+/// The quantities that the text of a form may not give away. A question with options compares what it is about, and some of that
+/// may be given as an expression.
 fn asked(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let is_given = |symbol: &Symbol| loaded.given.get(&model.symbols.entry(*symbol).name).is_some();
     let of = |part: &Part| {
@@ -228,8 +228,8 @@ impl Problem {
     }
 }
 
-/// What the laws that lead to the answers refer to; what a question compares with, it says itself, and what defines a quantity whose
-/// value the text prints need not be told.
+/// The quantities to which the laws that lead to the answers refer; what a question compares with, it says itself, and what
+/// defines a quantity whose value the text prints need not be told.
 fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
     let model = problem.model();
     let asked = [&geometry::BOUNDARY, &kinematics::COUNT];

@@ -1,4 +1,4 @@
-//! What an author says of common mistakes: `feedback` and `discriminate` name mistakes that exist, and tell no answer.
+//! Checks of an author's words on common mistakes: `feedback` and `discriminate` name mistakes that exist, and tell no answer.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
-//! What follows from a student's own earlier answers: the same equations with these values taken as known. Where they were
-//! solved together with others, the system then says too much, so each equation of the block is left aside in turn.
+//! Consequences of a student's own earlier answers: the same equations with these values taken as known. Where they were solved
+//! together with others, the system then says too much, so each equation of the block is left aside in turn.
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
@@ -47,18 +47,18 @@ const SAME: f64 = 1e-9;
 /// Roots are told apart where they differ by more than this share: a wrong answer is rounded.
 const ROOT: f64 = 0.006;
 
-/// What follows from earlier answers.
+/// A consequence of earlier answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Consequence {
     /// The value, in SI units.
     pub value: f64,
     /// The laws by which it follows.
     pub by: Vec<&'static Law>,
-    /// What is impossible about it, as a clause.
+    /// The impossibility in it, as a clause.
     pub unphysical: Option<String>,
 }
 
-/// What follows from earlier answers, before anybody has said whether it is wanted.
+/// A consequence of earlier answers, before anybody has said whether it is wanted.
 pub struct Candidate<'a> {
     /// The value, in SI units.
     pub value: f64,
@@ -86,8 +86,8 @@ impl Candidate<'_> {
 }
 
 impl Worked<'_> {
-    /// What follows for a quantity from answers to earlier ones, each in SI units, as far as `accept` wants it. The plans are
-    /// made when this is first asked.
+    /// The values of a quantity that follow from answers to earlier ones, each in SI units, as far as `accept` wants them. The
+    /// plans are made when this is first asked.
     #[must_use]
     pub fn following(
         &self,
@@ -140,7 +140,7 @@ impl Worked<'_> {
 }
 
 impl Following {
-    /// What is impossible about the values, as a clause.
+    /// The impossibility in the values, as a clause.
     fn unphysical(&self, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Option<String> {
         let (program, reasons) = self.judge.as_ref()?;
         let inputs: Vec<Bounded> = self.solver.inputs().iter().map(|symbol| input(*symbol)).collect::<Option<_>>()?;

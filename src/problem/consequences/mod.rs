@@ -1,4 +1,4 @@
-//! What comes of common mistakes and of a student's own earlier answers.
+//! Consequences of common mistakes and of a student's own earlier answers.
 
 pub(super) mod feedback;
 pub(super) mod follow;

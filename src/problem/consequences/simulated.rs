@@ -1,4 +1,4 @@
-//! What comes of the common mistakes with the numbers of one variant.
+//! Consequences of the common mistakes with the numbers of one variant.
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -23,10 +23,10 @@ use super::mistake::Mistake;
 const SAME: f64 = 1e-9;
 /// An angle that is misread is turned on by so much, in radians, to see whether anything hangs on it.
 const TURNED: f64 = 0.05;
-/// What changes by less than this share does not hang on it.
+/// The share of a change below which a value does not hang on it.
 const UNMOVED: f64 = 0.01;
 
-/// What comes of every common mistake with the numbers of a variant.
+/// The consequences of every common mistake with the numbers of a variant.
 #[derive(Debug)]
 pub struct Simulated<'a> {
     worked: Worked<'a>,
@@ -34,7 +34,7 @@ pub struct Simulated<'a> {
 }
 
 impl Simulated<'_> {
-    /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
+    /// The answers to a part by a mistake, in the unit of the question; none where it cannot be made there.
     #[must_use]
     pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
         let mut values = Vec::new();
@@ -116,7 +116,7 @@ impl Simulated<'_> {
         matches!(self.worked.problem.model().name(number.symbol).kind, QuantityKind::AngleBetween(_))
     }
 
-    /// What is given, with some of it misread, by a somewhat other factor and something added.
+    /// The givens with some of them misread, by a somewhat other factor and something added.
     fn misread<'m>(
         &'m self,
         read: &'m [(Symbol, f64)],
@@ -145,7 +145,7 @@ impl Simulated<'_> {
         })
     }
 
-    /// What a mistake makes of a vector: its components in the unit of the question. One that the mistake leaves alone is right.
+    /// The vectors by a mistake: their components in the unit of the question. One that the mistake leaves alone is right.
     #[must_use]
     pub fn vectors(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
         let each: Vec<Vec<f64>> = vector.components.iter().map(|number| self.answers(mistake, number)).collect();
@@ -169,7 +169,7 @@ fn is_in_degrees(number: &NumberPart) -> bool {
 }
 
 impl<'a> Worked<'a> {
-    /// What a mistake makes of a quantity, as formulas in what is given; none where nothing but numbers is got wrong.
+    /// The formulas of a quantity by a mistake, in what is given; none where nothing but numbers is got wrong.
     #[must_use]
     pub fn mistaken_formulas(&self, mistake: &Mistake, symbol: Symbol) -> Vec<Expr> {
         let Made::Solved(ways) = &mistake.made else { return Vec::new() };

@@ -78,7 +78,7 @@ impl Solver {
         if plain { batch.add(system, &self.plan, &self.wanted, misread) } else { None }
     }
 
-    /// What the program takes, in order.
+    /// The inputs of the program, in order.
     pub(crate) fn inputs(&self) -> &[Symbol] {
         &self.inputs
     }

@@ -22,7 +22,7 @@ pub(super) fn taken(model: &Model, wanted: &[Symbol]) -> Vec<Mistake> {
     each.map(|(of, pairs)| Mistake { of, instance: None, places: 1, made: Made::Taken(pairs) }).collect()
 }
 
-/// What a student does who writes down another quantity than is asked; none where nobody would.
+/// The confusion of a student who writes down another quantity than is asked; `None` where nobody would.
 fn confusion(model: &Model, asked: Symbol, other: Symbol) -> Option<&'static Misconception> {
     let dimension = model.symbols.entry(asked).dimension;
     if asked == other || model.symbols.entry(other).dimension != dimension || dimension == Dimension::NONE {

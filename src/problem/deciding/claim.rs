@@ -13,7 +13,7 @@ use super::super::questions::choices::decision::Decision;
 use super::super::sampling::variant::Worked;
 use super::closeness::in_unit;
 
-/// What has no value where two sides cannot be compared.
+/// The words for what has no value where two sides cannot be compared.
 const SIDE: &str = "a side of a comparison";
 
 impl Claim {

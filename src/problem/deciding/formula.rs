@@ -25,12 +25,13 @@ use super::super::questions::part::FormulaPart;
 use super::super::questions::part::PartKind;
 use super::super::sampling::variant::Worked;
 
-/// What the formulas of a form are written in.
+/// The letters of a form's formulas.
 #[derive(Clone, Debug, Default)]
 pub struct Alphabet {
-    /// What a formula may contain, each with the least and the greatest value that it has in the problem, in SI units.
+    /// The letters that a formula may contain, each with the least and the greatest value that it has in the problem, in SI
+    /// units.
     pub letters: Vec<(Symbol, f64, f64)>,
-    /// What stands for something else: zeros, numbers that the sheet tells without a name, and givens in terms of others.
+    /// The values of other symbols: zeros, numbers that the sheet tells without a name, and givens in terms of others.
     pub values: BTreeMap<Symbol, Expr>,
 }
 
@@ -183,7 +184,7 @@ fn numbers(literals: &[(Symbol, momentous_quantity::Quantity)]) -> impl Iterator
 }
 
 impl Worked<'_> {
-    /// What the formulas of this variant are written in.
+    /// The letters of this variant's formulas.
     #[must_use]
     pub fn alphabet(&self) -> Alphabet {
         let mut alphabet = Alphabet { letters: Vec::new(), values: zeros(&self.form.known).collect() };

@@ -123,7 +123,7 @@ pub(crate) fn check(model: &Model, form: &Form) -> Vec<Fault> {
     form.parts.iter().enumerate().filter_map(lost).collect()
 }
 
-/// So many places in an order that each seed draws by itself.
+/// The places in an order that each seed draws by itself.
 pub(super) fn shuffled(worked: &Worked<'_>, stream: &str, count: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     // Numbers of somebody's own have no seed, and the order of the file may tell which is right.

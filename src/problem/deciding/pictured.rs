@@ -22,7 +22,7 @@ use super::offered::shuffled;
 const OFFERED: [usize; 2] = [4, 3];
 
 impl Subject {
-    /// What its pictures are called.
+    /// The noun for its pictures.
     fn noun(&self) -> &'static str {
         match self {
             Self::Diagram(_) => "diagram",

@@ -139,7 +139,7 @@ impl Worked<'_> {
         }
     }
 
-    /// What is asked about where both roots are possible.
+    /// The question about a quantity where both roots are possible.
     fn usual_reason(&self, symbol: Symbol) -> String {
         let system = &self.leaf().system;
         if system.positive.contains(&symbol) {

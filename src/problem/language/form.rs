@@ -22,7 +22,7 @@ pub struct Question {
     pub text: Text,
     /// Other values of what the file gives; they stand under `given` at the form's path.
     pub given: Entries<Given>,
-    /// What is asked; the parts stand under `ask` at the form's path.
+    /// The questions; the parts stand under `ask` at the form's path.
     pub ask: Vec<Ask>,
     /// Names that are solved first and then given; they stand under `reveal` at the form's path.
     pub reveal: Vec<String>,
@@ -32,7 +32,7 @@ pub struct Question {
     pub roots: Option<Roots>,
     /// Warnings that are meant, by their names, each with its place.
     pub allow: Vec<(Path, String)>,
-    /// What `momentous check` notes and the author knows: each promise with its place and the reason.
+    /// The notes of `momentous check` that the author knows: each promise with its place and the reason.
     pub acknowledge: Vec<(Path, String, String)>,
     /// Whether the problem is meant to end in something impossible.
     pub expect: Option<Expect>,
@@ -102,13 +102,13 @@ impl Question {
     }
 }
 
-/// What is acknowledged there, each with its place.
+/// The notes acknowledged there, each with its place.
 fn acknowledged(place: &Path, entries: &Entries<String>) -> Vec<(Path, String, String)> {
     let place = place.key("acknowledge");
     entries.iter().map(|(name, reason)| (place.name(name), name.to_owned(), reason.clone())).collect()
 }
 
-/// What a list at the top of the file says for every form, then what the form's own says, each with its place.
+/// The entries of a list at the top of the file for every form, then the form's own, each with its place.
 fn placed<T: Clone>(form: &Path, key: &str, general: &[T], particular: &[T]) -> Vec<(Path, T)> {
     let at = |place: &Path, list: &[T]| {
         let place = place.key(key);

@@ -1,4 +1,4 @@
-//! What is known: the entry of a given as it is written, and as it is read.
+//! Givens: the entry as it is written, and as it is read.
 
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -14,7 +14,7 @@ use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
 
-/// What is known in a form, in the order of the file; faults are noted in the builder.
+/// The values known in a form, in the order of the file; faults are noted in the builder.
 pub(crate) fn known_in(loaded: &Loaded, question: &Question, known: &[Known], builder: &mut Builder<'_>) -> Vec<Known> {
     let mut written = known.to_vec();
     for (name, given) in question.given.iter() {

@@ -50,7 +50,7 @@ pub(crate) struct Sought {
 pub(crate) struct Answered {
     /// The parts, each with its place among all.
     pub parts: Vec<(usize, Part)>,
-    /// What can be found: the worked solution shows how.
+    /// The symbols that can be found: the worked solution shows how.
     pub found: Vec<Symbol>,
 }
 
@@ -86,7 +86,8 @@ pub(crate) fn printed(loaded: &Loaded, question: &Question, model: &Model) -> BT
         .collect()
 }
 
-/// What the words and numbers of a sheet tell: what is drawn and not printed is not known, nor is what may be anything.
+/// The values that the words and numbers of a sheet tell: what is drawn and not printed is not known, nor is what may be
+/// anything.
 pub(crate) fn on_the_sheet(
     question: &Question,
     printed: &BTreeSet<Symbol>,

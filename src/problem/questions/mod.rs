@@ -1,4 +1,4 @@
-//! What is asked, compiled: each kind of question, and what it depends on.
+//! Questions, compiled: each kind, and what it depends on.
 
 pub(super) mod choices;
 pub(super) mod conservation;

@@ -12,13 +12,13 @@ use super::choices::claim::Claim;
 /// One part of a question.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// What the part is called in answers: the name that is asked, or `a`, `b`, ... for a question without one.
+    /// The name of the part in answers: the name that is asked, or `a`, `b`, ... for a question without one.
     pub id: String,
-    /// What is asked, as a noun phrase or a question.
+    /// The label of the part, as a noun phrase or a question.
     pub label: String,
     /// Its points.
     pub points: u32,
-    /// What marking must say of answers to the sheet of seed 1: each answer with the code of a verdict.
+    /// The verdicts that marking must give on the sheet of seed 1: each answer with the code of one.
     pub expected: Entries<String>,
     /// How it is answered.
     pub kind: PartKind,
@@ -90,7 +90,7 @@ pub struct FormulaPart {
 pub struct RangePart {
     /// The quantity; the variant's value of it is the boundary, at which both sides of the claim are equal.
     pub number: NumberPart,
-    /// What is to hold.
+    /// The claim that is to hold.
     pub claim: Claim,
 }
 

@@ -38,7 +38,7 @@ use super::range;
 use super::rubric;
 use super::vector;
 
-/// What reading the parts of a form gives.
+/// The result of reading the parts of a form.
 #[derive(Default)]
 pub(crate) struct Read {
     pub parts: Vec<Part>,
@@ -46,9 +46,9 @@ pub(crate) struct Read {
     pub wanted: Vec<Symbol>,
     /// The equations of parts that are found by counting, and of the boundary of an interval.
     pub counts: Vec<Equation>,
-    /// What must hold for the questions to have their answers.
+    /// The conditions under which the questions have their answers.
     pub conditions: Vec<Condition>,
-    /// What the planner has to answer.
+    /// The quantities that the planner has to find.
     pub sought: Vec<Sought>,
 }
 

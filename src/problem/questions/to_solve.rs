@@ -1,4 +1,4 @@
-//! Of the quantities that a question needs, those that have to be solved.
+//! The quantities of a question that have to be solved.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ use momentous_model::QuantityKind;
 use super::super::language::form;
 use super::super::reading::load::Loaded;
 
-/// Of some quantities those that have to be solved: they have no value of their own.
+/// Selects the quantities that have to be solved: they have no value of their own.
 pub(super) fn to_solve(loaded: &Loaded, builder: &Builder<'_>, quantities: BTreeSet<Symbol>) -> Vec<Symbol> {
     let has_value = |name: &str| loaded.given.get(name).is_some_and(|given| !given.is_derived());
     let is_told = |symbol: Symbol| {
@@ -22,7 +22,7 @@ pub(super) fn to_solve(loaded: &Loaded, builder: &Builder<'_>, quantities: BTree
     quantities.into_iter().filter(|symbol| !builder.is_literal(*symbol) && !is_told(*symbol)).collect()
 }
 
-/// Of some quantities those that have to be solved and are not revealed by the form.
+/// Selects the quantities that have to be solved and are not revealed by the form.
 pub(super) fn to_solve_unrevealed(
     loaded: &Loaded,
     question: &form::Question,

@@ -267,7 +267,7 @@ impl<'s> Checker<'s> {
     }
 }
 
-/// What else YAML tools may make of a plain text, where it is a trap.
+/// Another reading that YAML tools may have of a plain text, where it is a trap.
 fn trap(text: &str, numbers_welcome: bool) -> Option<&'static str> {
     if truth(text).is_some() {
         return Some("true or false");
@@ -277,7 +277,7 @@ fn trap(text: &str, numbers_welcome: bool) -> Option<&'static str> {
     (!numbers_welcome && may_be_number && serde_yaml::from_str::<Number>(text).is_ok()).then_some("a number")
 }
 
-/// As much of a text as a message can bear.
+/// The beginning of a text, as long as a message can bear.
 fn beginning(text: &str) -> String {
     const MOST: usize = 40;
     match text.char_indices().nth(MOST) {
@@ -295,7 +295,7 @@ fn truth(text: &str) -> Option<bool> {
     }
 }
 
-/// What may stand in a place, in words.
+/// The forms that may stand in a place, in words.
 fn expected<'s>(forms: impl Iterator<Item = &'s Form<'s>> + Clone) -> String {
     let has = |test: fn(&Form) -> bool| forms.clone().any(test);
     let is_text = has(|form| matches!(form, Form::Text));

@@ -22,15 +22,15 @@ use super::document::{Entry, Kind, Node};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Digests {
-    /// Of what the numbers of a seed follow from.
+    /// Everything from which the numbers of a seed follow.
     pub draw: String,
-    /// Of what marks follow from, besides the numbers.
+    /// Everything from which marks follow, besides the numbers.
     pub marking: String,
-    /// Of the words that students read.
+    /// The words that students read.
     pub words: String,
 }
 
-/// What a key may concern.
+/// The aspects that a key may concern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Aspect {
     Draw,
@@ -64,7 +64,7 @@ const CONCERNS: &[(&str, &[Aspect])] = &[
 ];
 
 impl Digests {
-    /// Of the document of a problem whose numbers are drawn under that identity.
+    /// Digests of the document of a problem whose numbers are drawn under that identity.
     pub(super) fn new(root: &Node, drawn_as: &str) -> Self {
         let [draw, marking, words] = ALL.map(|aspect| {
             let mut hash = Sha256::new();
@@ -77,7 +77,7 @@ impl Digests {
         Self { draw, marking, words }
     }
 
-    /// Of all of them: a version of the problem that students, markers or draws can tell from another.
+    /// A digest of all of them: a version of the problem that students, markers or draws can tell from another.
     #[must_use]
     pub fn version(&self) -> String {
         hex(&Sha256::digest([&*self.draw, &*self.marking, &*self.words].concat()))

@@ -19,7 +19,7 @@ pub(super) const SAME_KEYS: [(&str, &str); 2] = [("torque", "moment"), ("perfect
 pub struct Node {
     /// Its bytes; of a block scalar, those of its lines, without the mark `>` or `|`.
     pub span: Span,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
 }
 
@@ -91,7 +91,7 @@ impl Mapping {
     }
 }
 
-/// What reading a source gave: the tree, unless the text is not YAML, and the faults of form.
+/// The result of reading a source: the tree, unless the text is not YAML, and the faults of form.
 #[derive(Clone, Debug)]
 pub struct Document {
     /// The whole document.
@@ -100,7 +100,7 @@ pub struct Document {
     pub faults: Vec<Fault>,
 }
 
-/// What a key is called here: `moment` for `torque`.
+/// The usual name of a key: `moment` for `torque`.
 pub(super) fn usual_key(key: &str) -> &str {
     SAME_KEYS.iter().find(|(other, _)| *other == key).map_or(key, |(_, usual)| usual)
 }

@@ -31,7 +31,7 @@ pub struct Loaded {
     pub digests: Digests,
     /// The keys, as they were written.
     pub draft: Draft,
-    /// What is known, in the order of the file.
+    /// The givens, in the order of the file.
     pub given: Entries<Given>,
     /// The forms in which the problem is asked, each complete; at least one.
     pub questions: Vec<Question>,
@@ -182,7 +182,7 @@ fn written(value: &Value) -> impl Iterator<Item = (&str, GivenEntry)> {
     entries.filter_map(|(name, entry)| Some((name.as_str()?, typed(entry.clone()).ok()?)))
 }
 
-/// What is known, as far as it can be read, and the faults of the rest; `at` is where its `given` stands.
+/// Reads the givens as far as they can be read, with the faults of the rest; `at` is where `given` stands.
 fn givens<'e>(
     entries: impl Iterator<Item = (&'e str, impl Borrow<GivenEntry>)>,
     at: &Path,

@@ -1,4 +1,4 @@
-//! What the texts of a problem refer to: every placeholder names a quantity of which its filter has something to say.
+//! References of the texts of a problem: every placeholder names a quantity of which its filter has something to say.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -11,7 +11,7 @@ use super::super::language::text::Filter;
 use super::super::language::text::Placeholder;
 use super::load::Loaded;
 
-/// What may have a direction along an axis.
+/// The dimensions that may have a direction along an axis.
 const DIRECTED: &[Dimension] =
     &[Dimension::LENGTH, Dimension::VELOCITY, Dimension::ACCELERATION, Dimension::FORCE, Dimension::MOMENTUM];
 

@@ -29,7 +29,7 @@ static COURSE_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Course>("Th
 
 static HOMEWORK_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<HomeworkDraft>("A homework for momentous"));
 
-/// What the schema says, read once.
+/// The shapes of the schema, read once.
 pub(super) static SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&SCHEMA));
 
 pub(super) static COURSE_SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&COURSE_SCHEMA));

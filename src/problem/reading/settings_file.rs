@@ -10,7 +10,7 @@ use super::load::typed;
 use super::position::Index;
 use super::shape::Shapes;
 
-/// What the file says, or every fault of its form.
+/// Reads the file, or returns every fault of its form.
 pub(super) fn read<T: DeserializeOwned>(source: &Source, shapes: &Shapes<'_>) -> Result<T, Faults> {
     let Document { root, mut faults } = Document::read(source);
     let Some(root) = root else { return Err(Index::new(source, None).locate_all(faults)) };

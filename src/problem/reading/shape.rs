@@ -1,4 +1,4 @@
-//! What may stand in each place of a document, read out of a JSON Schema once, so that no reading of a document looks through it.
+//! Shapes of a document, read out of a JSON Schema once, so that no reading of a document looks through it.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json};
 /// A schema without alternatives, as it is written.
 type Written<'s> = &'s Map<String, Json>;
 
-/// What a schema says.
+/// The shapes that a schema describes.
 #[derive(Debug)]
 pub(crate) struct Shapes<'s> {
     /// The whole document.
@@ -20,7 +20,7 @@ pub(crate) struct Shapes<'s> {
 /// A place, and what may stand there.
 #[derive(Debug)]
 pub(crate) struct Place<'s> {
-    /// What the schema says of the place.
+    /// The schema's description of the place.
     pub(crate) about: Option<&'s str>,
     /// Positions of the forms among all forms.
     forms: Vec<usize>,
@@ -52,7 +52,7 @@ pub(crate) struct Keys<'s> {
     named: Vec<(&'s str, Place<'s>)>,
     /// Those that may not be missing.
     pub(crate) required: Vec<&'s str>,
-    /// What any other key holds, where others may stand here.
+    /// The place behind any other key, where others may stand here.
     others: Option<Place<'s>>,
     /// The only names that others may have.
     pub(crate) listed: Option<Vec<&'s str>>,
@@ -94,12 +94,12 @@ impl<'s> Form<'s> {
 }
 
 impl<'s> Keys<'s> {
-    /// What a key holds, where the schema names it.
+    /// The place behind a key, where the schema names it.
     pub(crate) fn named(&self, key: &str) -> Option<&Place<'s>> {
         self.named.iter().find(|(entry, _)| *entry == key).map(|(_, place)| place)
     }
 
-    /// What a key holds, where it may stand here.
+    /// The place behind a key, where it may stand here.
     pub(crate) fn place(&self, key: &str) -> Option<&Place<'s>> {
         let is_listed = || self.listed.as_ref().is_none_or(|listed| listed.contains(&key));
         self.named(key).or_else(|| self.others.as_ref().filter(|_| is_listed()))
@@ -112,7 +112,7 @@ impl<'s> Keys<'s> {
 }
 
 struct Reader<'s> {
-    /// What references name.
+    /// The definitions that references name.
     definitions: Option<Written<'s>>,
     /// The forms met so far.
     met: Vec<Written<'s>>,

@@ -1,4 +1,4 @@
-//! What a variant leaves out, as a share of what it keeps.
+//! The omissions of a variant, as a share of what it keeps.
 
 use std::collections::BTreeSet;
 

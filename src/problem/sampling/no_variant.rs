@@ -114,13 +114,13 @@ impl NoVariant {
         if let Some(Rejection::Condition { key, .. }) = self.rejection() { *key } else { None }
     }
 
-    /// What else an author may write for what happens with these numbers, where there are words for it.
+    /// Another name that an author may write for what happens with these numbers, where there are words for it.
     #[must_use]
     pub fn way_out(&self) -> Option<&'static str> {
         if let Some(Rejection::Condition { reason, .. }) = self.rejection() { reason.way_out() } else { None }
     }
 
-    /// What an author may write for such numbers.
+    /// The names that an author may write for such numbers.
     #[must_use]
     pub fn help(&self) -> String {
         let key = self.settled_by().map(|key| format!("`{key}` in that stage"));

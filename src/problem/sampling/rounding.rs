@@ -20,12 +20,12 @@ const NEXT_DECADE: f64 = 1.02;
 /// At most by this share slopes are taken to change.
 const MOST_BEND: f64 = 0.05;
 
-/// What marking needs besides the answer itself, in the unit of the question.
+/// The numbers that marking needs besides the answer itself, in the unit of the question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     /// How far rounding every intermediate value, and the answer, to the figures that are asked can move the answer.
     pub allowance: f64,
-    /// Of an answer that is exactly nothing: the size of what cancels in it. Nothing of any other.
+    /// The size of the terms that cancel in an answer that is exactly nothing; zero for any other.
     pub scale: f64,
 }
 

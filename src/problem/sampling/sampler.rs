@@ -253,7 +253,7 @@ impl<'p> Sampler<'p> {
         }
     }
 
-    /// What is asked in each further solution, where there is one.
+    /// The values asked in each further solution, where there is one.
     fn others(&self) -> Vec<(Symbol, Vec<Bounded>)> {
         if self.scratch.survivors(&self.form.solver) < 2 {
             return Vec::new();

@@ -9,9 +9,9 @@ use super::super::language::known::Origin;
 use super::sampler::Sampler;
 use super::variant::Worked;
 
-/// So many variants are wanted.
+/// The number of variants wanted.
 const WANTED: usize = 16;
-/// So many seeds are tried, for some variants go another way.
+/// The number of seeds tried, for some variants go another way.
 const TRIED: u64 = 64;
 
 impl Worked<'_> {

@@ -102,7 +102,7 @@ impl Variant {
         }
     }
 
-    /// What the author says to a student who made the mistake of that name, placeholders filled in.
+    /// The author's words to a student who made the mistake of that name, placeholders filled in.
     #[must_use]
     pub fn feedback(&self, problem: &Problem, mistake: &str) -> Option<String> {
         let text = problem.loaded().draft.feedback.get(mistake)?;

@@ -1,4 +1,4 @@
-//! What can be said of a secret of the course without telling it: whether it can be guessed, and a mark by which it is known again.
+//! Facts about a secret of the course that do not tell it: whether it can be guessed, and a mark by which it is known again.
 
 use hmac::{Hmac, KeyInit, Mac};
 use sha2::Sha256;
@@ -13,13 +13,13 @@ const LONG: usize = 6;
 /// Guesses that one may make, as a power of two, before a secret is safe: a thousand computers make fewer in a year.
 const SAFE: f64 = 64.0;
 
-/// What a word adds, as a power of two: there are a few thousand usual ones. What stood there before adds no more.
+/// The bits that a word adds: there are a few thousand usual ones. A repeated word adds no more.
 const WORD: f64 = 11.0;
 
-/// So many bytes are looked at.
+/// The bytes that are looked at.
 const LOOKED_AT: usize = 256;
 
-/// So many bytes together are no chance where they stood there before.
+/// The number of bytes that are no chance where they stood together before.
 const REPEATED: usize = 3;
 
 /// The mark of a secret: the same for the same secret, and no help to find it.
@@ -88,7 +88,7 @@ pub fn guesses(secret: &[u8]) -> f64 {
     guesses
 }
 
-/// What a byte adds where it is neither of a word nor of a row, as a power of two.
+/// The bits that a byte adds where it is neither of a word nor of a row.
 fn bits(byte: u8) -> f64 {
     match byte {
         b'0'..=b'9' => 3.3,

@@ -1,4 +1,4 @@
-//! What the sign of a quantity says, so that an answer with the wrong one is not taken for a magnitude.
+//! Meanings of signs, so that an answer with the wrong one is not taken for a magnitude.
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -9,7 +9,7 @@ use momentous_scene::Senses;
 use super::super::compiling::planned::Problem;
 use super::say::senses_of;
 
-/// What the sign of a quantity says.
+/// The meaning of a quantity's sign.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Sign {
     /// Which of two directions a vector has, or which of two senses a turn.
@@ -21,8 +21,8 @@ pub enum Sign {
 }
 
 impl Problem {
-    /// What the sign of a quantity says by its meaning, whatever its value is. An expression has a sign where it is a sum or
-    /// where something in it has one.
+    /// The meaning of a quantity's sign, whatever its value is. An expression has a sign where it is a sum or where something in
+    /// it has one.
     ///
     /// ```
     /// use momentous_bank::Bank;

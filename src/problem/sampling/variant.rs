@@ -81,7 +81,7 @@ impl Variant {
         changed
     }
 
-    /// What is given of a quantity, exactly as it is printed: value and unit.
+    /// The value of a given, exactly as it is printed, with its unit.
     #[must_use]
     pub fn given(&self, symbol: Symbol) -> Option<(Decimal, Unit)> {
         self.given.iter().find(|(listed, ..)| *listed == symbol).map(|(_, value, unit)| (value.clone(), unit.clone()))

@@ -27,7 +27,7 @@ pub struct Bounces {
 }
 
 impl Bounces {
-    /// What the body bounces on, in a sentence.
+    /// The surface on which the body bounces, in a sentence.
     #[must_use]
     pub fn surface(&self) -> &'static str {
         if self.incline.is_some() { "the slope" } else { "the floor" }

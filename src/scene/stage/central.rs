@@ -45,7 +45,7 @@ pub struct CentralSpring {
 }
 
 impl CentralSpring {
-    /// What it is called in a sentence.
+    /// Its name in a sentence.
     #[must_use]
     pub fn called(&self) -> &str {
         self.called.as_deref().unwrap_or(if self.cord { "the cord" } else { "the spring" })

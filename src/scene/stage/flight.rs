@@ -43,7 +43,7 @@ impl Flight {
         self.resistance.is_none()
     }
 
-    /// Who flies.
+    /// The bodies that fly.
     pub fn flying(&self) -> impl Iterator<Item = &str> {
         self.body.iter().chain(&self.bodies).map(String::as_str)
     }

@@ -49,7 +49,7 @@ pub struct Impact {
     pub include: Vec<Included>,
 }
 
-/// Who takes part in an impact.
+/// The parties of an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Partners<'a> {
     /// Two bodies.
@@ -59,7 +59,7 @@ pub enum Partners<'a> {
 }
 
 impl Impact {
-    /// Who takes part; `None` where the keys contradict each other or are missing.
+    /// The parties of the impact; `None` where the keys contradict each other or are missing.
     #[must_use]
     pub fn partners(&self) -> Option<Partners<'_>> {
         match (&self.between, &self.body, &self.against) {

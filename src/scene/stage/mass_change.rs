@@ -43,7 +43,7 @@ pub struct Loss {
 pub struct MassChange<'a> {
     /// Whether the body gains mass.
     pub gains: bool,
-    /// What joins or leaves.
+    /// The matter that joins or leaves.
     pub name: &'a str,
     /// The mass per unit time.
     pub flow: Option<&'a Term>,
@@ -81,7 +81,7 @@ pub enum StageMass<'a> {
         stage: usize,
         /// Whether it is the mass at its start (0) or at its end (1).
         side: usize,
-        /// What it says.
+        /// The rate or the mass in all.
         term: &'a Term,
     },
 }

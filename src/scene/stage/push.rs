@@ -129,7 +129,7 @@ impl Push {
         self.is_resisted_alone() || self.mass_change().is_some() && self.forces.is_empty()
     }
 
-    /// What its pushes and pulls are called.
+    /// The names of its pushes and pulls.
     pub fn force_names(&self) -> impl Iterator<Item = &str> {
         self.forces.iter().filter_map(|force| match force {
             Force::Pull(pull) => Some(pull.name.as_deref().unwrap_or("the force")),

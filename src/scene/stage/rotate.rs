@@ -98,7 +98,7 @@ impl Rotate {
         })
     }
 
-    /// What is held, each body with its distance from the point.
+    /// The bodies that are held, each with its distance from the point.
     #[must_use]
     pub fn held(&self) -> Vec<(&str, &Arm)> {
         let one = self.body.as_deref().zip(self.arm.as_ref());

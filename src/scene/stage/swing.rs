@@ -78,7 +78,7 @@ impl Swing {
         self.length.as_ref().or(self.radius.as_ref())
     }
 
-    /// What keeps the body on its circle.
+    /// The guide that keeps the body on its circle.
     #[must_use]
     pub fn held_by(&self) -> &'static str {
         if self.radius.is_some() { "the track" } else { "the cord" }

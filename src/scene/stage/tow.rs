@@ -57,7 +57,7 @@ impl Tow {
         [&self.front, &self.rear]
     }
 
-    /// What joins them.
+    /// The coupling, as it is called in a sentence.
     #[must_use]
     pub fn joint(&self) -> &str {
         self.by.as_deref().unwrap_or("the coupling")

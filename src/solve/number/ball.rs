@@ -61,7 +61,7 @@ impl Ball {
         Self::rounded(context().pi::<2>(None).value(), small(0))
     }
 
-    /// That multiple of pi.
+    /// Converts that multiple of pi.
     pub(super) fn from_angle(multiple: &Rational) -> Self {
         Self::from_rational(multiple).times(Self::pi())
     }

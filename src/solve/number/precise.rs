@@ -57,7 +57,7 @@ impl Precise {
         }
     }
 
-    /// What an operation without two ordinary operands gives.
+    /// The result of an operation without two ordinary operands.
     fn lost(&self, other: &Self) -> Self {
         match (self, other) {
             (Self::NotReal, _) | (_, Self::NotReal) => Self::NotReal,

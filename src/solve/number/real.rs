@@ -1,11 +1,11 @@
-//! What a tape computes with: numbers that know how far from the truth they may be.
+//! The numbers of a tape: they know how far from the truth they may be.
 
 use momentous_expr::Function;
 
 use super::super::Exact;
 use super::bounded::Bounded;
 
-/// What is known of the sign of a true value.
+/// The sign of a true value, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     /// Less than zero.
@@ -68,7 +68,7 @@ pub trait Real: Clone {
     #[must_use]
     fn centre(&self) -> Self;
 
-    /// What is known of the sign.
+    /// The sign, as far as it is known.
     fn sign(&self) -> Sign;
     /// Rounded to floating point, with a bound that covers the rounding.
     fn to_bounded(&self) -> Bounded;

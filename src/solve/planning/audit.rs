@@ -80,7 +80,7 @@ impl Open {
         Self(system.equations.iter().map(|equation| equation.unknowns(known)).collect())
     }
 
-    /// What an equation holds beyond what is found. What is found stays so.
+    /// Reduces an equation to what it says beyond the symbols already found, which stay so.
     fn without(&mut self, found: &BTreeSet<Symbol>, equation: usize) -> &[Symbol] {
         let open = &mut self.0[equation];
         open.retain(|symbol| !found.contains(symbol));

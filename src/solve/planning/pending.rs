@@ -1,4 +1,4 @@
-//! What must hold, tested as soon as it can be.
+//! Conditions that are tested as soon as they can be.
 
 use std::collections::BTreeSet;
 
@@ -20,14 +20,14 @@ pub enum Verify {
     All,
 }
 
-/// What is tested: a difference of sides.
+/// The tested term: a difference of sides.
 #[derive(Clone, Debug)]
 pub(crate) struct Test {
     pub(crate) what: Tested,
     pub(crate) difference: Register,
 }
 
-/// What a test belongs to.
+/// The owner of a test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Tested {
     /// A condition of the system, by position.
@@ -41,7 +41,7 @@ pub(crate) struct Pending<'a> {
     waiting: Vec<Waiting<'a>>,
 }
 
-/// What is to be tested, and the symbols that were not found when it was last looked at.
+/// The test, and the symbols that were not found when it was last looked at.
 struct Waiting<'a> {
     what: Tested,
     left: &'a Expr,

@@ -18,7 +18,7 @@ pub struct Step {
     pub equations: Vec<usize>,
     /// The unknowns, in the order in which they are found.
     pub unknowns: Vec<Symbol>,
-    /// What closed the block.
+    /// The tactic that closed the block.
     pub tactic: Tactic,
     /// How a student would do it, in order.
     pub moves: Vec<Move>,
@@ -104,9 +104,9 @@ pub enum Move {
     Isolate {
         /// The equation.
         equation: usize,
-        /// What is brought to one side.
+        /// The unknown brought to one side.
         unknown: Symbol,
-        /// What it equals.
+        /// Its value.
         value: Expr,
     },
     /// Multiply equation `times` by `factor` and add it to `equation`, so that `drops` falls out and `left = right` remains.
@@ -128,7 +128,7 @@ pub enum Move {
     Vanish {
         /// The equation.
         equation: usize,
-        /// What is zero.
+        /// A term that is zero.
         zero: Expr,
         /// The unknown that falls out.
         drops: Symbol,
@@ -141,7 +141,7 @@ pub enum Move {
     Substitute {
         /// The equation.
         equation: usize,
-        /// What is replaced.
+        /// The unknown that is replaced.
         unknown: Symbol,
         /// By what.
         value: Expr,
@@ -165,7 +165,7 @@ pub enum Move {
         equation: usize,
         /// The tangent of the angle.
         left: Expr,
-        /// What it equals.
+        /// Its value.
         right: Expr,
     },
     /// `a x^2 + b x + c = 0`: the left side of `equation` less the right side, times `factor`.

@@ -231,7 +231,7 @@ impl Closer<'_> {
         rows.iter().map(|row| self.structure.rows[*row].equation).collect()
     }
 
-    /// What to say of a block that was refused; nothing where its equations say the same twice.
+    /// The reason why a block was refused; `None` where its equations say the same twice.
     fn reason(&self, rows: &[usize], refusal: Refusal) -> Option<Reason> {
         let equations = self.equations(rows);
         match refusal {

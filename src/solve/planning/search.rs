@@ -29,12 +29,12 @@ pub(super) struct Search<'a> {
     gradients: &'a [Vec<f64>],
     /// For each column the cost of the cheapest row that finds it.
     cheapest: Vec<u64>,
-    /// What the cheapest row costs.
+    /// The cost of the cheapest row.
     least: u64,
     choice: Choice<'a>,
     /// For each column the rows that contain it.
     containing: Vec<Bits>,
-    /// What is yet to be looked at, by its estimate, and by when it was found.
+    /// The entries yet to be looked at, by their estimate, and by when they were found.
     open: BTreeMap<(u64, usize), Entry>,
     /// How often something was put there.
     arrivals: usize,
@@ -44,7 +44,7 @@ pub(super) struct Search<'a> {
     room: usize,
 }
 
-/// What the search has yet to look at.
+/// An entry that the search has yet to look at.
 #[derive(Clone, Debug)]
 enum Entry {
     /// Rows that determine their unknowns.
@@ -61,11 +61,11 @@ struct Within {
     columns: Bits,
     /// Rows that are not to come within: what they lead to is looked at elsewhere.
     without: Bits,
-    /// What a narrower set of columns says, where that was kept.
+    /// The restriction to a narrower set of columns, where that was kept.
     narrower: Option<Rc<Restriction>>,
 }
 
-/// What rows say that lie within some columns.
+/// The rows that lie within some columns.
 #[derive(Clone, Debug)]
 struct Restriction {
     rows: Bits,
@@ -180,8 +180,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// What finding `new` columns costs at least, where narrower columns leave so many of theirs free, and all together are `more`:
-    /// where too few rows come within, one more column must.
+    /// The least cost of finding `new` columns, where narrower columns leave so many of theirs free, and all together
+    /// are `more`: where too few rows come within, one more column must.
     fn at_least(&self, free: usize, new: &Bits, more: &Bits) -> u64 {
         let needed = free + new.len();
         let covered = self.containing(new.iter());
@@ -258,7 +258,7 @@ impl<'a> Search<'a> {
         self.open.insert((estimate, self.arrivals), entry);
     }
 
-    /// What finding these columns costs at least.
+    /// A lower bound of the cost of finding these columns.
     fn estimate(&self, columns: &Bits) -> u64 {
         columns.iter().map(|column| self.cheapest[column]).sum()
     }

@@ -8,28 +8,28 @@ use super::super::structure::bits::Bits;
 use super::super::structure::freedom::Freedom;
 use super::super::structure::incidence::Structure;
 
-/// What is known, what remains, and what stands in the way.
+/// A plan that got stuck: the known symbols, those that remain, and the obstacle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stuck {
     /// Everything that was known at the start.
     pub known: BTreeSet<Symbol>,
-    /// What was wanted and is not found, in the order in which it was asked for.
+    /// The symbols wanted and not found, in the order in which they were asked for.
     pub remaining: Vec<Symbol>,
-    /// What stands in the way.
+    /// The obstacle.
     pub reason: Reason,
 }
 
-/// What stands in the way of a plan.
+/// An obstacle to a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The equations do not determine everything that is wanted.
     Underdetermined {
-        /// What does not follow.
+        /// The symbols that do not follow.
         wanted: Vec<Symbol>,
         /// Sets of further symbols, the smallest that would do, any one of which would be enough; empty where none is small.
         enough: Vec<Vec<Symbol>>,
     },
-    /// As many equations as unknowns, and no tactic that closes them.
+    /// There are as many equations as unknowns, and no tactic closes them.
     NoTactic {
         /// Positions of the equations in the system.
         equations: Vec<usize>,

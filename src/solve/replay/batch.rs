@@ -13,7 +13,7 @@ use super::tape::{Instruction, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
 
-/// What is less below zero than this, in SI units, may be the rounding of a value that is nothing.
+/// The bound below zero, in SI units, down to which a value may be the rounding of one that is nothing.
 const ROUNDED: f64 = 1e-9;
 
 /// Plans without any choice, on one tape.
@@ -41,7 +41,7 @@ pub struct BatchWriter {
     members: Vec<Member>,
 }
 
-/// What came of every plan of a batch, for one set of inputs.
+/// The results of every plan of a batch, for one set of inputs.
 #[derive(Debug)]
 pub struct BatchValues<'a> {
     batch: &'a Batch,

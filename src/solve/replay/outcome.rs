@@ -1,4 +1,4 @@
-//! What a replay found.
+//! The outcome of a replay.
 
 use momentous_expr::Symbol;
 

@@ -39,15 +39,15 @@ pub struct UnknownSymbol {
 pub(super) struct Stage {
     /// The position of the step in the plan.
     pub(crate) step: Option<usize>,
-    /// What all roots share.
+    /// The instructions that all roots share.
     pub(super) prelude: Stretch,
     /// The roots.
     pub(crate) roots: Vec<Branch>,
     /// The registers of the step's unknowns, and whether the unknown is positive.
     pub(crate) unknowns: Vec<(Register, bool)>,
-    /// What the tests need.
+    /// The instructions that the tests need.
     pub(super) tests_code: Stretch,
-    /// What must hold, as far as it can be told once the step is done.
+    /// The conditions, as far as they can be told once the step is done.
     pub(crate) tests: Vec<Test>,
 }
 

@@ -234,7 +234,7 @@ impl<R: Real> Replay<'_, R> {
         is_broken.then_some(Cause::NotPositive)
     }
 
-    /// What stands in a register: the compiler of the tape made it.
+    /// The value in a register: the compiler of the tape made it.
     fn at(&self, register: Register) -> &R {
         &self.workspace.registers[register as usize]
     }

@@ -67,7 +67,7 @@ thread_local! {
 }
 
 impl Sensitivity {
-    /// That of the values which these steps make.
+    /// The sensitivity of the values which these steps make.
     #[must_use]
     pub fn of(steps: &[Step]) -> Self {
         let made = || steps.iter().flat_map(|step| &step.roots).flat_map(|root| &root.values);

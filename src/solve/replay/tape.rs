@@ -12,7 +12,7 @@ pub(crate) type Register = u32;
 /// A stretch of the tape.
 pub(super) type Stretch = Range<usize>;
 
-/// What an instruction does with its operands a, b and c.
+/// The operation of an instruction on its operands a, b and c.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Operation {
     /// a + b
@@ -79,7 +79,7 @@ impl Instruction {
     }
 }
 
-/// What covers both, where it is not known which holds.
+/// A number that covers both, where it is not known which holds.
 fn either<R: Real>(one: &R, other: &R) -> R {
     match (one.is_real(), other.is_real()) {
         (true, true) => one.hull(other),

@@ -67,7 +67,7 @@ impl Tree {
         None
     }
 
-    /// What the last [`Tree::solve`] found of a leaf; `None` of one that it did not try.
+    /// The result of the last [`Tree::solve`] for a leaf; `None` of one that it did not try.
     #[must_use]
     pub fn outcome<'a>(&'a self, leaf: usize, workspace: &'a TreeWorkspace) -> Option<Outcome<'a, Bounded>> {
         let memory = workspace.leaves.get(leaf).filter(|_| leaf < workspace.tried)?;

@@ -26,7 +26,7 @@ pub(crate) struct Writer {
     /// How many registers there are.
     pub(crate) registers: Register,
     computed: FxHashMap<Computation, Register>,
-    /// What is computed, in the order in which it was written.
+    /// The computations, in the order in which they were written.
     history: Vec<Computation>,
 }
 
@@ -226,7 +226,7 @@ impl Writer {
     }
 }
 
-/// What follows the minus of a product that is written with one.
+/// The size behind the minus of a product that is written with one.
 struct Size<'e> {
     /// The number, unless it is 1.
     number: Option<Expr>,
@@ -235,12 +235,12 @@ struct Size<'e> {
 }
 
 impl<'e> Size<'e> {
-    /// What follows the minus of a term.
+    /// The size behind the minus of a term.
     fn after_minus(term: &'e Expr) -> Option<Self> {
         if let Expr::Product(factors) = term { Self::of(factors) } else { None }
     }
 
-    /// What follows the minus of a product.
+    /// The size behind the minus of a product.
     fn of(factors: &'e [Expr]) -> Option<Self> {
         let (first, factors) = factors.split_first()?;
         let size = -first.as_number().filter(|number| **number < Rational::ZERO)?.clone();

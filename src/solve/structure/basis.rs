@@ -1,8 +1,9 @@
-//! What a set of equations says together: the space that their derivatives span.
+//! The joint content of a set of equations: the space that their derivatives span.
 
 use super::bits::Bits;
 
-/// What is left of a derivative below this counts as nothing; the largest entry of an equation's derivatives is near one.
+/// The size below which the remainder of a derivative counts as nothing; the largest entry of an equation's derivatives
+/// is near one.
 const NEGLIGIBLE: f64 = 1e-7;
 
 /// Independent derivatives: each has a pivot, a column in which it is 1 and all later ones are 0.
@@ -91,7 +92,7 @@ impl Basis {
         columns.iter().filter(|column| !self.0.pivots.contains(column))
     }
 
-    /// What changes together with a free column, itself first.
+    /// The columns that change together with a free column, itself first.
     pub(crate) fn together(&self, free: usize) -> impl Iterator<Item = usize> {
         let rows = self.0.pivots.iter().zip(self.0.entries.chunks_exact(self.0.width.max(1)));
         let moves = rows.filter(move |(_, row)| row.get(free).is_some_and(|entry| entry.abs() > NEGLIGIBLE));

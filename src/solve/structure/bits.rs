@@ -8,7 +8,7 @@ const NEAR: usize = 2;
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Bits {
     near: [u64; NEAR],
-    /// None where the capacity needs no more.
+    /// `None` where the capacity needs no more.
     far: Option<Box<[u64]>>,
 }
 

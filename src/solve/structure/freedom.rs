@@ -1,4 +1,4 @@
-//! What the equations leave free, judged by their derivatives at sampled values: equations that say the same twice
+//! The freedom that equations leave, judged by their derivatives at sampled values: equations that say the same twice
 //! do not determine twice as much, whatever counting says.
 
 use super::super::System;
@@ -59,7 +59,8 @@ impl Freedom {
     }
 }
 
-/// What is left of a vector after its share in each vector of the basis is taken away; each of those has an entry of 1.
+/// The remainder of a vector after its share in each vector of the basis is taken away; each of those has an entry of
+/// 1.
 fn reduced(mut vector: Vec<f64>, basis: &[Vec<f64>]) -> Vec<f64> {
     for other in basis {
         let Some(place) = other.iter().position(|entry| (entry - 1.0).abs() < f64::EPSILON) else { continue };

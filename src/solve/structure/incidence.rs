@@ -21,7 +21,7 @@ pub(crate) struct Structure {
 pub(crate) struct Row {
     /// Its position in the system.
     pub(crate) equation: usize,
-    /// What using it costs.
+    /// The cost of using it.
     pub(crate) cost: u32,
     /// The columns that it contains.
     pub(crate) unknowns: Bits,

@@ -1,4 +1,4 @@
-//! What is seen of equations by which symbols they contain, and by their derivatives at sampled places.
+//! The structure of equations: which symbols they contain, and their derivatives at sampled places.
 
 pub(super) mod basis;
 pub(super) mod bits;

@@ -15,7 +15,7 @@ use super::super::replay::workspace::{Constants, Workspace};
 use super::super::replay::writer::Writer;
 use super::incidence::ascending;
 
-/// What must be zero where all equations hold, as a function of the symbols that no equation defines.
+/// The residuals, zero where all equations hold, as a function of the symbols that no equation defines.
 #[derive(Debug)]
 pub(super) struct Residuals {
     tape: Vec<Instruction>,
@@ -91,7 +91,7 @@ impl Residuals {
     }
 }
 
-/// What must be zero.
+/// The residuals: zero where all equations hold.
 #[derive(Debug)]
 struct Zero {
     register: Register,

@@ -34,7 +34,8 @@ const EQUAL: f64 = 1e-10;
 /// A value nearer to zero than this is no example: `(F_A + F_B) dt = 0` holds for `dt = 0`, whatever the forces.
 const NOTHING: f64 = 0.02;
 
-/// What keeps a step short: at first, and at least, since of equations that say the same twice no step is the shortest.
+/// The damping that keeps a step short: at first, and at least, since of equations that say the same twice no step is
+/// the shortest.
 const DAMPING: (f64, f64) = (1e-2, 1e-10);
 
 /// Places at which systems hold in which the same symbols are positive, each found once.
@@ -176,7 +177,7 @@ fn settled(residuals: &Residuals, positive: &[bool], start: Vec<f64>) -> Option<
     None
 }
 
-/// What the rows state, after what is fixed.
+/// The statements of the rows, after what is fixed.
 fn stated<'s>(system: &'s System, structure: &Structure) -> Vec<Cow<'s, Statement>> {
     let fixed = system
         .fixed

@@ -13,11 +13,11 @@ pub struct Decision {
     pub because: String,
     /// The common mistake that leads to another phrase, where there is one.
     pub behind: Option<&'static Misconception>,
-    /// What there is to say to a student who chose an option wrongly, in the order of the options.
+    /// The feedback to a student who chose an option wrongly, in the order of the options.
     pub feedback: Vec<OptionFeedback>,
 }
 
-/// What there is to say of an option that is wrong.
+/// The feedback on an option that is wrong.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum OptionFeedback {
     /// Nothing but what is said of the question.
@@ -25,7 +25,7 @@ pub enum OptionFeedback {
     Nothing,
     /// The author's own words.
     Own(String),
-    /// What the mistake that leads to it says.
+    /// The explanation of the mistake that leads to it.
     Mistake(&'static Misconception),
 }
 

@@ -1,4 +1,4 @@
-//! Of which kind an impact is: elastic, inelastic or perfectly plastic, as its kinetic energies and velocities say.
+//! The kind of an impact: elastic, inelastic or perfectly plastic, as its kinetic energies and velocities say.
 
 use momentous_expr::Expr;
 use momentous_fault::Code;
@@ -22,7 +22,7 @@ use super::settled::stage;
 /// The kinds of impact, in the order in which they are offered; a perfectly plastic one is inelastic, too.
 const KINDS: [&str; 3] = ["elastic", "inelastic, but not perfectly", "perfectly plastic"];
 
-/// Of which kind an impact is.
+/// Asks of which kind an impact is.
 pub(crate) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
     let index = stage(ask.stage.as_deref(), builder, path)?;
     let Some(Stage::Impact(impact)) = loaded.draft.scene.stages.get(index) else {

@@ -74,8 +74,8 @@ pub(crate) fn impulsive(
     Some((format!("Is {named} impulsive during {phrase}?"), yes_or_no(verdict, behind)))
 }
 
-/// What must hold for a force to be too weak to be impulsive: the impulse of weight is small where it is given how long the
-/// contact lasts.
+/// The tests by which a force is too weak to be impulsive: the impulse of weight is small where it is given how long the contact
+/// lasts.
 fn is_weak(ask: &Impulsive, builder: &mut Builder<'_>, stage: usize) -> Vec<Condition> {
     if !["weight", "gravity"].contains(&ask.impulsive.trim().trim_start_matches("the ")) {
         return Vec::new();

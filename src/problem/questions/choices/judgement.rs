@@ -25,7 +25,7 @@ pub(crate) struct Case {
     pub right: usize,
     /// The ways that the scene has to go: each a choice, counted from 0, and what happens there.
     pub ways: Vec<(usize, String)>,
-    /// What has to hold.
+    /// The conditions of this case.
     pub tests: Vec<Test>,
     /// Why it is right, as a sentence without a full stop; empty where that is what a test says that does not hold.
     pub because: String,
@@ -75,7 +75,7 @@ impl Judgement {
         Self { behind, returns, ..self }
     }
 
-    /// What decides between the cases.
+    /// The equalities that decide between the cases.
     pub(crate) fn equalities(&self) -> impl Iterator<Item = &Equality> {
         self.cases.iter().flat_map(|case| &case.tests).map(|test| &test.equality)
     }
@@ -85,7 +85,7 @@ impl Judgement {
         self.equalities().flat_map(Equality::symbols).collect()
     }
 
-    /// What has to be solved for it.
+    /// The quantities that have to be solved for it.
     pub(crate) fn quantities(&self) -> Vec<Symbol> {
         let mut quantities: Vec<Symbol> = Vec::new();
         for symbol in self.equalities().flat_map(Equality::quantities) {

@@ -14,9 +14,9 @@ pub struct Offer {
     pub(crate) stream: String,
     /// The options in the order of the file; one that is right where no other is stands last.
     pub(crate) options: Vec<Offered>,
-    /// What their texts print.
+    /// The symbols that their texts print.
     pub(crate) printed: BTreeSet<Symbol>,
-    /// What the options that may be right print and has no value of its own.
+    /// The symbols that the options which may be right print and that have no value of their own.
     pub(crate) solved: Vec<Symbol>,
 }
 
@@ -27,7 +27,7 @@ pub(crate) struct Offered {
     pub truth: Truth,
     /// Why it is right, where it is.
     pub because: Option<Text>,
-    /// What is said to a student who chose it and is wrong.
+    /// The feedback to a student who chose it and is wrong.
     pub feedback: Option<Text>,
 }
 
@@ -53,7 +53,7 @@ impl Offer {
         &self.symbols() | &self.printed
     }
 
-    /// What has to be solved for it.
+    /// The quantities that have to be solved for it.
     pub(crate) fn quantities(&self) -> Vec<Symbol> {
         let claimed = self.claims().flat_map(|claim| claim.quantities.iter().copied());
         let all: BTreeSet<Symbol> = claimed.chain(self.solved.iter().copied()).collect();
@@ -75,7 +75,7 @@ impl Offer {
         })
     }
 
-    /// What the right option prints and has no value of its own, where the author says which one is right.
+    /// The symbols that the right option prints and that have no value of their own, where the author says which one is right.
     #[must_use]
     pub fn always_right(&self) -> Option<&[Symbol]> {
         self.claims().next().is_none().then_some(&self.solved)

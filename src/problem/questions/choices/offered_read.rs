@@ -93,7 +93,7 @@ struct Reader<'r, 'b> {
 }
 
 impl Reader<'_, '_> {
-    /// What may be left out; its fault is noted.
+    /// Reads a text that may be left out; its fault is noted.
     fn any(&mut self, text: Option<&String>, path: &Path) -> Option<Text> {
         self.plain(text?, path)
     }
@@ -132,7 +132,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// What is wrong with the options by themselves.
+/// The faults of the options by themselves.
 fn misfits(ask: &ask::Choose, path: &Path) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut add = |code, path: Path, message: String, help: &str| {

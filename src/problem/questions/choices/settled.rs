@@ -1,4 +1,5 @@
-//! What questions that the scene settles share: the stage that is meant, the names of bodies, and an answer by yes or no.
+//! The common ground of questions that the scene settles: the stage that is meant, the names of bodies, and an answer by yes or
+//! no.
 
 use momentous_fault::Code;
 use momentous_fault::Fault;

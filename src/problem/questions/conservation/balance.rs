@@ -15,7 +15,7 @@ pub(crate) struct Balance<'a> {
     pub is_sudden: bool,
 }
 
-/// What decides a question of conservation: what has to hold, why it is conserved then, and the words for both instants.
+/// The decision of a question of conservation: what has to hold, why it is conserved then, and the words for both instants.
 pub(crate) struct Verdict {
     pub tests: Vec<Test>,
     pub because: String,

@@ -86,7 +86,7 @@ fn check_bodies(ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Opti
     None
 }
 
-/// What leaves a body carries its share away, so that forces do not decide what the rest keeps.
+/// Matter that leaves a body carries its share away, so that forces do not decide what the rest keeps.
 fn keeps_its_mass(ask: &Conserved, stage: usize, builder: &mut Builder<'_>, path: &Path) -> Option<()> {
     let Some(Stage::Push(push)) = builder.scene().stages.get(stage) else { return Some(()) };
     let loses = push.loses.as_ref().filter(|_| push.pushed().any(|pushed| ask.of.iter().any(|body| body == pushed)));

@@ -1,4 +1,4 @@
-//! What is conserved in a stage that lasts: what acts from outside decides, at every moment.
+//! Conservation in a stage that lasts: the influences from outside decide, at every moment.
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -191,8 +191,8 @@ pub(crate) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case
     (!ways.is_empty()).then(|| Case::new(0, Vec::new(), because).only(ways))
 }
 
-/// What acts on bodies that have the same velocity all through the stage, for each such group: only there the power of all forces is
-/// that of their sum. Bodies in a row, or on a plain string, move alike; any other moves by itself.
+/// The influences on bodies that have the same velocity all through the stage, for each such group: only there the power of all
+/// forces is that of their sum. Bodies in a row, or on a plain string, move alike; any other moves by itself.
 fn moving_alike<'i>(acting: &[&'i Influence], balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<Vec<&'i Influence>> {
     let stage = builder.scene().stages.get(balance.stage);
     let is_plain = |string: &Connected| string.trailing.strands() == string.leading.strands();
@@ -210,7 +210,7 @@ fn moving_alike<'i>(acting: &[&'i Influence], balance: &Balance<'_>, builder: &B
     groups
 }
 
-/// What acts on bodies of the system.
+/// The influences on bodies of the system.
 fn on_system<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b Influence> {
     let scene = builder.scene();
     let is_in = |influence: &Influence| {
@@ -225,7 +225,7 @@ fn from_outside<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b 
     on_system(balance, builder).into_iter().filter(|influence| !influence.is_within(&balance.ask.of)).collect()
 }
 
-/// What has to hold so that effects have nothing to do together: none is there, or they cancel at every moment.
+/// The tests by which effects have no effect together: none is there, or they cancel at every moment.
 fn net<'e>(
     loaded: &Loaded,
     balance: &Balance<'_>,
@@ -257,7 +257,7 @@ fn impulse(influence: &Influence, builder: &Builder<'_>) -> String {
     format!("{} exerts an external impulse on {}", influence.called, builder.name_of(&influence.on))
 }
 
-/// What it says where it does work; no word of what acts at right angles to the motion.
+/// The words for the work of an influence; none for one at right angles to the motion.
 fn work(influence: &Influence, builder: &Builder<'_>) -> String {
     if matches!(influence.work, Work::Balances) {
         return String::new();

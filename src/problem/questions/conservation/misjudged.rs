@@ -14,7 +14,7 @@ use super::verdict::verdict;
 const YES: usize = 0;
 const NO: usize = 1;
 
-/// What leads to the wrong answer on whether a quantity is conserved in a stage.
+/// The mistakes that lead to the wrong answer on whether a quantity is conserved in a stage.
 pub(crate) fn conserved(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Option<Behind> {
     let of = &balance.ask.of;
     let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if of.contains(other));

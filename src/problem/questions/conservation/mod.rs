@@ -1,4 +1,4 @@
-//! What is conserved in a stage, and the mistake behind a wrong answer.
+//! Questions of conservation in a stage, and the mistake behind a wrong answer.
 
 pub(crate) mod balance;
 pub(crate) mod conserved;

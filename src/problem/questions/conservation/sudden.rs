@@ -1,4 +1,4 @@
-//! What is conserved in a stage that takes no time: what is there before and after it decides.
+//! Conservation in a stage that takes no time: the terms before and after it decide.
 
 use momentous_expr::Expr;
 use momentous_model::Agent;

@@ -1,5 +1,5 @@
-//! What decides whether a quantity is conserved: in a sudden stage what there is before and after, in one that lasts what acts
-//! from outside all the way.
+//! The tests of conservation: in a sudden stage the terms before and after, in one that lasts the influences from outside all the
+//! way.
 
 use momentous_model::Builder;
 
@@ -10,7 +10,7 @@ use super::balance::Verdict;
 use super::lasting;
 use super::sudden;
 
-/// What decides whether a quantity is conserved; `None` where the scene does not tell the quantity.
+/// The tests by which a quantity is conserved; `None` where the scene does not tell the quantity.
 pub(crate) fn verdict(
     loaded: &Loaded,
     balance: &Balance<'_>,

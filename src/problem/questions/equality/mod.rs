@@ -29,7 +29,7 @@ pub enum Equality {
     Always,
     /// In no variant.
     Never,
-    /// As the numbers of a variant say.
+    /// Decided by the numbers of a variant.
     InNumbers(Sides),
 }
 
@@ -38,7 +38,7 @@ pub enum Equality {
 pub struct Sides {
     /// The terms.
     pub terms: [Expr; 2],
-    /// Of what they contain, what has to be solved.
+    /// The quantities among them that have to be solved.
     pub quantities: Vec<Symbol>,
     /// The clock of a stage, and the moments at which terms in it are compared.
     pub clock: Option<(Symbol, Vec<Expr>)>,
@@ -110,7 +110,7 @@ impl Equality {
         }
     }
 
-    /// What has to be solved for it.
+    /// The quantities that have to be solved for it.
     pub(crate) fn quantities(&self) -> &[Symbol] {
         match self {
             Self::Always | Self::Never => &[],

@@ -21,7 +21,7 @@ use super::super::super::reading::load::Loaded;
 use super::data::half_of_last_place;
 use super::difference::fixed;
 
-/// What is known of the values of quantities before any is drawn.
+/// The ranges of quantities before any value is drawn.
 pub(super) struct Ranges<'b, 's> {
     builder: &'b Builder<'s>,
     /// From where to where, with twice the precision of the data on either side.
@@ -148,7 +148,7 @@ fn bounded(low: f64, high: f64) -> Option<Bounded> {
     value.is_finite().then_some(Bounded { value, error })
 }
 
-/// What conditions say of a quantity by two numbers: a coefficient of restitution lies between 0 and 1.
+/// The quantities that conditions bound by two numbers: a coefficient of restitution lies between 0 and 1.
 fn limits(conditions: &[Condition]) -> Vec<(Symbol, Bounded)> {
     let mut found: BTreeMap<Symbol, [Option<f64>; 2]> = BTreeMap::new();
     for condition in conditions {

@@ -57,7 +57,7 @@ const WRONG: [Wrong; 6] = [
 const ALIKE: f64 = 0.2;
 
 impl Diagram {
-    /// What it depends on.
+    /// The terms on which it depends.
     pub(crate) fn terms(&self) -> impl Iterator<Item = &Expr> {
         self.rows.iter().flat_map(|row| row.before.iter().chain(&row.after))
     }
@@ -99,7 +99,7 @@ impl Balance {
         [&self.before, &self.impulse, &self.after]
     }
 
-    /// What moves back is drawn as if it moved on, and the impulse is the difference of the lengths.
+    /// A body that moves back is drawn as if it moved on, and the impulse is the difference of the lengths.
     fn lose_sign(&mut self) {
         let product =
             |left: &[f64], right: &[f64]| left.iter().zip(right).map(|(left, right)| left * right).sum::<f64>();

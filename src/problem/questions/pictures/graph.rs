@@ -16,7 +16,7 @@ use super::graph_mistakes;
 use super::graph_mistakes::Point;
 use super::graph_mistakes::Run;
 
-/// What a graph shows against time.
+/// Graphs of a state against time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plotted {
     /// The velocity.
@@ -38,7 +38,7 @@ pub struct Graph {
     pub along: Option<Axis>,
     /// Which sense is positive, as a sentence.
     pub positive: String,
-    /// What happens meanwhile.
+    /// The stretches of time between its ends.
     pub(crate) stretches: Vec<Stretch>,
     /// Whether nothing acts for a while before what happens, and after it.
     pub(crate) idle: [bool; 2],
@@ -48,7 +48,7 @@ pub struct Graph {
 #[derive(Clone, Debug)]
 pub(crate) struct Stretch {
     pub stage: usize,
-    /// What happens: `the fall`.
+    /// The phrase for the stage: `the fall`.
     pub phrase: String,
     /// The state at both ends.
     pub ends: [Expr; 2],
@@ -232,7 +232,7 @@ impl Stretch {
         to - from
     }
 
-    /// What becomes of the state, in words.
+    /// The change of the state, in words.
     fn change(&self, values: &Values<'_>) -> Option<String> {
         let [before, after] = self.ends.each_ref().map(|clock| clock.evaluate(values.value));
         let phrase = &self.phrase;

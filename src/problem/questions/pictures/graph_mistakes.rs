@@ -1,4 +1,4 @@
-//! What usual mistakes make of a graph.
+//! Usual mistakes as graphs.
 
 use momentous_laws::wrong::Misconception;
 use momentous_laws::wrong::concept;
@@ -152,7 +152,7 @@ fn by_stretch(runs: &[Run], height: impl Fn([Point; 2], Point) -> f64) -> Height
     runs.iter().map(heights).collect()
 }
 
-/// What acts has the opposite direction: each stage changes the state by as much the other way, and a jump by the same factor.
+/// Every force has the opposite direction: each stage changes the state by as much the other way, and a jump by the same factor.
 fn reversed(runs: &[Run]) -> Option<Heights> {
     if is_level(runs) {
         return None;

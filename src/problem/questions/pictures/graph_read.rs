@@ -25,7 +25,7 @@ use super::graph::Graph;
 use super::graph::Plotted;
 use super::graph::Stretch;
 
-/// What a graph is of.
+/// The reader of the subject of a graph.
 struct Reader<'r, 'b> {
     builder: &'r mut Builder<'b>,
     plotted: Plotted,
@@ -234,7 +234,7 @@ impl Reader<'_, '_> {
         Fault::new(Code::Value, message).help(help)
     }
 
-    /// What changes, as the body has it at an instant.
+    /// The state that changes, as the body has it at an instant.
     fn state(&mut self, whole: &str, instant: usize) -> Option<Expr> {
         match self.plotted {
             Plotted::Velocity => self.builder.velocities_of(whole, instant).get(self.position).cloned(),
@@ -279,7 +279,7 @@ impl Reader<'_, '_> {
         Some(Course { clock, during, rate, gained, breaks })
     }
 
-    /// What a normal force is, so that a mass that cancels need not be known.
+    /// The term of a normal force, so that a mass that cancels need not be known.
     fn pressing(&self, symbol: Symbol) -> Option<Expr> {
         if self.builder.name(symbol).kind != QuantityKind::NormalForce {
             return None;

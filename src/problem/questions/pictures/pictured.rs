@@ -16,13 +16,13 @@ use super::graph::Graph;
 pub struct Pictured {
     /// The name of the random stream from which their order comes.
     pub(crate) stream: String,
-    /// What they are pictures of.
+    /// The subject of the pictures.
     pub subject: Subject,
-    /// What has to be solved.
+    /// The quantities that have to be solved.
     pub(crate) quantities: Vec<Symbol>,
 }
 
-/// What pictures are of.
+/// The subjects of pictures.
 #[derive(Clone, Debug)]
 pub enum Subject {
     /// The momenta and impulses of a stage.
@@ -34,15 +34,15 @@ pub enum Subject {
 /// A picture that is offered.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// What it is called: `diagram A`.
+    /// Its name: `diagram A`.
     pub name: String,
-    /// What it shows.
+    /// The drawing on it.
     pub shows: Shows,
     /// The mistake that leads to it; none of the right one.
     pub mistake: Option<&'static Misconception>,
 }
 
-/// What a picture shows.
+/// The drawing on a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shows {
     /// The rows of a diagram.

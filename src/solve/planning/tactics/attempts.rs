@@ -1,5 +1,5 @@
-//! What each tactic made of each block: the forms of a problem, the ways in which its scene can go and the audits share most of
-//! their blocks, and algebra is dear.
+//! The results of each tactic on each block, kept: the forms of a problem, the ways in which its scene can go and the
+//! audits share most of their blocks, and algebra is dear.
 
 use std::collections::BTreeMap;
 
@@ -15,12 +15,13 @@ type Tried = (Tactic, Vec<usize>, Vec<Symbol>);
 /// These equations, as they stood, and what came of it.
 type Made = (Vec<Statement>, Result<Step, Refusal>);
 
-/// What came of tactics on the blocks of systems in which the same symbols are positive, and the same values known beforehand.
+/// The results of tactics on the blocks of systems in which the same symbols are positive, and the same values known
+/// beforehand.
 #[derive(Clone, Debug, Default)]
 pub struct Attempts(BTreeMap<Tried, Vec<Made>>);
 
 impl Attempts {
-    /// What came of a tactic on a block; found by `attempt` where it was not tried before on the same equations.
+    /// The result of a tactic on a block; found by `attempt` where it was not tried before on the same equations.
     pub(super) fn made(
         &mut self,
         block: &Block,

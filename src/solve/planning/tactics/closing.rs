@@ -1,9 +1,9 @@
-//! What a tactic makes of a block: its roots with the moves that lead to them, or why it does not serve.
+//! The outcome of a tactic on a block: its roots with the moves that lead to them, or why it does not serve.
 
 use crate::{Closed, Move, Root};
 use momentous_expr::{Expr, Symbol};
 
-/// What closes a block.
+/// The roots of a block, with the moves that lead to them.
 #[derive(Clone, Debug)]
 pub(super) struct Closing {
     /// The unknowns in the order in which they are found.
@@ -21,7 +21,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// What closes a block of this unknown alone.
+    /// Closes a block of this unknown alone.
     pub(super) fn closing(self, unknown: Symbol) -> Closing {
         let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
         Closing { unknowns: vec![unknown], moves: self.moves, roots: self.values.into_iter().map(root).collect() }

@@ -23,7 +23,7 @@ struct Row {
     rest: Expr,
 }
 
-/// What elimination yields: the moves, and a value for each unknown in terms of those before it.
+/// The result of an elimination: the moves, and a value for each unknown in terms of those before it.
 pub(super) struct Eliminated {
     pub(super) moves: Vec<Move>,
     pub(super) values: Vec<(Symbol, Expr)>,

@@ -72,7 +72,7 @@ pub(super) fn linear_root(coefficient: &Expr, rest: &Expr) -> Result<Expr, Refus
     Ok(forward(cancelled(value)))
 }
 
-/// What an equation says from which the unknown drops out.
+/// Judges an equation from which the unknown drops out.
 pub(super) fn dropped_out(rest: &Expr) -> Refusal {
     match rest.simplify().as_number() {
         Some(value) if !value.is_zero() => Refusal::Contradiction,
