@@ -1,5 +1,5 @@
-//! What other rooms ask about a variant besides its solution: its figures, its answers as they are printed, and whether its lines
-//! come out.
+//! Questions of other rooms about a variant besides its solution: its figures, its answers as they are printed, and whether its
+//! lines come out.
 
 use momentous_expr::Math;
 use momentous_expr::Symbol;

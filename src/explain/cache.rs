@@ -18,7 +18,7 @@ use super::terms::manner::Manners;
 use super::working::script;
 use super::working::script::Script;
 
-/// What is kept of a form: one place for each way in which the scene can go.
+/// The kept parts of a form's solutions: one place for each way in which the scene can go.
 pub(super) struct SolutionCache {
     ways: Vec<WayCache>,
 }
@@ -30,7 +30,7 @@ pub(super) struct WayCache {
     pub manners: Manners,
     /// The section on the system.
     pub system: OnceLock<Vec<Block>>,
-    /// What its figures share.
+    /// The parts that its figures share.
     pub pictures: PictureCache,
     /// The sentences beneath the diagrams.
     pub acting: OnceLock<Vec<Block>>,
@@ -68,13 +68,13 @@ impl WayCache {
 }
 
 impl SolutionCache {
-    /// What is kept of a form.
+    /// The kept parts of a form.
     pub(super) fn of(worked: Worked<'_>) -> Arc<Self> {
         let PlannedForm { cache, solver, .. } = worked.form;
         cache.get(|| Self { ways: solver.leaves().iter().map(|_| WayCache::new(worked)).collect() })
     }
 
-    /// What is kept of the way that a variant goes.
+    /// The kept parts of the way that a variant goes.
     pub(super) fn way(&self, worked: Worked<'_>) -> &WayCache {
         // There is always one, as there is of the ways themselves.
         self.ways.get(worked.variant.leaf()).unwrap_or(&self.ways[0])

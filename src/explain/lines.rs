@@ -45,9 +45,9 @@ pub struct Line {
     pub operation: Operation,
     /// The places of the lines that it came from.
     pub from: Vec<usize>,
-    /// What the operation multiplied by.
+    /// The factor of a multiplication.
     pub factor: Option<String>,
-    /// What was divided by, and is not zero.
+    /// The divisors, none of which is zero.
     pub not_zero: Vec<String>,
     /// The law that it states, by its id.
     pub law: Option<&'static str>,
@@ -65,7 +65,7 @@ pub enum Operation {
     Add,
     /// The factor is zero for the values given, and the term of the line that holds it was left out.
     Vanish,
-    /// What the first line says the quantity on its left side equals was put into the second.
+    /// The quantity on the left side of the first line was put into the second.
     Substitute,
     /// Both sides were squared; neither is negative.
     Square,

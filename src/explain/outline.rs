@@ -17,13 +17,13 @@ pub struct Outline {
 pub struct Section {
     /// Its heading, without a number.
     pub heading: String,
-    /// Who reads it.
+    /// Its reader.
     pub audience: Audience,
-    /// What it holds.
+    /// Its contents.
     pub blocks: Vec<Block>,
 }
 
-/// Who reads a section.
+/// The reader of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Audience {
     /// Students and instructors.

@@ -16,7 +16,7 @@ use super::{Drawing, Point, Role, Shape};
 
 const LONGEST_MOMENTUM: f64 = 54.0;
 const LONGEST_RADIUS: f64 = 72.0;
-/// What is seen of the shortest radius, between the centre and the body.
+/// The length at which the shortest radius is drawn between the centre and the body.
 const SHORTEST_LINE: f64 = 10.0;
 /// An arrow whose direction lies this near (cosine) to that of the centre points towards it.
 const INWARDS: f64 = 0.9;
@@ -25,7 +25,7 @@ const ARC_RADIUS: f64 = 20.0;
 const ARC_FROM: f64 = -PI / 3.0;
 const ARC_TURN: f64 = 1.4 * PI;
 
-/// What an angular impulse-momentum diagram shows.
+/// Input of an angular impulse-momentum diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AngularDiagram {
     /// Title, description, caption.
@@ -63,7 +63,7 @@ pub struct AngularState {
 /// An angular impulse, positive counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AngularImpulse {
-    /// What is written at its arc.
+    /// The label at its arc.
     pub label: Math,
     /// Its value; only the sign is drawn. `None` where it is not known.
     pub value: Option<f64>,
@@ -91,7 +91,7 @@ impl TurnDiagram {
     }
 }
 
-/// What stands over the three panels.
+/// The headings over the three panels.
 pub(super) fn headings() -> [Math; 3] {
     ["before", "angular impulse", "after"].map(|words| Math::Text(words.to_owned()))
 }

@@ -17,7 +17,7 @@ const LONGEST_ARROW: f64 = 40.0;
 /// The longest arm where the shortest has room at its true length, and where it has not.
 const LONGEST_ARM: f64 = 74.0;
 const FARTHEST_ARM: f64 = 120.0;
-/// What is seen of the shortest arm, between the centre and the body.
+/// The length at which the shortest arm is drawn between the centre and the body.
 const SHORTEST_LINE: f64 = 12.0;
 /// Clear space about the outermost arc.
 const ARC_ROOM: f64 = 7.0;
@@ -41,7 +41,7 @@ pub struct Arm {
     pub particles: Vec<OnArm>,
     /// The radius of a disc that carries the particles, in the unit of their distances.
     pub disc: Option<f64>,
-    /// What turns the arm, and how it turns, drawn as arcs about the centre.
+    /// The moments on the arm, and its turns, drawn as arcs about the centre.
     pub turns: Vec<(Moment, Role)>,
 }
 

@@ -35,7 +35,7 @@ pub(super) struct Body {
     is_deck: bool,
     /// In which directions arrows lie already, seen from the centre.
     taken: Vec<Point>,
-    /// What it consists of, where it is several bodies in one.
+    /// The bodies of which it consists, where it is several in one.
     parts: Vec<Body>,
     /// Whether it has rollers at its ends.
     has_rollers: bool,

@@ -7,7 +7,7 @@ use momentous_expr::Math;
 pub struct Drawing {
     /// Short title, for screen readers.
     pub title: String,
-    /// What it shows, in a sentence or two, for screen readers.
+    /// Its description in a sentence or two, for screen readers.
     pub description: String,
     /// The caption beneath it.
     pub caption: String,
@@ -15,7 +15,7 @@ pub struct Drawing {
     pub low: Point,
     /// Upper right corner.
     pub high: Point,
-    /// What is drawn, in order.
+    /// The shapes, in the order in which they are drawn.
     pub shapes: Vec<Shape>,
 }
 
@@ -28,7 +28,7 @@ pub struct Point {
     pub y: f64,
 }
 
-/// What a shape means; it decides line width and colour, in one table for both writers.
+/// The role of a shape; it decides line width and colour, in one table for both writers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// A body's outline.
@@ -62,7 +62,7 @@ pub enum Shape {
     Line {
         /// Its points.
         points: Vec<Point>,
-        /// What it means.
+        /// Its role.
         role: Role,
         /// Whether it is dashed.
         dashed: bool,
@@ -73,7 +73,7 @@ pub enum Shape {
         from: Point,
         /// Its tip.
         to: Point,
-        /// What it means.
+        /// Its role.
         role: Role,
     },
     /// A circle.
@@ -82,7 +82,7 @@ pub enum Shape {
         centre: Point,
         /// Its radius.
         radius: f64,
-        /// What it means.
+        /// Its role.
         role: Role,
     },
     /// A rectangle, turned by `angle` radians about its centre.
@@ -93,7 +93,7 @@ pub enum Shape {
         size: Point,
         /// Its turn, counter-clockwise.
         angle: f64,
-        /// What it means.
+        /// Its role.
         role: Role,
     },
     /// An arc, counter-clockwise.
@@ -108,28 +108,28 @@ pub enum Shape {
         to: f64,
         /// Whether it has an arrow head at its end.
         arrow: bool,
-        /// What it means.
+        /// Its role.
         role: Role,
     },
     /// A closed, lightly filled region without an outline; labels may lie on it.
     Area {
         /// Its corners.
         points: Vec<Point>,
-        /// What it means.
+        /// Its role.
         role: Role,
     },
     /// A label, centred on a point.
     Label {
         /// Its centre.
         at: Point,
-        /// What it says.
+        /// Its text.
         text: Math,
         /// Colour follows this role.
         role: Role,
     },
 }
 
-/// What stands in place of a value that is not known.
+/// The sign in place of a value that is not known.
 pub(super) fn unknown() -> Math {
     Math::Text("?".to_owned())
 }
@@ -201,7 +201,7 @@ impl Shape {
         }
     }
 
-    /// What it means.
+    /// The role of the shape.
     fn role(&self) -> Role {
         match self {
             Self::Line { role, .. }

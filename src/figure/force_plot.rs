@@ -18,7 +18,7 @@ const TICK_GAP: f64 = 4.0;
 const HEADROOM: f64 = 1.12;
 const AXIS_OVERHANG: f64 = 24.0;
 
-/// What a plot of force against time shows.
+/// Input of a plot of force against time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForcePlot {
     /// Title, description, caption.
@@ -29,13 +29,13 @@ pub struct ForcePlot {
     pub force: PlotAxis,
     /// (time, force) in increasing order of time; straight lines between them. Points that are not finite are left out.
     pub points: Vec<[f64; 2]>,
-    /// What is written in the shaded area; without it the area is not shaded.
+    /// The label in the shaded area; without it the area is not shaded.
     pub area: Option<Math>,
     /// Times with names of their own, such as `t_a`: marked by dashed lines up to the curve.
     pub marks: Vec<(f64, Math)>,
 }
 
-/// What is measured along an axis.
+/// The measure along an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotAxis {
     /// Its symbol: `F`.
@@ -238,7 +238,7 @@ impl Rows {
 }
 
 impl PlotAxis {
-    /// What is written at the axis, in rising order.
+    /// The labels at the axis, in rising order.
     fn marked(&self, ticks: &Ticks) -> Vec<(f64, Math)> {
         if self.told.is_empty() {
             return ticks.values.iter().map(|value| (*value, Math::Number(ticks.text(*value)))).collect();

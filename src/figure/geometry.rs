@@ -175,7 +175,7 @@ fn digit(number: u64) -> char {
     char::from(b'0' + (number % 10) as u8)
 }
 
-/// What of a coordinate is printed.
+/// The part of a coordinate that is printed.
 pub(super) fn hundredths(value: f64) -> i64 {
     let hundredths = (value * 100.0).round();
     #[allow(clippy::cast_possible_truncation, reason = "no picture is that large")]

@@ -1,4 +1,4 @@
-//! What the diagrams are told: plain numbers and finished labels, without a notion of where they come from.
+//! Inputs of the diagrams: plain numbers and finished labels, without a notion of where they come from.
 
 use momentous_expr::Math;
 use momentous_expr::Operator;
@@ -9,12 +9,12 @@ use super::{Drawing, Point};
 /// Free space around a figure, so that line widths and fonts wider than estimated are not cut.
 pub(super) const MARGIN: f64 = 6.0;
 
-/// What a figure is called and what is said about it.
+/// The title of a figure and the words about it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wording {
     /// Short title, for screen readers.
     pub title: String,
-    /// What it shows, in a sentence or two, for screen readers.
+    /// Its description in a sentence or two, for screen readers.
     pub description: String,
     /// The caption beneath it.
     pub caption: String,
@@ -37,7 +37,7 @@ impl Wording {
 /// A vector with its label: `m_A v_A1` and (6, 0), in any one unit for all vectors of a kind in a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelledVector {
-    /// What is written beside its arrow.
+    /// The label beside its arrow.
     pub label: Math,
     /// Its components to the right and upwards; `None` where it is not known.
     pub value: Option<[f64; 2]>,

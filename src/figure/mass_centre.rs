@@ -22,12 +22,12 @@ const MARK: f64 = 4.5;
 /// Particles that would be drawn nearer to each other than this and by so much smaller with the origin are drawn without it.
 const NEAREST: f64 = 36.0;
 const SMALLER: f64 = 0.7;
-/// What is said of an origin that is not drawn.
+/// The sentence about an origin that is not drawn.
 const FAR_ORIGIN: &str = "The origin of the axes lies outside the figure.";
 /// How far from the velocity a force is drawn that points the same way.
 const BESIDE: f64 = 5.0;
 
-/// What a figure of a centre of mass shows.
+/// Input of a figure of a centre of mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassCentre {
     /// Title, description, caption.
@@ -36,7 +36,7 @@ pub struct MassCentre {
     pub particles: Vec<PlacedParticle>,
     /// The centre of mass, where it is to be shown: its name, place and velocity.
     pub centre: Option<PlacedParticle>,
-    /// What the arrows are.
+    /// The kind of the arrows.
     pub arrows: Travel,
     /// The name of the point from which the places are told, where it is to be shown.
     pub origin: Option<Math>,
@@ -44,7 +44,7 @@ pub struct MassCentre {
     pub axes: Vec<AxisMark>,
 }
 
-/// What the arrows of particles are.
+/// The kinds of the arrows of particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Travel {
     /// Velocities, to a scale of their own.

@@ -21,7 +21,7 @@ const WIDEST: f64 = 440.0 + 2.0 * MARGIN;
 const LINE_OVERHANG: f64 = 16.0;
 const SURFACE_HALF: f64 = 26.0;
 
-/// What an impulse-momentum diagram shows. All vectors are in one unit: momentum and impulse have the same dimension.
+/// Input of an impulse-momentum diagram. All vectors are in one unit: momentum and impulse have the same dimension.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MomentumDiagram {
     /// Title, description, caption.
@@ -32,7 +32,7 @@ pub struct MomentumDiagram {
     pub axes: Vec<AxisMark>,
 }
 
-/// What a diagram balances.
+/// The balance that a diagram shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Quantity {
     /// Momentum, by impulses.

@@ -23,7 +23,7 @@ pub(super) struct Row {
     pub panels: Vec<Canvas>,
 }
 
-/// What stands between the panels: before + impulse = after; between two of them the last one.
+/// The signs between the panels: before + impulse = after; between two of them the last one.
 static SIGNS: LazyLock<[Math; 2]> = LazyLock::new(|| [Operator::Plus, Operator::Equals].map(Math::Operator));
 
 /// Rows in columns: headings above, signs between, axes at the lower left.

@@ -8,7 +8,7 @@ use super::extent::{Contact, Extent, Measure, extent, label_extent};
 use super::scale::Scale;
 use super::{Drawing, Point, Role, Shape};
 
-/// What is said of arrows that are not to scale.
+/// The sentence about arrows that are not to scale.
 const LENGTHENED: &str = "The shortest arrows are drawn longer than to scale.";
 /// Clear space between a label and what it belongs to.
 const GAP: f64 = 3.0;
@@ -36,7 +36,7 @@ const RING_STEP: f64 = 5.0;
 const RINGS: u32 = 80;
 const RING_PLACES: u32 = 16;
 
-/// What a label belongs to.
+/// The owner of a label.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Anchor {
     /// A line or an arrow: beside its middle, then beside other parts of it, then beyond its end.
@@ -54,7 +54,7 @@ pub(super) struct Canvas {
     /// The box of each shape, which is compared with many places: measuring is dear.
     frames: Vec<Extent>,
     wishes: Vec<(Math, Role, Anchor)>,
-    /// What the caption has to say of how things are drawn.
+    /// The remarks of the caption on how things are drawn.
     notes: Vec<&'static str>,
 }
 
@@ -254,7 +254,7 @@ pub(super) fn on_baseline(x: f64, height: f64, text: &Math) -> Point {
 pub struct Overlap {
     /// The label.
     pub label: Shape,
-    /// What it touches.
+    /// The shape that it touches.
     pub other: Shape,
 }
 

@@ -18,7 +18,7 @@ pub(super) struct Look {
     pub face: Face,
     /// Relative to the size of the label.
     pub size: f64,
-    /// Of its baseline, in units of the label's size.
+    /// The rise of its baseline, in units of the label's size.
     pub rise: f64,
 }
 

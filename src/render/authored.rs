@@ -27,7 +27,7 @@ const SCHEMES: [&str; 3] = ["https://", "http://", "mailto:"];
 /// Raw HTML in it is text, and is printed as such.
 #[derive(Debug)]
 pub(super) struct Authored<'a> {
-    /// What the author wrote.
+    /// The text that the author wrote.
     pub source: &'a str,
     /// Its pieces in reading order.
     pub pieces: Vec<Piece<'a>>,
@@ -42,7 +42,7 @@ pub(super) enum Piece<'a> {
     Event(Event<'a>),
     /// Mathematics.
     Math {
-        /// As the author wrote it, without its dollars.
+        /// The text as the author wrote it, without its dollars.
         tex: String,
         /// The same as a complete `<math>` element.
         mathml: String,

@@ -1,4 +1,4 @@
-//! What comes out: the format, the text, and the files that lie beside it.
+//! The result: the format, the text, and the files that lie beside it.
 
 use std::fmt;
 use std::str::FromStr;
@@ -86,6 +86,6 @@ pub struct Document {
 pub struct BesideFile {
     /// Its name, relative to the document's folder.
     pub name: String,
-    /// What it holds.
+    /// Its text.
     pub text: String,
 }

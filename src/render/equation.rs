@@ -47,7 +47,7 @@ impl<'a> Row<'a> {
         Self { items: left.into_iter().chain(right).map(|item| item.math.into_owned()).collect(), aligned, widths }
     }
 
-    /// What stands before the alignment; empty where the row continues the one above.
+    /// The terms before the alignment; empty where the row continues the one above.
     pub fn left(&self) -> &[Math] {
         &self.items[..self.aligned]
     }
@@ -171,7 +171,7 @@ fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
     items
 }
 
-/// What a continued sum begins with: a gap, and an empty operand, so that its sign is spaced as one between two.
+/// The beginning of a continued sum: a gap, and an empty operand, so that its sign is spaced as one between two.
 fn indent() -> Vec<Item<'static>> {
     [Math::Text("\u{2003}".to_owned()), Math::Identifier(String::new())]
         .map(|math| Item::new(Cow::Owned(math)))

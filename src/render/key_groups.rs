@@ -12,7 +12,7 @@ pub(super) struct Group<'a> {
     pub rows: Vec<Vec<&'a KeyRow>>,
 }
 
-/// What tells problems of a key apart: what is asked, and where on its sheet it stands.
+/// The mark by which problems of a key are told apart: what is asked, and where on its sheet it stands.
 fn problem(row: &KeyRow) -> (&str, Option<&str>, &str) {
     let number = row.part.trim_end_matches(|letter: char| !letter.is_ascii_digit());
     (&row.identity.problem, row.identity.form.as_deref(), number)

@@ -25,7 +25,7 @@ const SPECIAL: [(char, &str); 14] = [
     ('`', r"\textasciigrave{}"),
 ];
 
-/// What prints a sign in mathematics that the usual text fonts lack.
+/// Commands for signs in mathematics that the usual text fonts lack.
 ///
 /// ```
 /// assert_eq!(momentous_render::latex_sign('Δ'), Some(r"\Delta"));

@@ -25,7 +25,7 @@ use super::writer::Writer;
 /// The cells of a row of an aligned equation. Style sheets do not go along, so each says by itself to which side it keeps.
 const ALIGNED: [&str; 2] = ["<mtd style=\"text-align: right\">", "<mtd style=\"text-align: left\">"];
 
-/// What a page of another program reads.
+/// Markup that the page of another program reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Markup {
     /// HTML with mathematics as elements of `MathML`.

@@ -15,7 +15,7 @@ pub(super) struct Element {
 /// The element that holds nothing.
 pub(super) static NOTHING: Element = Element { name: String::new(), attributes: Vec::new(), nodes: Vec::new() };
 
-/// What an element holds.
+/// The content of an element.
 #[derive(Debug)]
 pub(super) enum Node {
     Element(Element),

@@ -20,7 +20,7 @@ const DRAWN: [(&str, &str, &str); 4] = [
 const ACCENTS: &str =
     "`\u{b4}^~\u{af}\u{203e}\u{2d8}.\u{2d9}\u{a8}\u{2da}\u{2c7}\u{2192}\u{2190}\u{2194}\u{20d7}\u{21c0}\u{2c6}\u{2dc}";
 
-/// What stands between `<math>` and `</math>`, as Typst for math mode.
+/// Translates the content of `<math>` into Typst for math mode.
 pub(super) fn typst(mathml: &str) -> String {
     let mut code = TypstMath::default();
     write_row(&Element::read(mathml), &mut code);

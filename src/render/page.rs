@@ -1,4 +1,4 @@
-//! What goes in: sheets, solutions and keys, before any format.
+//! Pages before any format: sheets, solutions and keys.
 
 use momentous_explain::Audience;
 use momentous_explain::Inline;
@@ -35,7 +35,7 @@ impl<'a> From<&'a Page> for PageView<'a> {
     }
 }
 
-/// What a variant is made from; printed small, so that the same numbers can be made again.
+/// The identity of a variant: what it is made from; printed small, so that the same numbers can be made again.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
     /// The problem's id, `impact/two-carts`.
@@ -59,13 +59,13 @@ pub struct Sheet {
     pub title: String,
     /// Where it stands on a sheet with several problems; none where it is alone.
     pub place: Option<Box<SheetPlace>>,
-    /// What the variant is made from.
+    /// The identity of the variant.
     pub identity: Identity,
     /// The student's name, where the sheet is one student's.
     pub student: Option<String>,
     /// The author's Markdown with its placeholders filled in; it may hold `$`-mathematics.
     pub statement: String,
-    /// What is asked, in order.
+    /// The questions, in order.
     pub parts: Vec<SheetPart>,
     /// Constants and conventions to use, such as g.
     pub note: Vec<Inline>,
@@ -82,20 +82,20 @@ pub struct Sheet {
 pub struct SheetPlace {
     /// Its number, from 1.
     pub number: usize,
-    /// What heads the whole sheet, before its first problem.
+    /// The heading of the whole sheet, before its first problem.
     pub heading: Option<Heading>,
 }
 
-/// What heads a sheet with several problems.
+/// The heading of a sheet with several problems.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Heading {
     /// The course.
     pub course: Option<String>,
     /// The title.
     pub title: String,
-    /// What is said of the date.
+    /// The words about the date.
     pub date: Option<String>,
-    /// What all problems are worth together.
+    /// The points of all problems together.
     pub points: f64,
 }
 
@@ -104,15 +104,15 @@ pub struct Heading {
 pub struct SheetPart {
     /// Its label without brackets, `a`.
     pub label: String,
-    /// What is asked; without its full stop where a unit follows, which is printed before it.
+    /// The text of the question; without its full stop where a unit follows, which is printed before it.
     pub text: Vec<Inline>,
-    /// What can be chosen, each by its letter; none where nothing is chosen, or the text says it.
+    /// The options, each by its letter; none where nothing is chosen, or the text says it.
     pub options: Vec<String>,
     /// Pictures that can be chosen, each with its name as the caption.
     pub pictures: Vec<Drawing>,
     /// The unit the answer is to be given in.
     pub unit: Option<Math>,
-    /// What it is worth.
+    /// Its points.
     pub points: Option<f64>,
 }
 
@@ -121,7 +121,7 @@ pub struct SheetPart {
 pub struct Solution {
     /// The whole solution.
     pub outline: Outline,
-    /// What the variant is made from.
+    /// The identity of the variant.
     pub identity: Identity,
     /// Whether the instructor's sections are shown.
     pub audience: Audience,

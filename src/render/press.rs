@@ -169,7 +169,7 @@ fn faults_of(document: &str, message: &str) -> Faults {
     Faults { source: source(document), list: vec![Fault::new(Code::Template, message)] }
 }
 
-/// What Typst says, at its place where that can be shown.
+/// The message of Typst, at its place where that can be shown.
 fn fault(said: &SourceDiagnostic, document: &str, job: &Job) -> Fault {
     let shown = |range: std::ops::Range<usize>| {
         let start = document.get(..range.start)?.rfind('\n').map_or(0, |end| end + 1);

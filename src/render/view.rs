@@ -1,4 +1,4 @@
-//! What a template sees: plain values, whose marked-safe strings are already in the tongue of the format.
+//! Values that a template sees: plain ones, whose marked-safe strings are already in the tongue of the format.
 
 use std::borrow::Cow;
 

@@ -1,4 +1,4 @@
-//! What each format must be able to write; the templates arrange what a writer wrote.
+//! The writer of a format; the templates arrange what it wrote.
 
 use std::borrow::Cow;
 

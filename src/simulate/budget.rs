@@ -9,11 +9,11 @@ pub struct Budget {
     pub impacts: usize,
     /// The number of steps (of events, where a method has no steps) after which it gives up.
     pub steps: usize,
-    /// What the trajectory keeps.
+    /// The states that the trajectory keeps.
     pub keep: Keep,
 }
 
-/// What a trajectory keeps of a run.
+/// The states that a trajectory keeps of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Keep {
     /// Every segment and every impact.

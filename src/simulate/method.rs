@@ -1,4 +1,4 @@
-//! What every numerical method is: a name, and a run within a budget that ends in a trajectory or in a named refusal.
+//! The interface of every numerical method: a name, and a run within a budget that ends in a trajectory or in a named refusal.
 
 use super::budget::Budget;
 use super::refusal::Refusal;

@@ -24,7 +24,7 @@ pub struct PointImpact {
     pub restitution: f64,
 }
 
-/// What restitution compares.
+/// The quantity that restitution compares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RestitutionLaw {
     /// The normal velocities after and before.
@@ -168,7 +168,7 @@ impl PointImpact {
         })
     }
 
-    /// What friction does at a slip: it opposes it, or holds a contact that does not slip if it can.
+    /// The phase of friction at a slip: it opposes the slip, or holds a contact that does not slip if it can.
     fn phase(&self, slip: f64) -> Result<Phase, Refusal> {
         let holding = -self.coupling / self.tangential;
         let sticks = slip == 0.0 && holding.abs() <= self.friction;

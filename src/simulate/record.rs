@@ -23,7 +23,7 @@ pub struct Record {
     pub bodies: Vec<Recorded>,
     /// The walls and floors.
     pub walls: Vec<RecordedWall>,
-    /// What all bodies move about.
+    /// The pivot about which all bodies move.
     pub pivot: Option<Pivot>,
     /// How far the last body, a point of an arm seen along the line of what strikes it, is from the arm's pivot, in m.
     pub lever: Option<f64>,
@@ -44,16 +44,16 @@ pub struct Recorded {
     pub radius: f64,
 }
 
-/// What all bodies of a record move about.
+/// The pivot about which all bodies of a record move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pivot {
     /// Where it is, in m.
     pub at: Vec<f64>,
-    /// What goes from it to the bodies.
+    /// The tie from it to the bodies.
     pub tie: Tie,
 }
 
-/// What goes from a pivot to bodies.
+/// The tie from a pivot to bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tie {
     /// Nothing.
@@ -105,7 +105,8 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// What the energy balance keeps constant, in J: kinetic and potential energy and what impacts took, less the work of forces.
+    /// The energy that the balance keeps constant, in J: kinetic and potential energy and what impacts took, less the work of
+    /// forces.
     #[must_use]
     pub fn balance(&self) -> f64 {
         self.kinetic + self.potential + self.lost - self.work

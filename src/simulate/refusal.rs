@@ -34,7 +34,7 @@ pub enum Refusal {
         /// The force.
         force: String,
     },
-    /// What meets whom is not known before the run.
+    /// The contacts are not known before the run.
     #[error("no formula for the whole run: bodies may meet")]
     NoFormula,
     /// The method solves the impact of bodies that touch, and none do.
@@ -74,13 +74,13 @@ pub enum Refusal {
     Breakdown {
         /// When, in s.
         time: f64,
-        /// What happened.
+        /// The event.
         what: String,
     },
     /// The numbers make no scene.
     #[error("no scene: {what}")]
     Invalid {
-        /// What is wrong.
+        /// The fault.
         what: String,
     },
 }

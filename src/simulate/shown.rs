@@ -23,7 +23,7 @@ const LONGER: f64 = 2.0;
 /// Bodies that are so many times as fast as they approach are run in a frame that moves along.
 const MUCH_FASTER: f64 = 8.0;
 
-/// What ends a scene that is watched.
+/// Ends of a scene that is watched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// A time.
@@ -41,7 +41,7 @@ pub struct Shown<const D: usize> {
     pub world: World<D>,
     /// How long it runs; it has an end, which methods with steps need.
     pub budget: Budget,
-    /// What ends it, as it is asked for.
+    /// The end, as it is asked for.
     pub end: End,
     /// How long it takes by exact motion, in s: a step is a part of that.
     pub length: f64,
@@ -52,8 +52,8 @@ pub struct Shown<const D: usize> {
 }
 
 impl<const D: usize> Shown<D> {
-    /// What is watched of a scene. Bodies that touch are taken back to before they met. Where what is asked is the state before
-    /// the first impact (`until_impact`), the run ends there.
+    /// Shows a scene as it is watched. Bodies that touch are taken back to before they met. Where what is asked is the state
+    /// before the first impact (`until_impact`), the run ends there.
     ///
     /// # Errors
     /// The scene has no end that could be found.

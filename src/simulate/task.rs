@@ -16,7 +16,7 @@ pub struct Case<const D: usize> {
     pub world: World<D>,
     /// How long it runs.
     pub budget: Budget,
-    /// What its run has to be.
+    /// The truth about its run.
     pub truth: Truth<D>,
 }
 
@@ -25,11 +25,11 @@ pub struct Case<const D: usize> {
 pub struct Task<const D: usize> {
     /// Its name.
     pub name: &'static str,
-    /// What happens in it.
+    /// A description of what happens in it.
     pub about: &'static str,
     /// The scene with its first given changed by this part; 0 is the task as it is known.
     pub jittered: fn(f64) -> Case<D>,
-    /// What is true of it by its closed form, with the same change: the reference for all methods.
+    /// The truth by its closed form, with the same change: the reference for all methods.
     pub closed_form: fn(f64) -> Truth<D>,
 }
 

@@ -1,4 +1,4 @@
-//! What a run returns: how every body moved between impacts, the impacts, and how the run ended.
+//! The result of a run: how every body moved between impacts, the impacts, and how the run ended.
 
 use super::budget::{Budget, Keep};
 use super::contact::Contact;

@@ -1,5 +1,6 @@
-//! What is true of a reference task, as a whole: when each impact happens and what impulse it has, and where everything is at the
-//! end and how it moves. An error that is the greatest of all of these cannot be flattered by a quantity that a method cannot miss.
+//! The truth of a reference task, as a whole: when each impact happens and what impulse it has, and where everything is at the
+//! end and how it moves. An error that is the greatest of all of these cannot be flattered by a quantity that a method cannot
+//! miss.
 
 use super::state::{State, Vector};
 use super::trajectory::Trajectory;

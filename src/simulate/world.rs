@@ -80,7 +80,7 @@ impl<const D: usize> Wall<D> {
     }
 }
 
-/// What a cord is tied to at its first end.
+/// The anchor of a cord at its first end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Anchor<const D: usize> {
     /// A body, by its place in the list.
@@ -104,7 +104,7 @@ pub struct Cord<const D: usize> {
     pub restitution: f64,
 }
 
-/// What holds when contacts that share a body are struck at the same instant; Newton's law alone does not say.
+/// The rule for contacts that share a body and are struck at the same instant; Newton's law alone does not say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Together {
     /// Ask for a law: the run is refused by name.
@@ -144,7 +144,7 @@ pub struct World<const D: usize> {
     pub restitution: f64,
     /// The coefficients of particular contacts.
     pub restitutions: Vec<(Contact, f64)>,
-    /// What holds for simultaneous impacts.
+    /// The rule for simultaneous impacts.
     pub together: Together,
 }
 

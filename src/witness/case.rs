@@ -1,4 +1,4 @@
-//! What is simulated: a variant, and what is put in place of its values.
+//! The subject of a simulation: a variant, and what is put in place of its values.
 
 use std::collections::BTreeSet;
 

@@ -93,12 +93,12 @@ fn claimed(case: &Case<'_>, witness: &Witness<'_>, claim: &Claim) -> Option<bool
     holds(claim.relation, left, right)
 }
 
-/// What a term comes to by the variant's own values.
+/// The value of a term by the variant's own values.
 fn said(case: &Case<'_>, side: &Expr) -> f64 {
     side.evaluate(&|symbol| case.variant.value(symbol).map_or(f64::NAN, |value| value.value))
 }
 
-/// Of which kind an impact was: whether energy is lost, and whether what touched still moves apart.
+/// The kind that an impact was: whether energy is lost, and whether what touched still moves apart.
 fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
     let Some(Stage::Impact(impact)) = scene.stages.get(stage).filter(|_| witness.has_run(stage)) else { return None };
     let partners = impact.partners()?;

@@ -28,7 +28,7 @@ pub(super) fn holds(relation: Relation, left: Seen, right: Seen) -> Option<bool>
 }
 
 impl Witness<'_> {
-    /// What a stage comes to: at the first crossing of its end at which it breaks no condition of the problem.
+    /// Simulates a stage up to the first crossing of its end at which it breaks no condition of the problem.
     pub(super) fn observed(&self, stage: usize) -> Result<Observed, NothingToSimulate> {
         let at = |crossing| observe_at(self.scene(), stage, &|name| self.value(name), self.tolerance(), crossing);
         let first = at(0)?;

@@ -1,4 +1,4 @@
-//! What a stage gives to all bodies together, by what they have at its ends.
+//! The exchange of a stage with all bodies together, by what they have at its ends.
 
 use momentous_model::Name;
 use momentous_model::QuantityKind;
@@ -8,7 +8,7 @@ use super::simulation::Seen;
 use super::simulation::Witness;
 
 impl Witness<'_> {
-    /// What is gained or lost of the kinetic energy in a stage that was simulated; the work of all forces is what is gained.
+    /// The kinetic energy gained or lost in a stage that was simulated; the work of all forces is what is gained.
     pub(super) fn exchanged(&self, name: &str) -> Option<Seen> {
         let name = Name::parse(name).filter(|name| name.subject.is_empty() && name.instant.is_none())?;
         let sign = match name.kind {

@@ -13,7 +13,7 @@ pub const AT_ITS_TIME: &str = "at its time";
 /// No double has more digits.
 const MOST_DIGITS: f64 = 15.0;
 
-/// What the kinds of stages are called whose key in a file says too little.
+/// The names of the kinds of stages whose key in a file says too little.
 const KINDS: &[(&str, &str)] = &[
     ("taut", "cord comes taut"),
     ("connected", "on one string"),
@@ -32,19 +32,19 @@ const KINDS: &[(&str, &str)] = &[
 pub struct Film {
     /// The stage, counted from 1.
     pub stage: usize,
-    /// What the components are called.
+    /// The names of the components.
     pub axes: Vec<Component>,
     /// Which method ran it, and why.
     pub choice: Choice,
     /// How far it is off, relative to the greatest size of what is off; none of a run that was given up before its time.
     pub error: Option<f64>,
-    /// What the run costs by the table of costs, in s; none where that has no row for it.
+    /// The cost of the run by the table of costs, in s; `None` where that has no row for it.
     pub seconds: Option<f64>,
     /// How it ended, in words.
     pub ending: String,
-    /// What was found.
+    /// The record of the run.
     pub record: Record,
-    /// What a reader must know of the motion.
+    /// The notes that a reader of the motion needs.
     pub notes: Vec<&'static str>,
     /// The bodies whose mass is not known; it counts as 1 kg, and no velocity depends on it.
     pub unweighed: Vec<String>,
@@ -83,7 +83,7 @@ impl Film {
         if both.is_empty() { self.choice.to_string() } else { format!("{} ({})", self.choice, both.join("; ")) }
     }
 
-    /// What a reader must know: of the motion, and of momenta and energies.
+    /// The notes that a reader needs: of the motion, and of momenta and energies.
     #[must_use]
     pub fn cautions(&self) -> Vec<String> {
         let bodies = self.unweighed.join(" and ");
@@ -97,7 +97,7 @@ impl Film {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{what}\nhelp: {help}")]
 pub struct NotShown {
-    /// What is in the way.
+    /// The obstacle.
     pub what: String,
     /// The way out.
     pub help: &'static str,

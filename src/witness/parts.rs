@@ -1,4 +1,4 @@
-//! What is asked, part by part, beside what the simulation finds of it.
+//! The parts asked, each beside what the simulation finds of it.
 
 use std::collections::BTreeMap;
 
@@ -47,7 +47,7 @@ impl<'a> Answer<'a> {
         all
     }
 
-    /// What the answer is called.
+    /// The name of the answer.
     pub(super) fn id(&self) -> &str {
         match self {
             Self::Number { id, .. } | Self::Choice { id, .. } => id,
@@ -99,7 +99,7 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
     all
 }
 
-/// What the formulas that are asked come to with the numbers of the variant, each with the quantity that it is to be.
+/// The values of the formulas that are asked, with the numbers of the variant, each with the quantity that it is to be.
 pub(super) fn formulas(worked: &Worked<'_>) -> Vec<(String, Symbol, f64)> {
     let value = |symbol| worked.variant.value(symbol).map_or(f64::NAN, |number| number.value);
     let said = |part: &Part| {
@@ -109,7 +109,8 @@ pub(super) fn formulas(worked: &Worked<'_>) -> Vec<(String, Symbol, f64)> {
     worked.form.parts.iter().filter_map(said).collect()
 }
 
-/// Of an answer that is not compared as a number: whether the simulation finds the same; none where it finds nothing of it.
+/// Whether the simulation finds the same as an answer that is not compared as a number; `None` where it finds nothing
+/// of it.
 pub(super) fn agrees(
     worked: &Worked<'_>,
     case: &Case<'_>,

@@ -20,7 +20,7 @@ use super::staging::staged;
 /// All that could be simulated, and why the rest could not.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// What was simulated.
+    /// The films of what was simulated.
     pub films: Vec<Film>,
     /// Stages, counted from 1, with the reason.
     pub nothing: Vec<(usize, &'static str)>,
@@ -101,7 +101,7 @@ fn filmed<const D: usize>(
     Ok(Film { stage, axes, choice, error, seconds, ending, record, notes: Vec::new(), unweighed: Vec::new() })
 }
 
-/// What the components of an experiment are called: as the quantities that are read off it, else as the axes of the scene.
+/// The names of the components of an experiment: as the quantities that are read off it, else as the axes of the scene.
 fn components<const D: usize>(experiment: &Experiment<D>, scene: &Scene) -> Vec<Component> {
     let axes = scene.axes.rectangular();
     let suffix = experiment.readings.iter().find_map(|(name, _)| name.rsplit_once('.').map(|(_, letter)| letter));

@@ -37,7 +37,7 @@ pub(super) struct Witness<'a> {
     timeline: Timeline,
     tolerance: f64,
     found: BTreeMap<String, Reached>,
-    /// What bodies carry together after a stage, each with the bodies.
+    /// The sums that bodies carry together after a stage, each with the bodies.
     sums: Vec<(Vec<String>, Reached)>,
     terms: Vec<Reached>,
     ways: BTreeSet<Procedure>,
@@ -49,12 +49,12 @@ pub(super) struct Witness<'a> {
     watched: Cell<bool>,
 }
 
-/// What the laws say and what the simulation finds.
+/// The values that the laws state and the simulation finds.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Comparison {
     pub stated: f64,
     pub found: f64,
-    /// What the run and the value that is said may be off by; the errors of inputs come on top.
+    /// The error that the run and the stated value may have; the errors of inputs come on top.
     pub error: f64,
     /// Whether only the direction matters.
     pub turns: bool,
@@ -161,7 +161,7 @@ impl<'a> Witness<'a> {
         self.case.problem.model().symbol_of(name)
     }
 
-    /// What the variant says of a quantity, or what is put in its place.
+    /// The value of a quantity that the variant states, or that is put in its place.
     fn stated(&self, symbol: Symbol) -> Option<f64> {
         let other = self.case.replaced.iter().rev().find(|(known, _)| *known == symbol);
         let is_known = self.case.known.is_none_or(|known| known.contains(&symbol));
@@ -173,14 +173,14 @@ impl<'a> Witness<'a> {
         Some((symbol, self.stated(symbol)?))
     }
 
-    /// What is said of a quantity, which is noted as one that was looked at.
+    /// The stated value of a quantity, which is noted as one that was looked at.
     fn started_from(&self, name: &str) -> Option<f64> {
         let (symbol, value) = self.stated_by_name(name)?;
         self.used.borrow_mut().insert(symbol);
         Some(value)
     }
 
-    /// What the simulation starts from: what is said, else what a stage before reached.
+    /// The value from which the simulation starts: the stated one, else what a stage before reached.
     pub(super) fn value(&self, name: &str) -> Option<f64> {
         let found = || self.found_as(name).map(|reached| reached.value);
         let value = self.started_from(name).or_else(found).or_else(|| self.component(&self.since(name)));
@@ -225,7 +225,7 @@ impl<'a> Witness<'a> {
         }
     }
 
-    /// What the simulation finds of a quantity by name: itself, or measured on what it finds of the bodies.
+    /// The value that the simulation finds of a quantity by name: itself, or measured on what it finds of the bodies.
     pub(super) fn seen(&self, name: &str) -> Option<Seen> {
         let found = self.found_as(name);
         found
@@ -263,7 +263,7 @@ impl<'a> Witness<'a> {
         Some(Seen { error: seen.error + entered.iter().map(off).sum::<f64>(), ..seen })
     }
 
-    /// What a quantity at the start is by what is told of the bodies: part of something that is found, and nothing by itself.
+    /// The value of a quantity at the start by what is told of the bodies: part of something that is found.
     pub(super) fn started_with(&self, name: &str) -> Option<Seen> {
         let value = |name: &str| self.value(name);
         let at_start = |asked: Asked<'_>, alive: &[&str]| {
@@ -289,14 +289,14 @@ impl<'a> Witness<'a> {
         of(Asked { base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
     }
 
-    /// What a term comes to with what the simulation finds; none where it finds nothing in it.
+    /// The value of a term by what the simulation finds; `None` where it finds nothing in it.
     pub(super) fn evaluated(&self, expr: &Expr) -> Option<Seen> {
         let model = self.case.problem.model();
         let finds = |symbol: &Symbol| self.seen(&model.symbols.entry(*symbol).name).is_some();
         expr.symbols().iter().any(finds).then(|| self.worked_out(expr))
     }
 
-    /// What a term comes to with what the simulation finds, and otherwise with what is said.
+    /// The value of a term by what the simulation finds, and otherwise by what is stated.
     fn worked_out(&self, expr: &Expr) -> Seen {
         let of = |symbol| {
             let name = &self.case.problem.model().symbols.entry(symbol).name;
@@ -382,7 +382,7 @@ impl<'a> Witness<'a> {
         self.run.contains(&stage)
     }
 
-    /// What a body has at an instant, of velocity (`v`), momentum (`p`) or kinetic energy (`T`), alone or as a part of another.
+    /// The velocity (`v`), momentum (`p`) or kinetic energy (`T`) of a body at an instant, alone or within another.
     pub(super) fn carried(&self, base: &str, body: &str, instant: usize, letter: &str) -> Option<f64> {
         let component = Some(letter).filter(|letter| !letter.is_empty());
         let asked = Asked { base, subject: body, instant, component };

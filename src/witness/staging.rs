@@ -28,7 +28,8 @@ pub fn followed(
     follow(scene, stage, &|name| witness.value(name), tolerance)
 }
 
-/// What simulates each stage, from what is said of its start, or else from where the stage before ended; or why nothing does.
+/// The simulator of each stage, from what is stated of its start, or else from where the stage before ended; or why
+/// there is none.
 #[must_use]
 pub fn staged(problem: &Problem, variant: &Variant) -> Vec<Result<Staged, NothingToSimulate>> {
     let scene = &problem.loaded().draft.scene;

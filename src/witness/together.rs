@@ -1,4 +1,4 @@
-//! What was simulated axis by axis, or body by body, as one motion: for whoever draws it.
+//! Motions that were simulated axis by axis, or body by body, as one motion: for whoever draws it.
 
 use momentous_simulate::Moment;
 use momentous_simulate::Record;
@@ -111,7 +111,7 @@ fn joined(parts: &[&Film]) -> Option<Film> {
     Some(whole)
 }
 
-/// What happens between the same bodies at the same time is one impact.
+/// Adds an impact; what happens between the same bodies at the same time is one impact.
 fn add(all: &mut Vec<RecordedImpact>, impact: RecordedImpact) {
     let turned = impact.contact.split_once('-').map(|(one, other)| format!("{other}-{one}"));
     let same = all.iter_mut().find(|other| {

@@ -32,7 +32,7 @@ const NO_ENERGY: f64 = 1e-30;
 /// The share of a value that its bound has to be for the value to count as one that is not zero.
 const NEAR_ZERO: f64 = 1e-4;
 
-/// What the simulation of a form comes to.
+/// The results of simulating a form.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Simulated {
     /// How many seeds were simulated.
@@ -71,10 +71,10 @@ impl Simulated {
     }
 }
 
-/// What the simulation of a few seeds of a form comes to.
+/// The results of simulating a few seeds of a form.
 #[derive(Default)]
 pub struct Portion {
-    /// What was found.
+    /// The results so far.
     pub simulated: Simulated,
     /// By which ways.
     pub ways: BTreeSet<Procedure>,
@@ -340,7 +340,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
         compile(load(Source::new("b.yaml", GLANCE)).unwrap(), None).unwrap()
     }
 
-    /// What is said of the first variant of a scene that takes the place of the problem's.
+    /// The report on the first variant of a scene that takes the place of the problem's.
     fn differing(change: impl Fn(&mut Scene), said: impl Fn(&Problem) -> Vec<(Symbol, f64)>) -> Option<String> {
         let problem = problem();
         let variant = Sampler::new(&problem, 0).unwrap().variant(1).unwrap();

@@ -13,7 +13,7 @@ use super::simulation::Witness;
 /// How many worlds are enough to say something.
 const ENOUGH: usize = 3;
 
-/// What is open in a scene has at most so many parts.
+/// The most parts of a scene that may be open.
 const MOST_OPEN: usize = 4;
 
 /// Steps by which a world is brought to print the same sheet.
@@ -94,7 +94,7 @@ impl Sheet<'_> {
         Case { replaced, known: Some(self.told), ..*self.case }
     }
 
-    /// What a simulation of a world finds; none where it cannot be simulated.
+    /// The result of simulating a world; `None` where it cannot be simulated.
     fn simulated<T>(&self, open: &[Symbol], world: &[f64], of: impl Fn(&Witness<'_>) -> Option<T>) -> Option<T> {
         let case = self.with(open, world);
         let witness = Witness::new(&case, self.tolerance);

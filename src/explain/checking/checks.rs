@@ -51,7 +51,7 @@ const BALANCES: &[(&str, &str)] = &[
     (bouncing::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
 ];
 
-/// What the solutions of a way check, before the numbers are known.
+/// The checks of the solutions of a way, before the numbers are known.
 pub(crate) struct Checks {
     balances: Vec<Balance>,
     losses: Vec<Loss>,
@@ -64,7 +64,7 @@ struct Balance {
     sides: [Term; 2],
 }
 
-/// What must hold between two terms, in words and symbols.
+/// A condition between two terms, in words and symbols.
 struct Condition {
     words: String,
     sides: [Term; 2],
@@ -148,7 +148,7 @@ fn has_numbers(display: Display<'_>, sides: &[Term; 2]) -> bool {
     sides.iter().all(|side| side.is_multiple && side.mentions.iter().all(|symbol| display.has_number(*symbol)))
 }
 
-/// What both sides of a balance are: a quantity that is printed exactly, where one of them is nothing else.
+/// The value of both sides of a balance: a quantity that is printed exactly, where one of them is nothing else.
 fn result(display: Display<'_>, place: usize, sides: &[Term; 2]) -> Item {
     let named = sides.iter().find_map(|side| match &side.expr {
         Expr::Symbol(symbol) if display.exact(*symbol).is_some() => Some(Item::Quantity(*symbol)),
@@ -256,7 +256,7 @@ fn evaluated(display: Display<'_>, side: &Term, item: Item) -> Math {
     Math::Row(parts)
 }
 
-/// That the bodies do not pass through each other, where the reader knows how they move.
+/// The conditions that the bodies do not pass through each other, where the reader knows how they move.
 fn conditions(display: Display<'_>) -> Vec<Condition> {
     let known = display.known_to_the_reader();
     let reasons = &display.worked.problem.model().reasons;

@@ -26,7 +26,7 @@ pub(super) struct Loss {
     words: Block,
     /// The difference of the energies before and after.
     difference: Term,
-    /// What it equals by a formula of its own.
+    /// The quantity by a formula of its own.
     formula: Option<Term>,
 }
 

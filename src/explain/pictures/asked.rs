@@ -1,4 +1,4 @@
-//! What a sheet asks for, where its figure has a place for it: named with a question mark, and without its value.
+//! Quantities that a sheet asks for, where its figure has a place for them: named with a question mark, and without their values.
 
 use momentous_expr::Expr;
 use momentous_expr::Math;
@@ -41,8 +41,8 @@ impl Quantities<'_> {
         self.scope() == Scope::Given && self.value(symbol).is_none() && wanted()
     }
 
-    /// What is asked of the velocity of a body at an instant: components along the axes in the sense in which they count, a speed in the
-    /// direction that is given. Which way a body goes later is part of the answer: there is no arrow then.
+    /// The parts asked of the velocity of a body at an instant: components along the axes in the sense in which they count, a
+    /// speed in the direction that is given. Which way a body goes later is part of the answer: there is no arrow then.
     pub(super) fn asked_motion(&self, compass: &Compass, body: &str, instant: usize) -> Vec<Moving> {
         let name = self.velocity_name(body, instant);
         let arrow = |label: Math, along: [f64; 2]| {

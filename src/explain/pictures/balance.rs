@@ -15,8 +15,8 @@ pub(super) struct Balance {
     pub after: Labelled,
 }
 
-/// What a plan that is no longer than needed has not solved: the last unknown of each body follows from the others, and
-/// the impulse on one of two bodies from that on the other.
+/// Completes a plan that is no longer than needed: the last unknown of each body follows from the others, and the impulse on one
+/// of two bodies from that on the other.
 pub(super) fn complete(balances: &mut [Balance], act_on_each_other: bool) {
     balances.iter_mut().for_each(Balance::complete);
     if let (true, [first, second]) = (act_on_each_other, &mut *balances) {

@@ -1,5 +1,5 @@
-//! What the arrows of a stage of one body need and its solution does not: a mass that cancels, and the time in which forces that do not
-//! change make the momentum what it is. It is solved from the equations of the solution.
+//! Quantities that the arrows of a stage of one body need and its solution does not: a mass that cancels, and the time in which
+//! forces that do not change make the momentum what it is. It is solved from the equations of the solution.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ use super::diagram_plan::Besides;
 use super::quantities::Quantities;
 
 impl Besides {
-    /// What the arrows of that body need in a stage.
+    /// The quantities that the arrows of that body need in a stage.
     pub(super) fn of(quantities: &Quantities<'_>, stage: usize, body: &str) -> Self {
         let mass = quantities.mass_symbol(body, stage + 1).filter(|_| quantities.mass(body, stage + 1).is_none());
         let assumed = mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));

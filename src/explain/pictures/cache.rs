@@ -1,4 +1,4 @@
-//! What the figures of all variants that go the same way share: where directions point, and the plans of the diagrams.
+//! The parts that the figures of all variants share which go the same way: where directions point, and the plans of the diagrams.
 
 use std::sync::OnceLock;
 

@@ -25,7 +25,7 @@ use super::words::sentences;
 /// Straight pieces of a curve.
 const PIECES: u16 = 72;
 
-/// What is plotted over what, and what the area beneath it is.
+/// The plotted quantities, and the meaning of the area beneath the curve.
 struct Curve {
     term: Expr,
     variable: Symbol,
@@ -33,7 +33,7 @@ struct Curve {
     across: (&'static str, Dimension),
     up: (&'static str, Dimension),
     area: Option<Math>,
-    /// What it shows, as a clause.
+    /// The caption, as a clause.
     shows: String,
 }
 

@@ -1,4 +1,4 @@
-//! What is drawn of a stage in its diagram of momenta and impulses, as far as no number changes it.
+//! The drawing of a stage in its diagram of momenta and impulses, as far as no number changes it.
 
 use momentous_expr::Expr;
 use momentous_expr::Math;
@@ -10,7 +10,7 @@ use super::participants::Participant;
 /// The diagram of a stage, as far as no number changes it.
 pub(super) struct Plan {
     pub(super) rows: Vec<Planned>,
-    /// What the arrows of a body that takes part alone need besides.
+    /// The quantities that the arrows of a body that takes part alone need besides.
     pub(super) besides: Option<Besides>,
 }
 

@@ -21,18 +21,18 @@ use super::quantities::Quantities;
 use super::vectors::Labelled;
 use super::words::sentences;
 
-/// What flows, and what happens to it.
+/// The flowing matter, and what happens to it.
 struct Flow<'a> {
-    /// What it is called.
+    /// Its name.
     what: &'a str,
     /// The body from which it is seen.
     body: &'a str,
-    /// What it does in the time of the diagram, as a clause.
+    /// The clause that says what it does in the time of the diagram.
     does: &'a str,
-    /// What is written at its speeds before and after, and these as vectors along x and y.
+    /// The labels at its speeds before and after, and these as vectors along x and y.
     before: (Math, [f64; 2]),
     after: (Math, [f64; 2]),
-    /// What is written at its impulse.
+    /// The label at its impulse.
     impulse: Math,
 }
 
@@ -133,7 +133,7 @@ impl Flow<'_> {
     }
 }
 
-/// What has no velocity along the line any more.
+/// A flow without velocity along the line.
 fn at_rest() -> (Math, [f64; 2]) {
     (Math::subscripted("v", "after"), [0.0, 0.0])
 }

@@ -97,7 +97,7 @@ fn holds_still(
     Some(LabelledVector::known(label, compass.place([size * x, size * y])))
 }
 
-/// What a floor pushes up with.
+/// The force with which a floor pushes up.
 fn pushes_up(quantities: &Quantities<'_>, index: usize, body: &str) -> Option<f64> {
     let mut floors = quantities.model().forces.iter();
     let normal = floors.find(|force| force.stage == index && force.on == body && force.kind == ForceKind::Normal);
@@ -199,7 +199,7 @@ struct Held {
     forces: Vec<LabelledVector>,
     effect: Vec<LabelledVector>,
     surface: Option<f64>,
-    /// What the letters of the acceleration stand for.
+    /// The meaning of the letters of the acceleration.
     told: &'static str,
 }
 
@@ -266,7 +266,7 @@ fn along(label: Math, size: f64, [x, y]: [f64; 2]) -> LabelledVector {
     LabelledVector::known(label, [size * x, size * y])
 }
 
-/// What the letters of an acceleration on a circle stand for.
+/// The meaning of the letters of an acceleration on a circle.
 const TOWARDS_CENTRE: &str = "here a_n = v\u{b2}/r";
 
 /// On a cord or inside a track, at an angle from straight down, counter-clockwise.

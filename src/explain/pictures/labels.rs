@@ -6,7 +6,7 @@ use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::Operator;
 
-/// What the point is called from which places are told, where it has no name.
+/// The name of the point from which places are told, where it has no name.
 pub(super) const ORIGIN: &str = "O";
 
 /// Factors side by side: `m v`.

@@ -1,4 +1,4 @@
-//! What the letters in figures stand for, said where no name contains them.
+//! The legend of letters in figures, said where no name contains them.
 
 use std::collections::BTreeSet;
 

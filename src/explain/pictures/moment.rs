@@ -36,7 +36,7 @@ use super::words::OBLIQUE;
 use super::words::arrows;
 use super::words::sentences;
 
-/// What turns: all bodies at once.
+/// The bodies that turn, all at once.
 fn turning(quantities: &Quantities<'_>, index: usize) -> (String, Math) {
     let alive = quantities.timeline.alive(index + 1);
     let names: Vec<String> = alive.iter().map(|body| quantities.called(body)).collect();

@@ -121,7 +121,7 @@ fn is_straight(points: &[[f64; 2]], extent: f64) -> bool {
     points.iter().all(|[time, height]| (height - line(*time)).abs() <= STRAIGHT * extent)
 }
 
-/// What the eye sees of a curve, in words.
+/// The course of a curve as the eye sees it, in words.
 fn course(pieces: &[Vec<[f64; 2]>], noun: &str, [time, value]: [&Measured; 2]) -> String {
     let at = |[instant, height]: [f64; 2]| format!("{} at {}", value.said(height), time.said(instant));
     let mut said = Vec::new();

@@ -1,6 +1,6 @@
-//! Who takes part in the diagram of a stage, and what is drawn between the momenta.
+//! Participants in the diagram of a stage, and the arrows between the momenta.
 
-/// Who takes part in a stage, and with which body it moves at either end.
+/// A participant in a stage, and the body with which it moves at either end.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Participant {
     pub body: String,
@@ -21,16 +21,16 @@ impl Participant {
     }
 }
 
-/// What the diagram of a stage shows.
+/// The content of the diagram of a stage.
 pub(super) struct Drawn {
     pub participants: Vec<Participant>,
-    /// What is drawn between the momenta.
+    /// The arrows between the momenta.
     pub arrows: Arrows,
     /// Whether two bodies act on each other, with equal and opposite impulses.
     pub mutual: bool,
 }
 
-/// What changes a momentum.
+/// The arrows of what changes a momentum.
 #[derive(Clone, Copy)]
 pub(super) enum Arrows {
     /// Each impulse.

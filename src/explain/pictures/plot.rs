@@ -74,7 +74,7 @@ fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Opti
 pub(super) struct Mark {
     pub time: f64,
     pub label: Math,
-    /// What a figure's description calls it.
+    /// The name in a figure's description.
     words: String,
 }
 
@@ -113,7 +113,7 @@ pub(super) fn wording(force: &ActingForce, marks: &[Mark], shaded: bool) -> Word
 }
 
 impl Quantities<'_> {
-    /// What a time is, for a text without mathematics.
+    /// Words for a time, for a text without mathematics.
     pub(super) fn what_time(&self, time: &Expr) -> String {
         match time {
             Expr::Symbol(symbol) if !self.is_literal(*symbol) => self.model().symbols.entry(*symbol).meaning.clone(),

@@ -30,13 +30,13 @@ use super::oblique::Oblique;
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scope {
-    /// What the sheet tells.
+    /// The values that the sheet tells.
     Given,
-    /// That, and everything that was solved.
+    /// Those, and every value that was solved.
     Solved,
 }
 
-/// What a figure can ask about a variant. Under [`Scope::Given`] nothing that was solved passes, so no sheet can tell it.
+/// Quantities for the figures of a variant. Under [`Scope::Given`] nothing that was solved passes, so no sheet can tell it.
 #[derive(Clone)]
 pub(crate) struct Quantities<'a> {
     pub(super) worked: Worked<'a>,
@@ -45,7 +45,7 @@ pub(crate) struct Quantities<'a> {
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<Axis>,
     scope: Scope,
-    /// What a figure takes a quantity to be that nobody needs to know, such as a mass that cancels.
+    /// The values that a figure assumes of quantities that nobody needs to know, such as a mass that cancels.
     assumed: Vec<(Symbol, f64)>,
 }
 
@@ -102,7 +102,7 @@ impl<'a> Quantities<'a> {
         self.known(symbol, DEEPEST)
     }
 
-    /// What was solved or assumed, or follows at once from an equation that was not needed.
+    /// The value that was solved or assumed, or that follows at once from an equation that was not needed.
     fn known(&self, symbol: Symbol, depth: usize) -> Option<f64> {
         let assumed = self.assumed.iter().find(|(assumed, _)| *assumed == symbol).map(|(_, value)| *value);
         let solved = || self.worked.variant.value(symbol).map(|bounded| bounded.value);

@@ -12,7 +12,7 @@ use super::quantities::Quantities;
 /// At so many instants it is looked at, up to its end, or for a brief time in s where nobody may know the end.
 const INSTANTS: u8 = 32;
 const BRIEF: f64 = 1e-3;
-/// What is less than this share of the greatest value is zero.
+/// The share of the greatest value below which a value counts as zero.
 const ZERO: f64 = 1e-9;
 
 impl Quantities<'_> {

@@ -1,4 +1,4 @@
-//! What is drawn of each kind of stage: on the problem sheet, in the solution, and in its diagram of momenta.
+//! Drawings of each kind of stage: on the problem sheet, in the solution, and in its diagram of momenta.
 
 use momentous_figure::Drawing;
 use momentous_problem::Picture;
@@ -203,7 +203,7 @@ pub(super) fn offered(quantities: &Quantities<'_>, stage: usize, picture: &Pictu
     momentum::diagram_with(quantities, quantities.compass(), stage, &drawn, Some(picture))
 }
 
-/// Who takes part in the diagram of momenta of a stage, and how.
+/// The participants in the diagram of momenta of a stage, and its arrows.
 fn drawn(stage: &Stage) -> Drawn {
     let alone = |body: &str| vec![Participant::alone(body)];
     let several = |bodies: &[String]| bodies.iter().map(|body| Participant::alone(body)).collect();

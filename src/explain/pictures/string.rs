@@ -66,7 +66,7 @@ struct Lasting {
     time: Option<f64>,
 }
 
-/// What acts on a body besides the string, and its velocities along the string.
+/// The forces on a body besides the string, and its velocities along the string.
 struct Load {
     mass: f64,
     gravity: f64,

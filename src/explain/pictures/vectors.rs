@@ -112,7 +112,7 @@ impl Quantities<'_> {
         self.worked.problem.notation().math(&format!("{letter}_{of}"))
     }
 
-    /// What an impulse is called by where it is that of one of several strings that are jerked together.
+    /// The string in whose name an impulse is given, where several are jerked together.
     fn of_string(&self, impulse: &Impulse) -> Option<String> {
         let Agent::Body(other) = &impulse.by else { return None };
         let jerked: Vec<_> = self.model().strings.iter().filter(|string| string.jerk == impulse.stage).collect();
@@ -145,7 +145,7 @@ impl Quantities<'_> {
         Labelled { label, value: value.map(|(size, [x, y])| [size * x, size * y]) }
     }
 
-    /// What is written at an arrow that shows the sense of a force: its size, `-F` where `F` is negative.
+    /// The label at an arrow that shows the sense of a force: its size, `-F` where `F` is negative.
     pub(super) fn size_of(&self, strength: &Expr) -> Math {
         match self.evaluate(strength) {
             Some(value) if value < 0.0 => factor(strength, self.symbolic(&-strength.clone())),

@@ -47,7 +47,7 @@ fn is_resultant(impulse: &Labelled) -> bool {
     matches!(&impulse.label, Math::Integral(_, _, force, _) if matches!(**force, Math::Row(_)))
 }
 
-/// What is said about a momentum diagram.
+/// The words for a momentum diagram.
 pub(super) fn diagram_wording(
     quantities: &Quantities<'_>,
     compass: &Compass,
@@ -81,7 +81,7 @@ pub(super) fn diagram_wording(
     }
 }
 
-/// What is said of a diagram that is offered among others: as much as the eye sees of each, and not which is right.
+/// The words for a diagram that is offered among others: as much as the eye sees of each, and not which is right.
 pub(super) fn offered_wording(
     quantities: &Quantities<'_>,
     compass: &Compass,
@@ -144,7 +144,7 @@ impl Speak<'_> {
 }
 
 impl Quantities<'_> {
-    /// What a duration stands for that the diagram can only call by the difference sign.
+    /// The meaning of a duration that the diagram can only call by the difference sign.
     fn nameless_duration(&self, stage: usize, body: &str) -> Option<String> {
         let nameless = |force: &&ActingForce| {
             let [start, end] = &force.during;
@@ -161,7 +161,7 @@ fn size([x, y]: [f64; 2]) -> f64 {
     libm::hypot(x, y)
 }
 
-/// What is said of bodies with given vectors.
+/// The words for bodies with given vectors.
 pub(super) fn situation_wording(quantities: &Quantities<'_>, bodies: &[(String, MovingBody)], when: &str) -> Wording {
     let names: Vec<String> = bodies.iter().map(|(body, _)| quantities.called(body)).collect();
     let names = list(&names);
@@ -197,7 +197,7 @@ pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
     moving.vectors.iter().map(arrow).collect()
 }
 
-/// What the arrows of a role are.
+/// The plural nouns for the arrows of a role.
 const KINDS: &[(Role, &str)] =
     &[(Role::Velocity, "velocity"), (Role::Force, "force"), (Role::Impulse, "impulse"), (Role::Momentum, "momentum")];
 
@@ -212,7 +212,7 @@ fn on_paper([x, y]: [f64; 2]) -> String {
     parts.join(" and ")
 }
 
-/// What is said of a body that begins a free flight.
+/// The words for a body that begins a free flight.
 pub(super) fn launch_wording(
     quantities: &Quantities<'_>,
     body: &str,
@@ -245,7 +245,7 @@ pub(super) fn launch_wording(
     }
 }
 
-/// What is said of a body about a fixed point.
+/// The words for a body about a fixed point.
 pub(super) fn about_wording(
     quantities: &Quantities<'_>,
     [body, about]: [&str; 2],
@@ -268,7 +268,7 @@ pub(super) fn about_wording(
     }
 }
 
-/// What is said of a fall and its bounces.
+/// The words for a fall and its bounces.
 pub(super) fn fall_wording(quantities: &Quantities<'_>, body: &str, height: Option<&Math>, bounces: u32) -> Wording {
     let name = quantities.called(body);
     let height = height.map_or_else(String::new, |height| format!(" from a height {}", height.plain()));

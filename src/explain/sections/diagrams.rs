@@ -45,7 +45,7 @@ fn neglected(worked: Worked<'_>) -> impl Iterator<Item = Block> {
     })
 }
 
-/// What acts in each stage, and what is left out.
+/// The influences in each stage, and the omissions.
 fn sentences(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
     let model = worked.problem.model();

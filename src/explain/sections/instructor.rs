@@ -1,4 +1,4 @@
-//! What only an instructor is shown: the certificate, and the equations that were used.
+//! Sections for instructors only: the certificate, and the equations that were used.
 
 use super::super::Block;
 use super::super::Inline;

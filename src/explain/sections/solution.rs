@@ -101,7 +101,7 @@ fn without_repeated_legends(figures: Vec<Drawing>) -> impl Iterator<Item = Drawi
     })
 }
 
-/// What acts, with its diagrams where there are any.
+/// The influences, with their diagrams where there are any.
 fn acting(display: Display<'_>, way: &WayCache) -> Section {
     let blocks = diagrams::diagrams(display, way);
     let drawn = blocks.iter().any(|block| matches!(block, Block::Figure(_)));
@@ -112,7 +112,7 @@ fn section(heading: &str, blocks: Vec<Block>) -> Section {
     Section { heading: heading.to_owned(), audience: Audience::Everyone, blocks }
 }
 
-/// Who belongs to the system, and from when to when it is looked at.
+/// The bodies of the system, and the span for which it is looked at.
 fn system(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
     // The balance is that of what flows on.
@@ -198,7 +198,7 @@ fn laws(
     without_repetition(blocks)
 }
 
-/// What happens in the stages that can go in several ways, where an equation of that way leads to the answer.
+/// The clauses for stages that can go in several ways, where an equation of that way leads to the answer.
 fn ways_taken(display: Display<'_>) -> impl Iterator<Item = &str> {
     let leaf = display.worked.leaf();
     let used = leaf.answer_steps().iter().flat_map(|step| &step.equations);

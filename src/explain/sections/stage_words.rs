@@ -23,7 +23,7 @@ use momentous_scene::stage::UpOrDown;
 use super::super::wording::capitalised;
 use super::super::wording::list;
 
-/// What happens in a stage, as a noun phrase.
+/// The noun phrase for what happens in a stage.
 pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     let name = |body: &str| scene.called(body);
     let does = |body: &str, forms: [&str; 2]| scene.does(body, forms);
@@ -124,7 +124,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     }
 }
 
-/// What happens to bodies on which forces act.
+/// The words for bodies on which forces act.
 fn pushed(scene: &Scene, push: &Push) -> String {
     let bodies = list(&push.pushed().map(|body| scene.called(body)).collect::<Vec<_>>());
     let several = push.pushed().any(|body| scene.members(body).len() > 1);
@@ -254,7 +254,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
     })
 }
 
-/// What acts on a body that a stream meets, the stream first.
+/// The influences on a body that a stream meets, the stream first.
 fn beside_a_stream(scene: &Scene, stream: &Stream, called: &str) -> Vec<String> {
     let carries = scene.plane == Plane::Vertical && stream.stays;
     let holds = match &stream.moves {
@@ -265,7 +265,7 @@ fn beside_a_stream(scene: &Scene, stream: &Stream, called: &str) -> Vec<String> 
     [Some(called.to_owned()), weight, Some(holds)].into_iter().flatten().collect()
 }
 
-/// What acts from outside on a body and on the one that carries it and gives way.
+/// The influences from outside on a body and on the one that carries it and gives way.
 fn supported(scene: &Scene, body: &str, on: &str) -> String {
     let [body, on] = [body, on].map(|body| scene.called(body));
     format!(
@@ -273,7 +273,7 @@ fn supported(scene: &Scene, body: &str, on: &str) -> String {
     )
 }
 
-/// What acts on bodies that are pushed or slide.
+/// The influences on bodies that are pushed or slide.
 fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is]: [&str; 2]) -> String {
     let forces = || model.forces.iter().filter(|force| force.stage == index);
     if let Stage::Push(push) = stage
@@ -294,7 +294,7 @@ fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is]
     format!("{body} {is} acted on by {}", list(&called))
 }
 
-/// What acts on a body at the end of a spring.
+/// The influences on a body at the end of a spring.
 fn beside_a_spring(scene: &Scene, spring: &Spring) -> Vec<String> {
     let is_upright = scene.axes.rectangular().first().is_some_and(|(axis, _)| *axis == Axis::Y);
     let hangs = spring.incline.is_none() && scene.plane == Plane::Vertical && is_upright;
@@ -307,7 +307,7 @@ fn beside_a_spring(scene: &Scene, spring: &Spring) -> Vec<String> {
     called
 }
 
-/// What acts in a flight.
+/// The influences in a flight.
 fn in_flight(scene: &Scene, flight: &Flight) -> &'static str {
     let heavy = scene.plane == Plane::Vertical || flight.incline.is_some();
     match (flight.is_free(), heavy) {
@@ -317,7 +317,7 @@ fn in_flight(scene: &Scene, flight: &Flight) -> &'static str {
     }
 }
 
-/// What acts in a push whose forces have one impulse together: those that depend on the position, or a resistance.
+/// The influences in a push whose forces have one impulse together: those that depend on the position, or a resistance.
 fn together(scene: &Scene, push: &Push) -> Vec<String> {
     let mut called: Vec<String> = push.force_names().map(str::to_owned).collect();
     let rubs = push.forces.iter().any(|force| matches!(force, Force::Friction(_)));
@@ -338,19 +338,19 @@ fn impulsive(impulses: &[&Impulse], body: &str) -> String {
     format!("the only impulsive {force} on {body} {is} of {}", list(&called))
 }
 
-/// What acts on a body that strikes an arm.
+/// The influences on a body that strikes an arm.
 fn striking(phrase: &str, body: &str, arm: &str) -> String {
     format!("During {phrase} the only impulsive forces are that between {body} and {arm} and that of the support.")
 }
 
-/// What acts where several strings are jerked together.
+/// The influences where several strings are jerked together.
 fn jerking(phrase: &str) -> String {
     format!(
         "During {phrase}, each string pulls the bodies at its two ends with impulses of equal size; nothing else is impulsive."
     )
 }
 
-/// What acts on two bodies that a string connects.
+/// The influences on two bodies that a string connects.
 fn connecting(scene: &Scene, connected: &Connected, both: &str) -> String {
     let lies = |strand: &&Strand| strand.on.as_ref().is_some_and(|on| on.0.trim() != "hanging");
     let carried = [&connected.leading, &connected.trailing].into_iter().filter(lies);
@@ -361,7 +361,7 @@ fn connecting(scene: &Scene, connected: &Connected, both: &str) -> String {
     format!("the string pulls {both} with the same tension, and weight acts on both{}", pushed.collect::<String>())
 }
 
-/// What each guided body receives from its guide.
+/// The impulses that guided bodies receive from their guides.
 fn guiding(scene: &Scene, impulses: &[&Impulse]) -> Vec<String> {
     let guides = impulses.iter().filter(|impulse| impulse.by == Agent::Guide);
     let received = |impulse: &&Impulse| {

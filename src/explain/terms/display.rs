@@ -58,7 +58,7 @@ pub(crate) struct Display<'a> {
     pub worked: Worked<'a>,
     /// How quantities are shown, shared with the other variants that go its way.
     pub manners: &'a Manners,
-    /// What was shown before.
+    /// The terms shown before.
     pub shown: &'a Shown,
 }
 
@@ -149,7 +149,7 @@ impl<'a> Display<'a> {
         })
     }
 
-    /// What a reader of the steps knows: what is told, and what the steps found.
+    /// The symbols that a reader of the steps knows: those told, and those that the steps found.
     pub(crate) fn known_to_the_reader(self) -> BTreeSet<Symbol> {
         let told = self.worked.variant.all_given().iter().map(|(symbol, ..)| *symbol);
         told.chain(self.worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied())).collect()

@@ -30,7 +30,7 @@ pub(crate) struct Figures {
     pub numbers: Vec<(Item, usize)>,
     /// The results that no number of figures gives.
     pub stubborn: Vec<Item>,
-    /// What is computed from the givens as they are told, since the steps before have too few figures.
+    /// The quantities computed from the givens as they are told, since the steps before have too few figures.
     pub from_givens: Vec<Symbol>,
 }
 
@@ -145,7 +145,7 @@ impl Ledger {
         }
     }
 
-    /// What nothing is computed from but an answer gets the figures of answers, where those of what it is computed from give no more.
+    /// Gives results from which only an answer is computed the figures of answers, where those of their operands give no more.
     fn lower_last_results(&mut self) {
         for place in 0..self.lines.len() {
             let line = &self.lines[place];
@@ -186,7 +186,7 @@ impl Ledger {
     }
 }
 
-/// As many figures, or all that stand before the point.
+/// Raises the figures to that number, or to all that stand before the point.
 pub(crate) fn at_least(figures: usize, shown: f64) -> usize {
     let place = first_place(shown);
     let before_the_point = usize::try_from(place + 1).unwrap_or(0);

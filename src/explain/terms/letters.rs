@@ -1,4 +1,5 @@
-//! What is computed from quantities that the sheet leaves open: multiples of their letters, or numbers where these drop out.
+//! Growth of quantities computed from those that the sheet leaves open: multiples of their letters, or numbers where these drop
+//! out.
 
 use std::collections::BTreeMap;
 
@@ -26,7 +27,7 @@ enum Growth {
 /// How the quantities of one way depend on the open letters.
 #[derive(Debug, Default)]
 pub(super) struct Letters {
-    /// None where a quantity is no multiple of powers of letters. What is not here is a number.
+    /// The growth of each quantity, `None` where it is no multiple of powers of letters. A quantity that is not here is a number.
     known: BTreeMap<Symbol, Option<Growth>>,
 }
 

@@ -40,7 +40,7 @@ impl Manners {
         Self { letters: OnceLock::new(), each: (0..symbols).map(|_| OnceLock::new()).collect() }
     }
 
-    /// What is shown in letters that the sheet leaves open.
+    /// The quantities that are shown in letters that the sheet leaves open.
     pub(super) fn letters(&self, worked: Worked<'_>) -> &Letters {
         self.letters.get_or_init(|| Letters::of(worked))
     }

@@ -23,7 +23,7 @@ pub(crate) struct Term {
     pub mentions: Vec<Symbol>,
     /// Whether it holds the angle of a point.
     pub has_angle: bool,
-    /// What it looks like but for what stands for its symbols.
+    /// The arrangement, but for what stands for its symbols.
     pub arranged: Arrangement,
 }
 
@@ -33,7 +33,7 @@ pub(crate) struct Measured {
     pub unit: Unit,
     /// The powers of letters, as a product.
     pub letters: Option<Expr>,
-    /// What follows the number; nothing for a pure number.
+    /// The suffix of the number; none for a pure number.
     suffix: Option<Math>,
     /// The product of letters, set in symbols.
     product: Option<Math>,
@@ -70,7 +70,7 @@ impl Measured {
     }
 }
 
-/// What follows a number with that unit; nothing for a pure number.
+/// The suffix of a number with that unit; none for a pure number.
 pub(super) fn suffix(unit: &Unit) -> Option<Math> {
     let gap = if unit.is_attached() { "" } else { "\u{a0}" };
     (!unit.is_none()).then(|| Math::Text([gap, &unit.unicode()].concat()))

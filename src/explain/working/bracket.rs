@@ -20,7 +20,7 @@ const TRIED: i32 = 3;
 /// To how many figures the difference of the sides of its equation is told, in per cent.
 const SHARE: usize = 2;
 
-/// What is said where no formula gives an unknown: two trials between which the sides of its equation change places, if they do, and
+/// The words where no formula gives an unknown: two trials between which the sides of its equation change places, if they do, and
 /// by how much they differ there.
 pub(super) fn found(display: Display<'_>, derivation: &Derivation, unknown: Symbol) -> Block {
     let opening = [

@@ -47,7 +47,7 @@ impl Line {
 /// The equations of earlier steps by their places in the system, with the numbers of their lines.
 pub(crate) type Stated = BTreeMap<usize, Option<u32>>;
 
-/// What a line came from. Other lines are named by their places in the step.
+/// The origin of a line. Other lines are named by their places in the step.
 #[derive(Debug)]
 pub(crate) enum Origin {
     /// It is the statement of a law; its place in the system.
@@ -56,7 +56,7 @@ pub(crate) enum Origin {
     Add { to: usize, times: usize, factor: Expr, drops: Symbol },
     /// `zero` is zero, so that a quantity drops out of `of`.
     Vanish { of: usize, zero: Expr, drops: Symbol },
-    /// What `what` says of a quantity was put into `into`.
+    /// The value of a quantity from the line `what` was put into the line `into`.
     Put { what: usize, into: usize },
     /// The integral of a law was worked out, with what equations of earlier steps say of the ends of its range.
     Integrate { of: usize, ends: Stated },

@@ -1,4 +1,4 @@
-//! What an equation is divided by on the way to a quantity: none of it may be zero.
+//! Divisors of an equation on the way to a quantity: none of them may be zero.
 
 use std::collections::BTreeSet;
 

@@ -4,8 +4,8 @@ use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_quantity::Rational;
 
-/// What an unknown equals by `left = right`: terms are moved, factors divided, powers turned into roots. Of a square the root with that
-/// sign is taken. None where the unknown stands more than once, or within a function.
+/// Isolates an unknown in `left = right`: terms are moved, factors divided, powers turned into roots. Of a square the root with
+/// that sign is taken. `None` where the unknown stands more than once, or within a function.
 pub(super) fn isolated([left, right]: [&Expr; 2], unknown: Symbol, is_negative: bool) -> Option<Expr> {
     let (mut side, mut other) = match [left, right].map(|side| occurrences(side, Some(unknown))) {
         [1, 0] => (left.clone(), right.clone()),

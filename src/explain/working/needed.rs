@@ -23,7 +23,7 @@ pub(crate) fn later(worked: Worked<'_>) -> Vec<BTreeSet<Symbol>> {
     later
 }
 
-/// What the parts ask, and what their answers are told in or decided from.
+/// The symbols that the parts ask, and those in which their answers are told or from which they are decided.
 pub(crate) fn asked(worked: Worked<'_>) -> BTreeSet<Symbol> {
     let parts = worked.form.parts.iter();
     let wanted = |kind: &PartKind| {

@@ -1,4 +1,4 @@
-//! What the steps of a plan say whatever the numbers are: laws and reasons, equations in symbols, moves of algebra.
+//! Steps of a plan as they are whatever the numbers are: laws and reasons, equations in symbols, moves of algebra.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -70,13 +70,13 @@ impl Script {
 pub(crate) struct Found {
     /// From which equations, and what must not be zero for that.
     pub words: Option<Block>,
-    /// What it equals.
+    /// The formula that it equals.
     pub formula: Formula,
     /// Whether it is printed: in a short solution, where it is asked or something printed follows from it.
     pub is_printed: bool,
 }
 
-/// What an unknown equals.
+/// The formula of an unknown.
 #[derive(Debug)]
 pub(crate) enum Formula {
     /// The same in every solution; nothing where no formula gives it.
@@ -92,7 +92,7 @@ pub(crate) enum Opening {
     Law { reason: Block, equation: Option<Block> },
     /// It is the same in every solution.
     Written(Block),
-    /// What an equation that is stated piece by piece says here; its sides.
+    /// The sides of an equation that is stated piece by piece, in the piece that holds here.
     Piece([Expr; 2]),
     /// A move whose words hang on the numbers; its place in the step.
     Move(usize),
@@ -260,12 +260,13 @@ fn sides<'a>(display: Display<'a>, step: &Step) -> Option<[&'a Expr; 2]> {
     }
 }
 
-/// What the author writes as an expression of other givens and the sheet prints: to its reader, a given like the others.
+/// The symbol that the author writes as an expression of other givens and the sheet prints: to its reader, a given like the
+/// others.
 pub(crate) fn printed(display: Display<'_>, step: &Step) -> Option<Symbol> {
     related(display, step).map(|(unknown, _)| unknown).filter(|unknown| display.worked.form.printed.contains(unknown))
 }
 
-/// What a step calls by another name: the new name, and the given, perhaps with a minus, or zero.
+/// The other name that a step gives to a quantity: the new name, and the given, perhaps with a minus, or zero.
 pub(crate) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
     let (unknown, formula) = related(display, step)?;
     let given = match formula {
@@ -296,7 +297,7 @@ fn is_stated_piecewise(display: Display<'_>, step: &Step) -> bool {
     sides(display, step).is_some_and(|sides| sides.into_iter().any(has_pieces))
 }
 
-/// What an unknown equals where its equation, for these numbers, is linear in it.
+/// The formula of an unknown where its equation, for these numbers, is linear in it.
 pub(super) fn formula_of_equation(display: Display<'_>, step: &Step, unknown: Symbol) -> Option<Expr> {
     let [left, right] = sides(display, step)?.map(|side| display.resolved(side));
     let (factors, rest) = (left - right).simplify().linear_coefficients(&[unknown])?;

@@ -150,7 +150,7 @@ fn solved(display: Display<'_>, sources: &[&Line], unknown: Symbol, value: &Expr
     words
 }
 
-/// What stands before the value of an unknown.
+/// The text before the value of an unknown.
 pub(super) fn before_result(
     display: Display<'_>,
     derivation: &Derivation,

@@ -60,7 +60,7 @@ pub(crate) struct ShortSteps<'a> {
     display: Display<'a>,
     /// Writes the steps that are solved in symbols.
     in_symbols: Steps<'a>,
-    /// What is asked.
+    /// The symbols asked.
     asked: BTreeSet<Symbol>,
     /// The last reason given, with neither bodies nor axes named.
     reason: String,

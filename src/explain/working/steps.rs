@@ -35,14 +35,14 @@ use super::script::formula_of_equation;
 /// The widest root that is written in symbols, in widths of a digit.
 const WIDEST_ROOT: f64 = 75.0;
 
-/// What is said where a formula gives further values that are none.
+/// The sentence where a formula gives further values that are none.
 const NOT_REAL: &str = "No other value is a real number.";
 
 /// How the quadrant of an angle is found.
 const QUADRANT: &str = "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the \
     calculator's arctangent or subtract 180° from it; if it is zero, the angle is ±90°.";
 
-/// What is said once of the lines with numbers.
+/// The sentence said once of the lines with numbers.
 pub(crate) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
 
 /// Writes the steps of one plan for a variant.
@@ -107,7 +107,7 @@ impl<'a> Steps<'a> {
         blocks
     }
 
-    /// What an equation that is stated piece by piece says for these numbers.
+    /// The piece that holds for these numbers of an equation that is stated piece by piece.
     pub(super) fn piece(&self, sides: &[Expr; 2]) -> Vec<Block> {
         let pieces = sides.each_ref().map(|side| self.display.piece_that_holds(side));
         let Some(condition) = pieces.into_iter().flatten().next() else { return Vec::new() };
@@ -139,7 +139,7 @@ impl<'a> Steps<'a> {
         blocks.extend(self.afterwards(unknown, formula, QUADRANT));
     }
 
-    /// What must be said of an angle: that whole turns are taken off, and once how its quadrant is found.
+    /// The remarks on an angle: that whole turns are taken off, and once how its quadrant is found.
     pub(super) fn afterwards(&mut self, unknown: Symbol, formula: Option<&Term>, quadrant: &str) -> Vec<Block> {
         let mut blocks = Vec::new();
         let is_turned = |value: f64| self.display.worked.whole_turns(unknown, value) != 0.0;
@@ -154,7 +154,7 @@ impl<'a> Steps<'a> {
         blocks
     }
 
-    /// What is said where zeros or letters drop out for the first time.
+    /// The remark where zeros or letters drop out for the first time.
     fn left_out(&mut self, unknown: Symbol, formula: &Term) -> Vec<Vec<Inline>> {
         let display = self.display;
         if display.is_free(unknown) || display.is_exact_multiple(unknown) {
@@ -178,7 +178,7 @@ impl<'a> Steps<'a> {
         said
     }
 
-    /// What an unknown equals for these numbers.
+    /// The formula of an unknown for these numbers.
     pub(crate) fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
         let formula = match closed {
             // The plan's form of a root guards against rounding, which symbols need not.
@@ -189,7 +189,7 @@ impl<'a> Steps<'a> {
         formula.map(|formula| self.display.term(formula))
     }
 
-    /// What is asked as a formula, with what the steps before found put in.
+    /// The formula that is asked, with the results of the steps before put in.
     fn put_together(&self, unknown: Symbol, formula: Option<&Term>) -> Vec<Block> {
         let Some(whole) = self.whole(unknown, formula.map(|formula| &formula.expr)) else { return Vec::new() };
         if formula.is_some_and(|formula| self.without_zeros(formula) == whole) {

@@ -28,7 +28,7 @@ const CLEARANCE: f64 = 1.0;
 pub struct AngleMark {
     /// The reference direction, in radians.
     pub from: f64,
-    /// What is written at the arc.
+    /// The label at the arc.
     pub label: Math,
 }
 

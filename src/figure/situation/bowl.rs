@@ -45,7 +45,7 @@ pub struct Bowl {
     pub wall: Wall,
     /// The distance of the body from the axis as a part of the sphere's radius; of a cone it has no scale.
     pub share: f64,
-    /// What is written at that distance.
+    /// The label at that distance.
     pub distance: Option<Math>,
     /// How far the body rises (or sinks, where it is negative) to the other level, as a part of the sphere's radius or of the
     /// height over the tip, and what is written there.

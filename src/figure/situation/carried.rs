@@ -40,11 +40,11 @@ const ARC_ROOM: f64 = 22.0;
 /// A body on another one that gives way, at the start of its motion, at the end, or at both beside each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carried {
-    /// What is shown, from left to right.
+    /// The ends, from left to right.
     pub ends: Vec<CarriedEnd>,
     /// How the one holds the other.
     pub by: CarriedBy,
-    /// What is written at the height between the two ends.
+    /// The label at the height between the two ends.
     pub height: Option<Math>,
 }
 
@@ -53,11 +53,11 @@ pub struct Carried {
 pub struct CarriedEnd {
     /// The body that rises or sinks.
     pub rider: MovingBody,
-    /// What carries it.
+    /// The carrier.
     pub carrier: MovingBody,
     /// The angle of the cord from straight down, in radians, counter-clockwise; on a face, zero at its foot and only there.
     pub angle: f64,
-    /// What is written at that angle.
+    /// The label at that angle.
     pub label: Option<Math>,
 }
 

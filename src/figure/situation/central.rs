@@ -73,7 +73,7 @@ impl CentralPath {
 /// A moment about a centre, drawn as an arc around it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
-    /// What is written at its arc.
+    /// The label at its arc.
     pub label: Math,
     /// Positive counter-clockwise; only the sign is drawn.
     pub value: f64,

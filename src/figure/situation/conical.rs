@@ -34,7 +34,7 @@ pub struct Conical {
     pub body: MovingBody,
     /// The angle between the cord and the vertical, in radians, and what is written there.
     pub angle: (f64, Option<Math>),
-    /// What is written at the cord.
+    /// The label at the cord.
     pub length: Option<Math>,
     /// The velocity, where it may be shown.
     pub velocity: Option<Across>,
@@ -43,7 +43,7 @@ pub struct Conical {
 /// A vector at right angles to the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Across {
-    /// What is written at it.
+    /// Its label.
     pub label: Math,
     /// Whether it points away from the reader.
     pub away: bool,

@@ -38,14 +38,14 @@ pub struct Contact {
     pub angle: Option<AngleMark>,
     /// The first body.
     pub first: MovingBody,
-    /// What it touches.
+    /// The partner that it touches.
     pub second: Partner,
     /// Further walls, which the body strikes later: the direction into each, in radians. One at right angles to a surface that it
     /// touches now makes a corner with it.
     pub walls: Vec<f64>,
 }
 
-/// What the first body touches.
+/// The partner that the first body touches.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Partner {
     /// Another body.

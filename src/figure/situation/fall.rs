@@ -33,13 +33,13 @@ pub struct Fall {
     pub body: MovingBody,
     /// The height of the fall, and then of each bounce that is to be shown.
     pub heights: Vec<Height>,
-    /// What it falls on.
+    /// The ground under the fall.
     pub ground: Ground,
     /// Its vectors where it arrives; none where it is not shown there.
     pub end: Option<Vec<Moving>>,
 }
 
-/// What a body falls on.
+/// The ground under a fall.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Ground {
     /// A level floor.
@@ -58,7 +58,7 @@ pub enum Ground {
 /// A height above the floor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Height {
-    /// What is written at its dimension line; without it the height is not dimensioned.
+    /// The label at its dimension line; without it the height is not dimensioned.
     pub label: Option<Math>,
     /// Its value, in any one unit for all heights of the figure.
     pub value: f64,

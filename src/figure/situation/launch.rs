@@ -14,7 +14,7 @@ const LONGEST: f64 = 44.0;
 /// How far a path leads, and how high it rises at most.
 const REACH: f64 = 170.0;
 const PEAK: f64 = 96.0;
-/// What is drawn of a height that lies below the start.
+/// The length drawn for a height that lies below the start.
 const DROP: f64 = 78.0;
 /// How far a path in its true proportions leads down at most.
 const LOWEST: f64 = 120.0;
@@ -39,7 +39,7 @@ pub struct Launch {
     pub body: MovingBody,
     /// The direction in which it starts, in radians; none where it is not given, and no path is drawn.
     pub direction: Option<f64>,
-    /// What the flight leads to.
+    /// The target of the flight.
     pub target: Target,
     /// A resistance in proportion to the speed.
     pub resisted: Option<Resisted>,
@@ -68,7 +68,7 @@ impl Resisted {
     }
 }
 
-/// What a flight leads to.
+/// The target of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
     /// The top of its path.

@@ -49,7 +49,7 @@ pub struct Line {
     pub spring: Option<(LineSpring, Option<Math>)>,
     /// Which of the bodies hangs on a cord from above.
     pub hung: Option<usize>,
-    /// What ties bodies to the next one, by the position of the one behind.
+    /// The ties of bodies to the next one, by the position of the one behind.
     pub tied: Vec<(usize, Tie)>,
     /// A fixed wall beyond the last body.
     pub wall: bool,
@@ -59,12 +59,12 @@ pub struct Line {
     pub exhaust: Option<Exhaust>,
 }
 
-/// What a body throws out through a nozzle.
+/// Matter that a body throws out through a nozzle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exhaust {
     /// Whether it leaves along the line rather than against it.
     pub ahead: bool,
-    /// What is written at it.
+    /// Its label.
     pub label: Option<Math>,
 }
 
@@ -75,11 +75,11 @@ pub struct Grains {
     pub body: usize,
     /// Whether they join it.
     pub join: bool,
-    /// What is written at them.
+    /// Their label.
     pub label: Option<Math>,
 }
 
-/// What ties bodies to each other.
+/// The ties between bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tie {
     /// A cord that is still slack.
@@ -245,7 +245,7 @@ impl Line {
         draw_angle(canvas, &[Vertex::open(foot, room)], top - foot, &mark);
     }
 
-    /// What pushes a body down to its floor is drawn from above, and what moves it into a spring from behind.
+    /// Forces that push a body down to its floor are drawn from above, and those that move it into a spring from behind.
     fn attach(&self, number: usize, scales: &Scales, moving: &Moving, frame: &Frame) -> Attach {
         let into = |side: Point| scales.arrow(moving).is_some_and(|arrow| arrow.dot(side) > 0.1 * arrow.length());
         let last = self.bodies.len().saturating_sub(1);

@@ -45,7 +45,7 @@ use super::input::{AxisMark, Wording};
 use super::panels::draw_axes;
 use super::place::Canvas;
 
-/// What the figure on a problem sheet shows.
+/// The figure on a problem sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Situation {
     /// Title, description, caption.

@@ -18,7 +18,7 @@ pub struct MovingBody {
     pub form: Form,
     /// Its given velocities and forces.
     pub vectors: Vec<Moving>,
-    /// Of what it consists until it comes apart, from back to front; empty for one body.
+    /// The parts of which it consists until it comes apart, from back to front; empty for one body.
     pub parts: Vec<(Math, Form)>,
 }
 

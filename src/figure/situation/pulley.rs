@@ -153,7 +153,7 @@ impl Pulley {
         Laid { way, normal, outline, radius, strands: side.strands }
     }
 
-    /// What carries the pulley: a ceiling, the edge of a table, the top of a slope.
+    /// The supports of the pulley: a ceiling, the edge of a table, the top of a slope.
     fn draw_supports(&self, canvas: &mut Canvas, laid: &[Laid; 2], radius: f64, hanging: bool) {
         if hanging {
             let top = Point::new(0.0, radius + CEILING);

@@ -29,7 +29,7 @@ pub struct Ramp {
     pub foot: Option<Vec<Moving>>,
     /// Whether it falls to the right.
     pub rightwards: bool,
-    /// What is written at the height of the ramp.
+    /// The label at the height of the ramp.
     pub height: Option<Math>,
 }
 

@@ -28,18 +28,18 @@ const GAP: f64 = 9.0;
 pub struct Ride {
     /// The body on top.
     pub rider: MovingBody,
-    /// What it moves on.
+    /// The carrier on which it moves.
     pub carrier: MovingBody,
-    /// What it moves along.
+    /// The face along which it moves.
     pub face: Face,
 }
 
-/// What a body moves along on another one.
+/// The face of another body along which a body moves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Face {
     /// A level deck.
     Deck {
-        /// What is written at the way.
+        /// The label at the way.
         way: Option<Math>,
         /// Whether the way leads to the right.
         rightwards: bool,
@@ -50,11 +50,11 @@ pub enum Face {
     Slope {
         /// Its angle in radians, positive.
         angle: f64,
-        /// What is written at that angle.
+        /// The label at that angle.
         label: Option<Math>,
         /// Whether it falls to the right.
         rightwards: bool,
-        /// What is written at the height of the body above the end of the face.
+        /// The label at the height of the body above the end of the face.
         height: Option<Math>,
     },
 }

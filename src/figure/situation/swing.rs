@@ -39,15 +39,15 @@ pub struct Swing {
     pub body: MovingBody,
     /// The places that are shown.
     pub ends: Vec<SwingEnd>,
-    /// What is written at the cord.
+    /// The label at the cord.
     pub length: Option<Math>,
-    /// What is written at the height between the two places.
+    /// The label at the height between the two places.
     pub height: Option<Math>,
-    /// What holds the body.
+    /// The hold on the body.
     pub by: SwingBy,
 }
 
-/// What holds a body that swings.
+/// The hold on a body that swings.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SwingBy {
     /// A cord.
@@ -63,7 +63,7 @@ pub enum SwingBy {
 pub struct SwingEnd {
     /// The angle of the cord from straight down, in radians, counter-clockwise.
     pub angle: f64,
-    /// What is written at that angle.
+    /// The label at that angle.
     pub label: Option<Math>,
     /// The body's vectors there.
     pub vectors: Vec<Moving>,

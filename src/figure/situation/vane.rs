@@ -35,7 +35,7 @@ pub struct Vane {
     pub directions: [f64; 2],
     /// The velocities of the jet before and after, as far as they are given.
     pub jet: [Option<Moving>; 2],
-    /// What is given of the vane itself: its velocity, the force on it.
+    /// The given vectors of the vane itself: its velocity, the force on it.
     pub vectors: Vec<Moving>,
     /// The angle that gives the second direction.
     pub angle: Option<AngleMark>,
@@ -89,7 +89,7 @@ impl Vane {
         }
     }
 
-    /// What belongs to the vane starts at its back.
+    /// The vectors of the vane start at its back.
     fn draw_vectors(&self, canvas: &mut Canvas, at: Point, back: Point) {
         let scales = self.scales();
         canvas.label(&self.name, Role::Body, Anchor::Around { at, radius: 2.0, prefer: back.angle() + PI / 3.0 });

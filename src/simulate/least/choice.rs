@@ -10,10 +10,10 @@ use super::costs::{Cost, costs};
 /// The accuracy where none is asked for and time does not matter.
 pub const DEFAULT_ACCURACY: f64 = 1e-9;
 
-/// What is off by more is another motion.
+/// The error above which a motion is another one.
 const AT_ALL: f64 = 0.5;
 
-/// What is asked of a method.
+/// The request to a method.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Request {
     /// The greatest relative error.
@@ -55,11 +55,11 @@ pub enum NoChoice {
     /// The table has nothing so accurate, or nothing so cheap.
     #[error("no {which} of the table meets this for a scene of the class `{class}`: {nearest}")]
     OutOfReach {
-        /// What was in question: `method`, or `setting of penalty`.
+        /// The choice in question: `method`, or `setting of penalty`.
         which: String,
         /// The class.
         class: &'static str,
-        /// What comes nearest.
+        /// The candidates that come nearest.
         nearest: String,
     },
 }
@@ -155,7 +155,7 @@ fn chosen(scene: &Classified, request: &Request, cost: &Cost) -> Choice {
 /// A choice with its error and its time in s, as far as they are known.
 pub(super) type Tried = (Choice, Option<f64>, Option<f64>);
 
-/// What comes nearest to a request: the most accurate of what was tried, and the cheapest.
+/// The candidates that come nearest to a request: the most accurate of those tried, and the cheapest.
 pub(super) fn nearest(tried: &[Tried]) -> String {
     let known = |value: Option<f64>| value.unwrap_or(f64::INFINITY);
     let least =

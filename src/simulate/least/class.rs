@@ -9,7 +9,7 @@ use crate::methods::{ClosedForm, EventDriven, MethodKind};
 use crate::refusal::Refusal;
 use crate::world::World;
 
-/// What a scene needs.
+/// The class of a scene: the methods that it needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     /// There is a formula for the whole run.

@@ -1,5 +1,5 @@
-//! What each method costs at each setting, and how far it is right: a committed table, remade by a command, so that no choice
-//! depends on what a machine is doing at the moment.
+//! Costs of each method at each setting, and its accuracy: a committed table, remade by a command, so that no choice depends on
+//! what a machine is doing at the moment.
 
 use std::sync::OnceLock;
 
@@ -23,7 +23,7 @@ pub struct Cost {
     pub seconds: f64,
     /// The greatest relative error.
     pub error: f64,
-    /// What the greatest of the tasks has to do at that setting, counted in bodies, contacts and steps.
+    /// The work of the greatest of the tasks at that setting, counted in bodies, contacts and steps.
     pub work: f64,
 }
 

@@ -32,7 +32,7 @@ pub struct Kept<const D: usize> {
     pub record: Record,
     /// How far it is off, as [`Record::apart`] measures it; none of a run that was given up before its time.
     pub error: Option<f64>,
-    /// What it costs in this scene by the table of costs, in s.
+    /// The cost in this scene by the table of costs, in s.
     pub seconds: Option<f64>,
 }
 

@@ -62,7 +62,7 @@ fn point<const D: usize>(task: &Task<D>, method: MethodKind, setting: Option<f64
     measured(task.name, setting, method.at::<D>(setting, end).as_ref(), &cases, repetitions)
 }
 
-/// What a task has to do; nothing where the method refuses it.
+/// The work of a task; `None` where the method refuses it.
 fn task_work<const D: usize>(task: &Task<D>, method: MethodKind, setting: Option<f64>) -> f64 {
     let case = (task.jittered)(0.0);
     let run = method.at::<D>(setting, case.budget.until).run(&case.world, &case.budget);

@@ -34,7 +34,7 @@ pub enum MethodKind {
     Rapier,
 }
 
-/// What the setting of a method is.
+/// The meaning of a method's setting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Setting {
     /// It has none.
@@ -94,7 +94,7 @@ impl MethodKind {
         })
     }
 
-    /// What its setting is.
+    /// The meaning of its setting.
     #[must_use]
     pub fn setting(self) -> Setting {
         match self {

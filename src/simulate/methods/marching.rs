@@ -1,4 +1,4 @@
-//! What all methods of fixed step share: the loop over steps, and impulses at contacts that are found closed.
+//! The common part of all methods of fixed step: the loop over steps, and impulses at contacts that are found closed.
 
 use crate::budget::{Budget, Keep};
 use crate::contact::Contact;

@@ -79,7 +79,7 @@ pub fn damping_ratio(restitution: f64) -> Option<f64> {
     Some(f64::midpoint(low, high))
 }
 
-/// What a damping ratio returns.
+/// The coefficient of restitution of a damping ratio.
 fn returned(ratio: f64) -> f64 {
     let beside = ratio - 1.0;
     let exponent = if beside.abs() < 1e-7 {

@@ -51,7 +51,7 @@ struct Engine<const D: usize> {
     pushing: Vec<Contact>,
 }
 
-/// What a collider of the engine stands for.
+/// The body or surface behind a collider of the engine.
 #[derive(Clone, Copy)]
 enum Place {
     Body(usize),

@@ -10,7 +10,7 @@ use crate::world::World;
 
 use super::marching::{Step, closed, march, push_apart};
 
-/// What game engines do: ten rounds of impulses a step, whether they have settled or not.
+/// The method of game engines: ten rounds of impulses a step, whether they have settled or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SequentialImpulses {
     /// The step in s.

@@ -8,7 +8,7 @@ use super::stage_run::StageRun;
 use super::system::System;
 use super::vector::size;
 
-/// What ends a motion.
+/// The end of a motion.
 pub(super) enum Until<'a, const N: usize> {
     Time(f64),
     /// Something that is positive until then.
@@ -17,7 +17,7 @@ pub(super) enum Until<'a, const N: usize> {
 
 /// A goal that a motion reaches, or at which it just turns back, so that it touches the goal and does not cross it.
 pub(super) struct Goal<'a, S> {
-    /// What is left of the way.
+    /// The rest of the way.
     pub left: &'a dyn Fn(&S) -> f64,
     /// How fast that gets less.
     pub closing: &'a dyn Fn(&S) -> f64,
@@ -41,7 +41,8 @@ impl<S> Goal<'_, S> {
         (self.left)(tried) < -BEYOND / 2.0 * self.whole
     }
 
-    /// What ends the motion, where it has been tried out up to this state: the goal itself where it goes on beyond, else where it turns.
+    /// The end of the motion, where it has been tried out up to this state: the goal itself where it goes on beyond, else where
+    /// it turns.
     pub(super) fn end(&self, tried: &S) -> impl Fn(&S) -> f64 {
         let crosses = self.is_crossed(tried);
         move |state| if crosses { (self.left)(state) } else { self.turned(state) }

@@ -25,7 +25,7 @@ pub struct Reached {
     pub error: f64,
 }
 
-/// What is read off the end of a run.
+/// Readings off the end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reading {
     /// A component of the velocity of a body.
@@ -53,7 +53,7 @@ pub enum Reading {
     },
     /// The time of the last impact, or of coming to rest.
     Time {
-        /// What the clock shows when the run starts, in s.
+        /// The time on the clock when the run starts, in s.
         start: f64,
     },
 }
@@ -105,7 +105,7 @@ impl Staged {
 }
 
 impl<const D: usize> Experiment<D> {
-    /// What is watched of it, from before an impact to after it.
+    /// Shows the part of it that is watched, from before an impact to after it.
     ///
     /// # Errors
     /// It has no end that could be found.

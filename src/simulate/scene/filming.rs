@@ -150,13 +150,13 @@ impl<const N: usize> Motion<'_, N> {
     }
 }
 
-/// What forces give in a time.
+/// The impulse and work that forces give in a time.
 #[derive(Clone, Debug, Default)]
 struct Given {
     /// The impulse from outside.
     outside: Vec<f64>,
     work: f64,
-    /// What they would give if they acted one way all the time.
+    /// The impulse that they would give if they acted one way all the time.
     pushes: f64,
     works: f64,
 }

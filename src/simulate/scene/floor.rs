@@ -19,7 +19,7 @@ pub(super) struct Slope {
     pub across: f64,
 }
 
-/// What ends a motion along a line.
+/// The end of a motion along a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Finish {
     Rest,
@@ -63,7 +63,7 @@ impl Values<'_> {
         Ok(part(self.direction(text)?, axis).signum())
     }
 
-    /// What ends a motion along a line that may end at rest, after a way, or after a time.
+    /// Finishes a motion along a line that may end at rest, after a way, or after a time.
     pub(super) fn finish(
         &self,
         at_rest: bool,

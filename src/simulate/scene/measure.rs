@@ -1,4 +1,4 @@
-//! What is measured on bodies at an instant: speeds, directions, energies, the centre of mass, moments.
+//! Measures of bodies at an instant: speeds, directions, energies, the centre of mass, moments.
 
 use momentous_scene::{Axis, Scene};
 
@@ -140,7 +140,7 @@ pub(super) fn place(values: &Values<'_>, body: &str) -> Result<Vector, NothingTo
         .try_fold(ZERO, |all, axis| Ok(add(all, times(values.place_before(body, axis)?, unit(axis)))))
 }
 
-/// What each body has, counted by its mass and added up; and the sum of the sizes.
+/// The sum over bodies of a vector counted by mass; and the sum of the sizes.
 pub(super) fn sum(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Option<Vector>) -> Option<(Vector, f64)> {
     bodies.iter().try_fold((ZERO, 0.0), |(all, scale), body| {
         let momentum = times(values.mass(body).ok()?, of(body)?);

@@ -150,8 +150,8 @@ pub fn part_along(scene: &Scene, direction: &str, vector: Vector, value: &dyn Fn
     Some(dot(along, vector))
 }
 
-/// What simulates a stage of a scene, counted from 0, where `value` gives the quantities of the scene in SI units by their
-/// names: masses `m_A`, velocities `v_A1.x` just before the stage, coefficients, times.
+/// Translates a stage of a scene into an experiment, counted from 0, where `value` gives the quantities of the scene in SI units
+/// by their names: masses `m_A`, velocities `v_A1.x` just before the stage, coefficients, times.
 ///
 /// ```
 /// use momentous_scene::Scene;

@@ -27,7 +27,7 @@ pub(super) type Lines = Vec<(usize, Vector)>;
 /// Lines that stay what they are, or that a state makes.
 pub(super) type SharedLines<'a> = Cow<'a, [(usize, Vector)]>;
 
-/// What acts on particles.
+/// A force on particles.
 pub(super) struct Force {
     pub on: Lines,
     pub strength: Strength,
@@ -35,15 +35,15 @@ pub(super) struct Force {
 
 /// How strong a force is.
 pub(super) enum Strength {
-    /// As the time says.
+    /// A force that changes with the time.
     InTime(OfTime),
     /// Against the velocity along the line, so much for each metre per second, and for the square of it.
     Resistance { linear: f64, quadratic: f64 },
-    /// As a spring pulls, which is deformed by so much where all particles are at the origin.
+    /// The pull of a spring, which is deformed by so much where all particles are at the origin.
     Spring { stiffness: f64, deformed: f64 },
 }
 
-/// What particles cannot leave.
+/// The constraint that particles cannot leave.
 pub(super) enum Constraint {
     /// A cord or a coupling that keeps its length, or a straight face that one body slides along on another.
     Length(Lines),
@@ -79,14 +79,14 @@ impl<'a> Particle<'a> {
         Self { name, mass: Some(mass), place: ZERO, velocity, falls: ZERO, guide: None }
     }
 
-    /// What a force does to it: the acceleration, and what its guide adds to the force.
+    /// The effect of a force on it: the acceleration, and what its guide adds to the force.
     pub(super) fn yields(&self, force: Vector) -> (Vector, Vector) {
         let Some(mass) = self.mass else { return (ZERO, ZERO) };
         let felt = self.let_through(force);
         (felt.map(|part| part / mass), less(felt, force))
     }
 
-    /// What its guide leaves of a vector.
+    /// The part of a vector that its guide lets through.
     pub(super) fn let_through(&self, vector: Vector) -> Vector {
         self.guide.map_or(vector, |along| times(dot(along, vector), along))
     }

@@ -1,4 +1,4 @@
-//! What a short push does to bodies.
+//! Effects of a short push on bodies.
 
 use momentous_scene::Term;
 
@@ -9,7 +9,7 @@ use super::vector::{Vector, ZERO, across, dot, size};
 /// A body that was pushed for a short time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pushed<'a> {
-    /// As it was before.
+    /// The body as it was before.
     pub body: Particle<'a>,
     /// Its velocity afterwards.
     pub after: Vector,

@@ -1,4 +1,4 @@
-//! What is seen of a motion that is watched.
+//! Records of a motion that is watched.
 
 use crate::record::Record;
 
@@ -7,11 +7,11 @@ use super::component::Component;
 /// A motion that was watched.
 #[derive(Clone, Debug)]
 pub struct RecordedMotion {
-    /// What its positions and velocities consist of.
+    /// The components of its positions and velocities.
     pub components: Vec<Component>,
-    /// What was seen.
+    /// The record.
     pub record: Record,
-    /// What a reader must know of it.
+    /// The notes that a reader needs.
     pub notes: Vec<&'static str>,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Seen {
     pub velocity: Vec<f64>,
 }
 
-/// What is seen at an instant.
+/// The view of a motion at an instant.
 #[derive(Default)]
 pub(super) struct Look {
     pub bodies: Vec<Seen>,

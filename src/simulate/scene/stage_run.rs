@@ -41,14 +41,14 @@ impl Procedure {
     }
 }
 
-/// What a simulation of a stage finds.
+/// Results of simulating a stage.
 #[derive(Clone, Debug, Default)]
 pub struct Observed {
     /// By which ways.
     pub ways: Vec<Procedure>,
     /// Quantities by their names.
     pub found: Vec<Reached>,
-    /// What the bodies carry together after a stage, by the names of the sums.
+    /// The sums that the bodies carry together after a stage, by their names.
     pub sums: Vec<Reached>,
     /// Quantities by terms of the scene, which say them: `d`, `2*r`.
     pub terms: Vec<Reached>,

@@ -107,7 +107,7 @@ impl<'a, const N: usize> System<'a, N> {
         Some((lines, missing / gained))
     }
 
-    /// What is seen of it.
+    /// The look of the system at a time.
     pub(super) fn look(&self, time: f64, state: &[f64; N]) -> Look {
         let now = |(index, particle): (usize, &Particle<'a>)| {
             (Particle { place: place(state, index), velocity: velocity(state, index), ..*particle }, ZERO, 0.0)
@@ -139,7 +139,7 @@ impl<'a, const N: usize> System<'a, N> {
         Look { lost: self.lost, ..look }
     }
 
-    /// What a force comes to on all particles together: nothing where it acts between them, but for what guides take up.
+    /// The force on all particles together: nothing where it acts between them, but for what guides take up.
     fn unbalanced(&self, on: &[(usize, Vector)], strength: f64) -> Vector {
         let movable = on.iter().filter(|(index, _)| self.particles[*index].mass.is_some());
         movable.fold(ZERO, |all, (index, along)| add(all, self.particles[*index].let_through(times(strength, *along))))
@@ -153,7 +153,7 @@ impl<'a, const N: usize> System<'a, N> {
 }
 
 impl Frame {
-    /// What is seen of particles, each with the force from outside on it besides its weight, and the power of all but its weight.
+    /// The look of particles, each with the force from outside on it besides its weight, and the power of all but its weight.
     pub(super) fn look<'a>(&self, all: impl Iterator<Item = (Particle<'a>, Vector, f64)>) -> Look {
         let (mut outside, mut look) = (ZERO, Look::default());
         for (moving, force, power) in all {

@@ -15,7 +15,7 @@ use super::vector::{Vector, dot, less, times};
 /// The longest step beside the time of the contact, which is of the order of a second.
 const LONGEST: f64 = 0.1;
 
-/// What a reader must know of the record of such a contact.
+/// The note that a reader of such a contact needs.
 pub const CONTACT_IN_SECONDS: &str = "The duration of the contact is not given: it is drawn as seconds. Each position is measured from where the bodies meet.";
 
 /// Two bodies at the moment in which they meet.

@@ -87,12 +87,12 @@ impl Values<'_> {
         self.number(&term.0)
     }
 
-    /// What a term says that may be left out, where it can be worked out.
+    /// The value of a term that may be left out, where it can be worked out.
     pub(super) fn known(&self, term: Option<&Term>) -> Option<f64> {
         self.term(term?).ok()
     }
 
-    /// What a term says; 0 where it is left out.
+    /// The value of a term; 0 where it is left out.
     pub(super) fn or_zero(&self, term: Option<&Term>) -> Result<f64, NothingToSimulate> {
         term.map_or(Ok(0.0), |term| self.term(term))
     }
@@ -197,7 +197,7 @@ impl Values<'_> {
         format!("v_{body}{instant}{}", self.letter(axis))
     }
 
-    /// What the name of a component ends with: `.x`; nothing where there is only one axis.
+    /// The ending of the name of a component: `.x`; empty where there is only one axis.
     pub(super) fn letter(&self, axis: Axis) -> String {
         if self.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() }
     }
@@ -241,7 +241,7 @@ impl Values<'_> {
         }
     }
 
-    /// What the names of this stage's own quantities end with: `[hit]`, `[2]`; nothing where it is the only stage.
+    /// The ending of the names of this stage's quantities: `[hit]`, `[2]`; empty where it is the only stage.
     pub(super) fn suffix(&self) -> String {
         let stages = &self.scene.stages;
         match stages.get(self.index).and_then(momentous_scene::Stage::name) {

@@ -12,7 +12,7 @@ use crate::world::{Body, Wall, World};
 use super::Trial;
 use super::scenes::{GRAVITY, Measure, beads, dropped, orbit, speed_of, time_of_last, trial};
 
-/// What has no answer: whatever a method says is wrong, unless it refuses.
+/// A scene without an answer: whatever a method says is wrong, unless it refuses.
 fn nothing<const D: usize>() -> Measure<D> {
     Box::new(|_: &Trajectory<D>| None)
 }

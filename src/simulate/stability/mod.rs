@@ -26,13 +26,13 @@ pub struct Trial<const D: usize> {
     /// The number that is asked for; `None` where the run does not have it.
     #[allow(clippy::type_complexity, reason = "a measure is a function of the trajectory, and is named here")]
     pub measure: Box<dyn Fn(&Trajectory<D>) -> Option<f64>>,
-    /// What it is; not a number where there is no answer, so that only a refusal is right.
+    /// The expected value; not a number where there is no answer, so that only a refusal is right.
     pub expected: f64,
     /// The error that is still right, relative to what is expected.
     pub tolerance: f64,
 }
 
-/// What came of one scene by one method.
+/// The result of one scene by one method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// The scene.

@@ -59,8 +59,8 @@ pub(in super::super) fn drawing(
     Some(Situation { wording, layout: Layout::Launch(launch), axes: compass.marks() }.drawing())
 }
 
-/// What resists, from the derivation in a solution; on a sheet as much as it does in the time in which weight alone would bring the
-/// body back.
+/// The resistance, from the derivation in a solution; on a sheet as much as it does in the time in which weight alone would bring
+/// the body back.
 fn resisted(quantities: &Quantities<'_>, compass: &Compass, index: usize, flight: &stage::Flight) -> Option<Resisted> {
     let (Resistance::Linear(term), Some(body)) = (flight.resistance.as_ref()?, flight.flying().next()) else {
         return None;

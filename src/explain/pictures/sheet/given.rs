@@ -1,4 +1,4 @@
-//! What a sheet draws of a body: the velocities, impulses and forces that are given.
+//! Given vectors of a body on a sheet: velocities, impulses and forces.
 
 use std::sync::Arc;
 
@@ -80,7 +80,8 @@ impl Quantities<'_> {
         pulls.chain(resisted.map(|force| Moving::force(force.placed(compass)))).collect()
     }
 
-    /// What resists the motion of a body when a push begins, against its velocity, and what is given of the other forces along a line.
+    /// The resistance to the motion of a body when a push begins, against its velocity, and the given ones of the other forces
+    /// along a line.
     fn against_resistance(&self, body: &str, stage: usize) -> Vec<Labelled> {
         let Some(Stage::Push(push)) = self.scene().stages.get(stage) else { return Vec::new() };
         let pulls =

@@ -237,7 +237,7 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
     Some((place, quantities.label_of(&spring.stiffness)))
 }
 
-/// What connects bodies that follow each other in a stage: the position of the one behind, and what ties it to the next.
+/// The ties between bodies that follow each other in a stage: the position of the one behind, and what ties it to the next.
 fn tied(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Vec<(usize, Tie)> {
     let stages = &quantities.scene().stages;
     let Some(entry) = stages.get(stage) else { return Vec::new() };
@@ -257,7 +257,7 @@ fn tied(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Vec<(usize
     next.filter(|(_, pair)| is_tied(pair[0], pair[1])).map(|(behind, _)| (behind, tie)).collect()
 }
 
-/// What falls onto one of the bodies in a stage, or out of it, and how that is said.
+/// The grains that fall onto one of the bodies in a stage, or out of it, and the words for it.
 fn grains(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(Grains, String)> {
     let Stage::Push(push) = quantities.scene().stages.get(stage)? else { return None };
     let (change, body) = (push.mass_change()?, push.pushed().next()?);

@@ -1,4 +1,4 @@
-//! What will happen next: one prediction for each contact, in a tournament whose winner is the earliest. A new prediction
+//! An agenda of the next impacts: one prediction for each contact, in a tournament whose winner is the earliest. A new prediction
 //! replaces the old one, so that nothing stale is ever met.
 
 use crate::contact::Contact;

@@ -24,7 +24,7 @@ pub(super) struct Run<'a, const D: usize> {
     breakpoints: Vec<f64>,
     /// The contacts that were struck since the time last moved by a digit.
     stalled: Vec<Contact>,
-    /// What is returned. Its last state has each body as it was when it was last looked at.
+    /// The trajectory to return. Its last state has each body as it was when it was last looked at.
     result: Trajectory<D>,
 }
 

@@ -331,7 +331,7 @@ fn what_cannot_be_simulated_says_why() {
     }
 }
 
-/// What is kept stays what it is: the momentum along each axis less the impulse from outside, and the energy.
+/// Invariants by hand: the momentum along each axis less the impulse from outside, and the energy.
 #[test]
 fn the_balances_of_what_is_watched_are_level() {
     let mut watched = 0;

@@ -11,7 +11,7 @@ use crate::scene::vector::{Vector, add, less, part, size, unit};
 
 use super::flight::{SOON, placed};
 
-/// What changes its sign where a flight ends.
+/// A function that changes its sign where a flight ends.
 type Signed<'a> = Box<dyn Fn(&[f64; 6]) -> f64 + 'a>;
 
 impl StageRun<'_> {

@@ -1,4 +1,4 @@
-//! What simulates each kind of stage: one file each, as in the scene. Whatever else the room asks of a kind of stage is answered
+//! Simulators of each kind of stage: one file each, as in the scene. Whatever else the room asks of a kind of stage is answered
 //! here as well.
 
 mod blow;

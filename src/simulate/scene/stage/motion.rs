@@ -19,7 +19,7 @@ const SOON: [f64; 2] = [1e-3, 1e-2];
 /// The steps in which it is walked along, at least.
 const STEPS: f64 = 64.0;
 
-/// What is given of a motion.
+/// The given part of a motion.
 struct GivenMotion {
     /// Along each axis, as a function of the clock and the place along the only axis.
     courses: Vec<(Axis, OfSeveral)>,
@@ -44,7 +44,7 @@ impl GivenMotion {
         Ok(Self { courses, places: stage.velocity.is_none(), start, end })
     }
 
-    /// What is given, at a time and a place.
+    /// The given vector, at a time and a place.
     fn at(&self, time: f64, at: Vector) -> Vector {
         let along = |(axis, course): &(Axis, OfSeveral)| times(course(&[time, part(at, *axis)]), unit(*axis));
         self.courses.iter().map(along).fold(ZERO, add)
@@ -72,7 +72,7 @@ impl GivenMotion {
     }
 }
 
-/// What cannot go wrong.
+/// Takes the value of a rate that cannot fail.
 fn sure(rate: Result<Rate, core::convert::Infallible>) -> Rate {
     let Ok(rate) = rate;
     rate

@@ -58,7 +58,7 @@ impl StageRun<'_> {
         self.pushed_apart(pair, spring, along, &Until::Event(&left))
     }
 
-    /// As strong as one part has to move as seen from the other.
+    /// Drives as strongly as one part has to move as seen from the other.
     fn driven<'a>(&mut self, pair: &Pair<'a>, relative: &Relative) -> Result<Pair<'a>, NothingToSimulate> {
         let direction = self.values.towards(relative.direction.as_ref())?;
         let speed = self.values.term(&relative.velocity)?;

@@ -15,7 +15,7 @@ use crate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, u
 /// How many droplets are counted.
 const DROPLETS: u32 = 1_000;
 
-/// What is watched of a stream.
+/// The name of the droplet by which a stream is watched.
 const DROPLET: &str = "droplet";
 const SEEN: &str = "One droplet of 1 kg is shown, relative to the body that it meets; the duration is not given.";
 

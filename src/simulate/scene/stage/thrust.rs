@@ -55,7 +55,7 @@ impl StageRun<'_> {
         Ok(integrator.event(0.0, [burn.start], &|_, _| [-burn.flow], &|_, state| state[0] - end)?.0)
     }
 
-    /// What a body gains from droplets of a share of its mass that it throws away, as a force.
+    /// The force on a body by droplets of a share of its mass that it throws away.
     fn droplets(&mut self, speed: f64, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
         let (droplet, left) = (share * mass, (1.0 - share) * mass);
         let parts = [left, droplet].map(|mass| Pushed::new(Particle::free("", mass, ZERO)));

@@ -1,4 +1,4 @@
-//! What a row of a stage by hand is made of.
+//! Rows of a stage by hand.
 
 pub(super) const RIGHT: &str = r#"{"x":"to the right"}"#;
 pub(super) const UP: &str = r#"{"y":"upwards"}"#;
