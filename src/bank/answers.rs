@@ -161,7 +161,7 @@ pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) 
     parts.iter().flat_map(spread).collect()
 }
 
-/// What there is to say of columns.
+/// The sentences about columns.
 fn columns_in_words(columns: &[Column<'_>], of: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
     columns.iter().filter_map(of).collect()
 }

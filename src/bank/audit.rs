@@ -40,7 +40,7 @@ pub struct Seeds {
     pub simulated: u64,
 }
 
-/// What is said of a file that is no problem.
+/// The report on a file that is no problem.
 #[must_use]
 pub fn unusable(faults: &Faults) -> Audit {
     Audit {

@@ -112,12 +112,12 @@ fn meant(name: &str) -> String {
     format!("did you mean `{name}`?")
 }
 
-/// What stands before the first slash of an identity.
+/// The topic: the part before the first slash of an identity.
 pub(super) fn topic_of(id: &str) -> &str {
     id.split('/').next().unwrap_or(id)
 }
 
-/// What stands behind the last slash of an identity.
+/// The name: the part behind the last slash of an identity.
 fn name_of(id: &str) -> &str {
     id.rsplit('/').next().unwrap_or(id)
 }

@@ -15,14 +15,14 @@ use momentous_problem::compile;
 use super::course::load_in_course;
 use super::each::each;
 
-/// What became of simulated students.
+/// Tallies of simulated students.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Students whose answer was wrong.
     pub students: u64,
     /// Diagnosed as the mistake that they made, alone or beside others that give the same answer.
     pub right: u64,
-    /// Of these, those whose answer comes of other mistakes too with these numbers.
+    /// Those of them whose answer comes of other mistakes too with these numbers.
     pub shared: u64,
     /// Diagnosed as something that they did not do.
     pub another: u64,
@@ -32,20 +32,20 @@ pub struct Tally {
     pub hidden: u64,
     /// Students who did everything right, rounding at the end or all the way.
     pub honest: u64,
-    /// Of these, those who lost a mark or were told of a mistake.
+    /// Those of them who lost a mark or were told of a mistake.
     pub wronged: u64,
-    /// What each mistake was taken for, where it was not found: the mistake, the diagnosis, how often.
+    /// The diagnosis of each mistake that was not found: the mistake, the diagnosis, how often.
     pub confused: BTreeMap<(&'static str, String), u64>,
 }
 
-/// What became of the students of one problem.
+/// The result of the students of one problem.
 #[derive(Clone, Debug)]
 pub struct Diagnosed {
     /// The problem's identity.
     pub problem: String,
     /// How many mistakes can be made in it, by their codes.
     pub mistakes: Vec<&'static str>,
-    /// What was found.
+    /// The tally.
     pub tally: Tally,
 }
 

@@ -2,7 +2,7 @@
 
 use super::entry::Card;
 
-/// So many words of two problems agree, at least, where they stand under different topics.
+/// The number of words that must agree, at least, between two problems under different topics.
 const ALIKE: usize = 2;
 
 /// The levels, the easiest first.
@@ -14,8 +14,8 @@ impl Card {
         LEVELS.iter().position(|level| *level == self.level).unwrap_or(LEVELS.len())
     }
 
-    /// Of problems that are easier than this one, the one that is nearest to it by its words, before all others one of the same topic;
-    /// nothing where none is about the same.
+    /// The problem, easier than this one, that is nearest to it by its words, before all others one of the same topic; nothing
+    /// where none is about the same.
     ///
     /// ```
     /// use momentous_bank::{Bank, Card, load_in_course};

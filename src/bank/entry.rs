@@ -1,4 +1,4 @@
-//! What a list of problems says of each.
+//! Entries of a list of problems.
 
 use serde::Serialize;
 
@@ -7,12 +7,12 @@ use momentous_problem::Loaded;
 
 use super::collection::topic_of;
 
-/// What a list says of one problem; the keys of `momentous list --format json`.
+/// An entry of a list of problems; the keys of `momentous list --format json`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Card {
     /// Its identity: `impact/two-carts`.
     pub id: String,
-    /// What stands before the first slash of the identity: `impact`.
+    /// The topic, before the first slash of the identity: `impact`.
     pub topic: String,
     /// How demanding it is: `intro`, `core` or `challenge`.
     pub level: &'static str,

@@ -31,11 +31,11 @@ pub enum AnswerKind {
 /// A problem as a gallery shows it.
 #[derive(Clone, Debug)]
 pub struct Exhibit {
-    /// What a list says of it.
+    /// The card of the problem in a list.
     pub card: Card,
     /// Its section.
     pub section: Section,
-    /// What its first form asks; empty where its text does not say it by itself.
+    /// The question of its first form; empty where its text does not say it by itself.
     pub asks: Fragment,
     /// How the parts of its forms are answered, each once.
     pub answers: Vec<AnswerKind>,
@@ -94,7 +94,7 @@ impl Exhibit {
     }
 }
 
-/// What the first form asks: the questions of its text, a quantity by its letter; else what it lets choose.
+/// The question of the first form: the questions of its text, a quantity by its letter; else what it lets choose.
 fn asks(draft: &Draft) -> Vec<Inline> {
     let first = draft.forms.iter().next().map(|(_, form)| form);
     let texts = [Some(&draft.text), first.and_then(|form| form.text.as_ref())];

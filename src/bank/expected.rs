@@ -23,7 +23,7 @@ pub(super) fn holds(problem: &Arc<Problem>, form: usize) -> Outcome {
     if other.is_empty() { Outcome::Kept } else { Outcome::Broken(other.join("; ")) }
 }
 
-/// What is said of answers to a part, where it is something else.
+/// The differences between the verdicts on answers to a part and those expected.
 fn others(exercise: &Exercise, part: &Part) -> Vec<String> {
     let other = |(typed, code): (&str, &String)| {
         let id = &part.id;

@@ -36,7 +36,7 @@ pub struct Homework {
     pub course: Option<String>,
     /// How many ruled lines the sheet has for each answer.
     pub room: usize,
-    /// What the sheet says of its date.
+    /// The words of the sheet about its date.
     pub date: Option<String>,
     /// The problems in the order of the sheet.
     pub slots: Vec<Slot>,
@@ -49,7 +49,7 @@ pub struct Slot {
     pub problem: Arc<Problem>,
     /// The position of the form in which it is asked.
     pub form: usize,
-    /// What each part is worth, by the part's name.
+    /// The points of each part, by the part's name.
     pub worth: BTreeMap<String, Rational>,
     /// How many slots before it ask the same problem in the same form.
     pub repeat: usize,
@@ -106,7 +106,7 @@ impl Homework {
         }
     }
 
-    /// What all problems are worth together.
+    /// The points of all problems together.
     #[must_use]
     pub fn points(&self) -> Rational {
         self.slots.iter().fold(Rational::ZERO, |sum, slot| sum + slot.points())
@@ -168,7 +168,7 @@ impl Slot {
         })
     }
 
-    /// What the whole problem is worth.
+    /// The points of the whole problem.
     #[must_use]
     pub fn points(&self) -> Rational {
         self.worth.values().fold(Rational::ZERO, |sum, worth| sum + worth)

@@ -1,4 +1,4 @@
-//! What `momentous check` promises of a form before a student sees it.
+//! Promises of `momentous check` about a form before a student sees it.
 
 use serde::Serialize;
 use serde::Serializer;
@@ -17,7 +17,7 @@ pub enum Promise {
     Told,
     /// Every seed draws within a bounded number of tries.
     Draws,
-    /// What is asked has exactly one solution that nothing forbids.
+    /// The quantity asked has exactly one solution that nothing forbids.
     Determined,
     /// Each answer's error is bounded, and the bound is small.
     Certified,
@@ -25,7 +25,7 @@ pub enum Promise {
     Varies,
     /// Seeds give different sheets, with different answers.
     Variety,
-    /// What short contacts leave out is small beside what they do.
+    /// The influences that short contacts leave out are small beside theirs.
     Neglected,
     /// Answers are not zero by accident.
     NotZero,
@@ -37,7 +37,7 @@ pub enum Promise {
     Reproduces,
     /// No condition is there for nothing.
     Requires,
-    /// What the key prints reaches full marks.
+    /// The answers that the key prints reach full marks.
     KeyMarks,
     /// Honest rounding moves no answer so far that right and wrong look alike.
     Sharp,
@@ -107,7 +107,7 @@ impl Promise {
         self.said().0
     }
 
-    /// What it says.
+    /// The sentence of the promise.
     #[must_use]
     pub fn sentence(self) -> &'static str {
         self.said().1
@@ -119,7 +119,7 @@ impl Promise {
     }
 }
 
-/// What an audit found of a promise.
+/// The finding of an audit on a promise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It holds.
@@ -128,7 +128,7 @@ pub enum Outcome {
     Noted(String),
     /// It holds, and what the author should know stands in the file, with the reason why it may stay.
     Acknowledged {
-        /// What there is to know.
+        /// The remark.
         remark: String,
         /// Why it may stay.
         reason: String,
@@ -160,7 +160,7 @@ impl Outcome {
         }
     }
 
-    /// What there is to say beyond the name.
+    /// The sentence beyond the name.
     #[must_use]
     pub fn remark(&self) -> Option<&str> {
         match self {
@@ -176,7 +176,7 @@ impl Outcome {
 pub struct Finding {
     /// The promise.
     pub promise: Promise,
-    /// What was found.
+    /// The outcome.
     pub outcome: Outcome,
 }
 

@@ -17,7 +17,7 @@ const IDLE: [&str; 20] = [
 /// Shorter words are not taken for others: `arc` may be meant.
 const SHORTEST: usize = 4;
 
-/// What is looked for: everything of it has to be there.
+/// Queries: everything in one has to be found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
     /// Each with those that may stand in its place.

@@ -1,7 +1,7 @@
 //! Words by which people look for problems, and those that problems have in their place.
 
-/// What is typed, and what is looked for instead: a problem that has one of these is found. Each is as [`super::spelling::plain`] writes it,
-/// and finds every word that begins so.
+/// The words typed, and those looked for instead: a problem that has one of these is found. Each is as [`super::spelling::plain`]
+/// writes it, and finds every word that begins so.
 pub(super) const RELATIVES: [(&[&str], &[&str]); 36] = [
     (
         &["coefficient of restitution", "restitution coefficient", "law of restitution", "cor", "bounciness"],

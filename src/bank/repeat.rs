@@ -70,7 +70,7 @@ fn all_lines_out(exercise: &Exercise) -> Vec<String> {
     if short.is_empty() { lines_out(exercise.worked(), Detail::Full) } else { short }
 }
 
-/// What is printed on a line of a worked solution gives its result.
+/// Checks that the numbers printed on a line of a worked solution give its result.
 pub(super) fn reproduces(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let seeds = seeds.min(MARKED);
     let out = exercises(problem, form, seeds).map(|(seed, exercise)| (seed, all_lines_out(&exercise)));
@@ -123,7 +123,7 @@ pub(super) fn key_marks(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outc
     full_marks(problem, form, seeds, |exercise| key(exercise).into_iter().collect())
 }
 
-/// So does one who rounds every value on the way to the figures that are asked.
+/// Checks the same for one who rounds every value on the way to the figures that are asked.
 pub(super) fn rounding(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     full_marks(problem, form, seeds, |exercise| {
         let worked = exercise.worked();

@@ -1,4 +1,4 @@
-//! What an audit says of a problem.
+//! Reports of an audit on a problem.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use super::promise::Finding;
 use super::promise::Outcome;
 use super::promise::Promise;
 
-/// What was found of one problem; the keys of `momentous check --format json`.
+/// The report on one problem; the keys of `momentous check --format json`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Audit {
     /// Its identity; none where the file does not load.
@@ -22,9 +22,9 @@ pub struct Audit {
     pub digest: String,
     /// Every fault of the file, where it does not load or cannot be planned.
     pub faults: Option<String>,
-    /// What fails, each with its place in the file where it has one: faults, and promises that are broken.
+    /// The failures, each with its place in the file where it has one: faults, and promises that are broken.
     pub failing: Vec<Failing>,
-    /// What was found of each form; empty where there are faults.
+    /// The audits of the forms; empty where there are faults.
     pub forms: Vec<FormAudit>,
 }
 
@@ -35,11 +35,11 @@ pub struct Failing {
     pub line: Option<usize>,
     /// The column, from 1.
     pub column: Option<usize>,
-    /// What fails, and in which form.
+    /// The failure, and the form in which it occurs.
     pub message: String,
 }
 
-/// What was found of one form.
+/// The audit of one form.
 #[derive(Clone, Debug, Serialize)]
 pub struct FormAudit {
     /// Its name; none where the problem has one form without a name.
@@ -58,7 +58,7 @@ pub struct FormAudit {
     pub laws: Vec<String>,
     /// The answers, part by part.
     pub answers: Vec<AnswerSpread>,
-    /// What was found of each promise.
+    /// The findings on the promises.
     pub promises: Vec<Finding>,
     /// How it was simulated, and how closely that agrees.
     pub simulation: Simulated,
@@ -136,7 +136,7 @@ impl Audit {
 }
 
 impl FormAudit {
-    /// What was found of a promise.
+    /// The finding on a promise.
     #[must_use]
     pub fn outcome(&self, promise: Promise) -> Option<&Outcome> {
         self.promises.iter().find(|finding| finding.promise == promise).map(|finding| &finding.outcome)

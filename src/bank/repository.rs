@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::course::FOLDER;
 
-/// What marks the top of a repository.
+/// The folder that marks the top of a repository.
 const TOP: &str = ".git";
 
 /// The way from the current folder to that of the course: the nearest one with a folder `problem_bank`, no higher than the top of the

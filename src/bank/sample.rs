@@ -25,10 +25,10 @@ const CHUNK: u64 = 64;
 /// Relative distance at which two doubles that were reached on different ways are the same number.
 const SAME: f64 = 1e-9;
 
-/// What many seeds drew.
+/// Samples of many seeds.
 #[derive(Debug, Default)]
 pub(super) struct Samples {
-    /// What was drawn, in the order of the seeds.
+    /// The samples drawn, in the order of the seeds.
     pub drawn: Vec<Sample>,
     /// The seeds that drew nothing.
     pub failed: Vec<u64>,
@@ -38,14 +38,14 @@ pub(super) struct Samples {
     pub rejected: u64,
 }
 
-/// What one seed drew.
+/// The sample of one seed.
 #[derive(Debug)]
 pub(super) struct Sample {
     /// The printed givens, as one text.
     pub given: String,
     /// The text of the sheet and the numbers of its graph, as a digest.
     pub sheet: u64,
-    /// What is left out and worth a word, each with its share of what is kept.
+    /// The omissions that are worth a word, each with its share of what is kept.
     pub neglected: Vec<(String, f64)>,
     /// The answers in the order of the parts that are numbers.
     pub answers: Vec<Answered>,
@@ -60,7 +60,7 @@ pub(super) struct Sample {
 pub(super) struct Answered {
     /// Its value in the unit of the question.
     pub value: Bounded,
-    /// As it is printed, without its unit.
+    /// The value as it is printed, without its unit.
     pub printed: String,
     /// Whether a given has the same value and dimension.
     pub is_given: bool,
@@ -125,7 +125,7 @@ impl Samples {
     }
 }
 
-/// What is left out, as the subject of a sentence.
+/// The omission as the subject of a sentence.
 fn called(problem: &Problem, weight: &ContactWeight) -> String {
     let scene = &problem.loaded().draft.scene;
     let phrase = problem.model().phrase(scene, weight.stage);

@@ -14,7 +14,7 @@ const MOST_SEEDS: u64 = 100;
 /// A mistake that is told on a smaller share of the seeds, in per cent, passes for right.
 const USUALLY: u64 = 50;
 
-/// What was seen of the mistakes.
+/// Statistics of the mistakes.
 #[derive(Default)]
 struct Seen {
     /// Seeds on which a mistake changes some answer.

@@ -24,9 +24,9 @@ pub struct Ledger<'a> {
     pub corrections: &'a [Correction],
     /// The sheets, of every issue.
     pub sheets: &'a [Sheet],
-    /// What was kept of the last attempt at each sheet.
+    /// The stored report of the last attempt at each sheet.
     pub last: &'a BTreeMap<Key<Sheet>, StoredReport>,
-    /// What was set by hand or kept by a regrade, the earliest first.
+    /// The points set by hand or kept by a regrade, the earliest first.
     pub by_hand: &'a [Override],
 }
 
@@ -41,10 +41,10 @@ pub struct Accounts<'a> {
     by_hand: BTreeMap<Key<Sheet>, Vec<&'a Override>>,
 }
 
-/// What a student has in an assignment.
+/// Standings of a student in an assignment.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Account {
-    /// What the student has for each item, in their order; items that were dropped included.
+    /// The standing for each item, in their order; items that were dropped included.
     pub standings: Vec<Standing>,
     /// The sum of the points.
     #[serde(with = "exact")]
@@ -53,27 +53,27 @@ pub struct Account {
     pub out_of: u32,
 }
 
-/// What a student has for an item.
+/// The standing of a student for an item.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Standing {
     /// The item.
     pub item: Key<Item>,
-    /// What it is worth.
+    /// Its points.
     pub out_of: u32,
     /// The points, and how they came about.
     pub mark: GradeMark,
-    /// What was said when points were set by hand, or those of marking let count again, last.
+    /// The words with which points were set by hand, or those of marking let count again, last.
     pub by_hand: Option<Said>,
-    /// What was said when a correction of the problem was taken in last.
+    /// The words with which a correction of the problem was taken in last.
     pub corrected: Option<Said>,
 }
 
-/// What is said to a student of a decision.
+/// The words to a student about a decision.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Said {
     /// Why it was taken.
     pub reason: String,
-    /// What else the student is told; empty where nothing is.
+    /// A further remark to the student; empty where there is none.
     pub comment: String,
 }
 
@@ -142,7 +142,7 @@ pub(super) struct Deciding<'a> {
     pub(super) item: &'a Item,
     pub(super) dropped: bool,
     pub(super) full_marks: bool,
-    /// What was set by hand last at the sheet that counts.
+    /// The decision made by hand last at the sheet that counts.
     pub(super) by_hand: Option<&'a Override>,
     /// The most that a correction was not to lower.
     pub(super) at_least: Option<Rational>,
@@ -210,7 +210,7 @@ impl<'a> Accounts<'a> {
         self.counted().any(|item| item.key == sheet.item && item.issue == sheet.issue)
     }
 
-    /// What a student has.
+    /// The standings of a student.
     #[must_use]
     pub fn account(&self, member: Key<Member>) -> Account {
         let standings: Vec<Standing> = self.items.iter().map(|item| self.standing(member, item)).collect();
@@ -224,7 +224,7 @@ impl<'a> Accounts<'a> {
         }
     }
 
-    /// What a student has for an item. Of its sheets that of the last issue counts.
+    /// The standing of a student for an item. Of its sheets that of the last issue counts.
     #[must_use]
     pub fn standing(&self, member: Key<Member>, item: &'a Item) -> Standing {
         let deciding = self.deciding(member, item);

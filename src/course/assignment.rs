@@ -12,7 +12,7 @@ use super::weights::Weights;
 /// Problems that are handed out together, under one policy.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Assignment {
-    /// What other records call it.
+    /// The key by which other records name it.
     pub key: Key<Assignment>,
     /// The course.
     pub course: Key<Course>,
@@ -27,7 +27,7 @@ pub struct Assignment {
 /// A problem of an assignment.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Item {
-    /// What other records call it.
+    /// The key by which other records name it.
     pub key: Key<Item>,
     /// The assignment.
     pub assignment: Key<Assignment>,
@@ -37,7 +37,7 @@ pub struct Item {
     pub problem: String,
     /// The form's name, where the problem has forms with names.
     pub form: Option<String>,
-    /// What the whole item is worth; the points of the problem's parts are scaled to it.
+    /// The points of the whole item; the points of the problem's parts are scaled to them.
     pub points: u32,
     /// How much its parts count beside each other.
     #[serde(default, skip_serializing_if = "Weights::is_empty")]
@@ -72,7 +72,7 @@ pub struct Extension {
     pub reason: String,
 }
 
-/// What becomes of old sheets where a corrected problem no longer draws them.
+/// The choice about old sheets where a corrected problem no longer draws them.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CorrectionChoice {
@@ -95,7 +95,7 @@ pub struct Correction {
     pub from: String,
     /// The digest after.
     pub to: String,
-    /// What became of the old sheets.
+    /// The choice about the old sheets.
     pub choice: CorrectionChoice,
     /// Whether it was not to lower anybody's points.
     #[serde(default)]
@@ -103,7 +103,7 @@ pub struct Correction {
     /// Why it was taken in; students are told.
     #[serde(default)]
     pub reason: String,
-    /// What else students are told; empty where nothing is.
+    /// A further remark to students; empty where there is none.
     #[serde(default)]
     pub comment: String,
     /// When.

@@ -31,33 +31,33 @@ pub struct WorkedSheet<'a> {
     pub attempts: &'a [Attempt],
     /// The hints that were shown.
     pub hints: &'a [HintShown],
-    /// What was kept of the attempts when they were marked last.
+    /// The stored reports of the attempts when they were marked last.
     pub reports: &'a [StoredReport],
     /// The times of the assignment for its student.
     pub window: Window,
 }
 
-/// What a correction makes of a sheet.
+/// The effect of a correction on a sheet.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Effect {
     /// The sheet.
     pub sheet: Key<Sheet>,
     /// Its student.
     pub member: Key<Member>,
-    /// What becomes of it.
+    /// The sheet marked again.
     pub after: Remarked,
 }
 
 /// How a corrected problem is taken in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Regrading {
-    /// What becomes of the old sheets.
+    /// The choice about the old sheets.
     pub choice: CorrectionChoice,
     /// Whether nobody has fewer points afterwards. An item that is dropped has none.
     pub never_lower: bool,
 }
 
-/// What a student has for an item after a correction.
+/// The standing of a student for an item after a correction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Regraded {
     /// The points, and how they come about.
@@ -66,7 +66,7 @@ pub struct Regraded {
     pub keeps: Option<Rational>,
 }
 
-/// What becomes of a sheet that is marked again.
+/// The outcome of marking a sheet again.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Remarked {
@@ -78,7 +78,7 @@ pub enum Remarked {
     Redacted,
 }
 
-/// What becomes of sheets when their problem is corrected, or their policy is another. The problem is `None` where its file no longer
+/// Marks sheets again when their problem is corrected, or their policy is another. The problem is `None` where its file no longer
 /// loads.
 #[must_use]
 pub fn effects(sheets: &[WorkedSheet<'_>], policy: &Policy, problem: Option<&Arc<Problem>>) -> Vec<Effect> {
@@ -91,7 +91,7 @@ pub fn effects(sheets: &[WorkedSheet<'_>], policy: &Policy, problem: Option<&Arc
 }
 
 impl Accounts<'_> {
-    /// What the student of a sheet has for its item once a correction is taken in so.
+    /// The standing of a sheet's student for its item once a correction is taken in so.
     #[must_use]
     pub fn regraded(&self, effect: &Effect, item: &Item, regrading: Regrading) -> Regraded {
         let before = self.deciding(effect.member, item);

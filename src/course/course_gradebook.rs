@@ -39,22 +39,22 @@ pub struct CourseRow {
     pub member: Key<Member>,
     /// The name by which the student signs in.
     pub login: String,
-    /// What the student is called.
+    /// The name of the student.
     pub name: String,
     /// The section.
     pub section: String,
-    /// What each assignment has brought.
+    /// The results of the assignments.
     pub cells: Vec<CourseCell>,
     /// The share of what could be reached; nothing as long as nothing counts.
     pub share: Option<Rational>,
 }
 
-/// What an assignment has brought a student.
+/// The result of a student in an assignment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CourseCell {
     /// The points; nothing where nothing was handed in.
     pub points: Option<Rational>,
-    /// What it is in the grade.
+    /// Its part in the grade.
     pub part: Part,
 }
 

@@ -1,13 +1,13 @@
-//! What is wrong with what somebody typed into a form, field by field.
+//! Faults of what somebody typed into a form, field by field.
 
 use serde::Serialize;
 
-/// What is wrong with a field, and the way out.
+/// The fault of a field, and the way out.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct FieldFault {
     /// The field's name.
     pub field: &'static str,
-    /// What is wrong, as a sentence begins; a line `help:` says the way out.
+    /// The fault, as a sentence begins; a line `help:` says the way out.
     pub message: String,
 }
 
@@ -21,12 +21,12 @@ impl Faults {
         self.0.push(FieldFault { field, message: message.into() });
     }
 
-    /// What was read of a field; nothing where it is at fault, which is said.
+    /// Reads a field; returns `None` where it is at fault, which is said.
     pub(super) fn take<T, E: ToString>(&mut self, field: &'static str, read: Result<T, E>) -> Option<T> {
         read.map_err(|message| self.say(field, message.to_string())).ok()
     }
 
-    /// What was made of the fields.
+    /// Returns the value made of the fields, or their faults.
     ///
     /// # Errors
     /// All faults, where there are any, or nothing was made.

@@ -28,7 +28,7 @@ pub struct Column {
     pub item: Key<Item>,
     /// Its heading: its place, counted from 1, and the problem.
     pub heading: String,
-    /// What it is worth.
+    /// Its points.
     pub points: u32,
 }
 
@@ -39,7 +39,7 @@ pub struct GradeRow {
     pub member: Key<Member>,
     /// The name by which the student signs in.
     pub login: String,
-    /// What the student is called.
+    /// The name of the student.
     pub name: String,
     /// The section.
     pub section: String,

@@ -17,7 +17,7 @@ pub struct Grading {
     pub dropped: u32,
 }
 
-/// What a student has reached in an assignment.
+/// The points that a student has reached in an assignment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reached {
     /// The text of the assignment's key.
@@ -47,7 +47,7 @@ pub enum Part {
 /// The grade of a student.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CourseGrade {
-    /// What each assignment is in it.
+    /// The part of each assignment in it.
     pub parts: Vec<Part>,
     /// The share of what could be reached; nothing as long as nothing counts.
     pub share: Option<Rational>,

@@ -20,7 +20,7 @@ use super::policy::Policy;
 use super::stored_report::{ShownReport, StoredPart, StoredReport, StoredWork};
 use super::window::{Late, Phase, Window};
 
-/// What a student hands in, with all that decides whether it is taken and what it is worth.
+/// A hand-in of a student, with all that decides whether it is taken and what it is worth.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -56,11 +56,11 @@ use super::window::{Late, Phase, Window};
 pub struct HandIn<'a> {
     /// The variant that was issued.
     pub exercise: &'a Exercise,
-    /// What stands between whole and decimal digits in the answers.
+    /// The sign between whole and decimal digits in the answers.
     pub decimal: DecimalMark,
-    /// What was kept of the attempt before; nothing before the first.
+    /// The stored report of the attempt before; `None` before the first.
     pub last: Option<&'a StoredReport>,
-    /// What was typed, by part.
+    /// The typed answers, by part.
     pub answers: &'a BTreeMap<String, String>,
     /// The hints that were shown on this sheet.
     pub hints: &'a [HintShown],
@@ -75,9 +75,9 @@ pub struct HandIn<'a> {
 /// An attempt that was taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Accepted {
-    /// What is to be kept of it.
+    /// The report to be stored.
     pub stored: StoredReport,
-    /// What the student may see of it now.
+    /// The report that the student may see now.
     pub shown: ShownReport,
 }
 
@@ -90,7 +90,7 @@ pub enum Refusal {
     /// Answers are no longer taken.
     #[error("the time for answers is over")]
     Over,
-    /// What is new stands at parts without attempts left, or that are right.
+    /// A new answer stands at parts without attempts left, or that are right.
     #[error("no attempt is left where the answers are new")]
     NoAttemptLeft,
     /// Nothing is typed, or what was handed in before.
@@ -145,8 +145,8 @@ impl HandIn<'_> {
         Accepted { shown: stored.shown(self.window, self.at), stored }
     }
 
-    /// What is asked back before anything is marked: a new answer has fewer figures than the sheet asks for. It does not depend on
-    /// what is right.
+    /// The question asked back before anything is marked: a new answer has fewer figures than the sheet asks for. It does not
+    /// depend on what is right.
     fn asked_back(&self) -> Option<String> {
         let history = self.last.map(|last| last.history.parts()).unwrap_or_default();
         let parts = self.exercise.worked().form.parts.iter().enumerate();
@@ -211,13 +211,13 @@ impl HandIn<'_> {
         }
     }
 
-    /// What is typed at a part, where something is.
+    /// The text typed at a part, where there is one.
     fn text(&self, id: &str) -> Option<&str> {
         let answer = self.answers.iter().find(|(typed, _)| self.exercise.usual_name(typed) == id);
         answer.map(|(_, text)| text.trim()).filter(|text| !text.is_empty())
     }
 
-    /// What is kept of it. Whether it may be taken is not asked.
+    /// Marks it and returns the report to store. Whether it may be taken is not asked.
     pub(super) fn marked(&self, late: Option<Late>) -> StoredReport {
         let shown = |part: Option<&str>| {
             let shown = self.hints.iter().filter(|hint| hint.part.as_deref() == part && hint.at <= self.at);
@@ -242,7 +242,7 @@ impl HandIn<'_> {
         StoredReport { parts: stored.collect(), total: report.total.0, out_of: report.out_of, late, history, work }
     }
 
-    /// What is kept of a part.
+    /// The stored form of a part's report.
     fn stored(&self, part: PartReport, history: &PartHistory) -> StoredPart {
         let asked = self.exercise.part(&part.id);
         let echo = |text: &str| self.exercise.echo(asked?, text, self.decimal);

@@ -1,4 +1,4 @@
-//! What students were given, and what they handed in. Nothing of it is ever changed: what comes later is added.
+//! Sheets that students were given, and their hand-ins. Nothing of it is ever changed: what comes later is added.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use super::people::{Member, Person};
 /// A sheet that a student was given: written when it is first seen.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Sheet {
-    /// What other records call it.
+    /// The key by which other records name it.
     pub key: Key<Sheet>,
     /// The item.
     pub item: Key<Item>,
@@ -29,7 +29,7 @@ pub struct Sheet {
     pub seen: Moment,
 }
 
-/// What a student handed in at once.
+/// An attempt: everything that a student handed in at once.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Attempt {
     /// The sheet.
@@ -38,9 +38,9 @@ pub struct Attempt {
     pub number: u32,
     /// When the server had it.
     pub received: Moment,
-    /// What was typed, by part.
+    /// The typed answers, by part.
     pub answers: BTreeMap<String, String>,
-    /// What marking made of it at that time, as the rules of hand-ins write it.
+    /// The report of marking at that time, as the rules of hand-ins write it.
     pub report: Box<RawValue>,
     /// The key by which a repeated request is known.
     pub request: String,
@@ -64,7 +64,7 @@ pub struct HintShown {
 pub struct Draft {
     /// The sheet.
     pub sheet: Key<Sheet>,
-    /// What was typed, by part.
+    /// The typed answers, by part.
     pub answers: BTreeMap<String, String>,
     /// When it was saved.
     pub saved: Moment,
@@ -85,10 +85,10 @@ pub struct Override {
     pub rule: OverrideRule,
     /// Why; the student is told.
     pub reason: String,
-    /// What else the student is told; empty where nothing is.
+    /// A further remark to the student; empty where there is none.
     #[serde(default)]
     pub comment: String,
-    /// Who set them.
+    /// The person who set them.
     pub by: Key<Person>,
     /// When.
     pub at: Moment,
@@ -101,6 +101,6 @@ pub enum OverrideRule {
     /// In their place; the last ones for a sheet count.
     #[default]
     Exactly,
-    /// As the least that the student has for the item, whatever marking finds, in this issue of its sheets and in later ones.
+    /// The least points that the student has for the item, whatever marking finds, in this issue of its sheets and in later ones.
     AtLeast,
 }

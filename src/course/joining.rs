@@ -69,17 +69,17 @@ pub struct CourseCode {
 /// Somebody asks for a place in a course.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct PlaceRequest {
-    /// What other records call it.
+    /// The key by which other records name it.
     pub key: Key<PlaceRequest>,
     /// The course.
     pub course: Key<Course>,
-    /// Who asks.
+    /// The person who asks.
     pub asker: Asker,
     /// When.
     pub at: Moment,
 }
 
-/// Who asks for a place.
+/// A person who asks for a place.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Asker {
@@ -89,7 +89,7 @@ pub enum Asker {
     New {
         /// The name by which this person wants to sign in.
         login: String,
-        /// What the person is called.
+        /// The name of the person.
         name: String,
         /// The hash of the password that the person has chosen.
         password: String,

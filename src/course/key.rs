@@ -1,4 +1,4 @@
-//! What a record is known by.
+//! Keys by which records are known.
 
 use std::cmp::Ordering;
 use std::fmt;

@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 pub struct Moment(i64);
 
 impl Moment {
-    /// So many milliseconds after the beginning of 1970.
+    /// Milliseconds after the beginning of 1970.
     #[must_use]
     pub const fn from_millis(millis: i64) -> Self {
         Self(millis)
@@ -31,7 +31,7 @@ impl Moment {
         self.0
     }
 
-    /// So many milliseconds later.
+    /// The moment so many milliseconds later.
     #[must_use]
     pub const fn after(self, millis: i64) -> Self {
         Self(self.0.saturating_add(millis))
@@ -69,7 +69,7 @@ impl Moment {
     }
 }
 
-/// As ISO 8601 writes it, in UTC.
+/// ISO 8601, in UTC.
 impl fmt::Display for Moment {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.timestamp().fmt(out)

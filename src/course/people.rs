@@ -11,11 +11,11 @@ use super::moment::Moment;
 /// Somebody who may sign in. This record alone says who it is; it can be erased while everything else stays.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Person {
-    /// What other records call this person.
+    /// The key by which other records name this person.
     pub key: Key<Person>,
     /// The name by which the person signs in, which is the identity in rosters: a number, an address. Unique; empty once erased.
     pub login: String,
-    /// What the person is called; empty once erased.
+    /// The name of the person; empty once erased.
     pub name: String,
     /// Whether the person runs this server.
     pub operator: bool,
@@ -38,15 +38,15 @@ impl Person {
 /// A course.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Course {
-    /// What other records call it.
+    /// The key by which other records name it.
     pub key: Key<Course>,
     /// Its title.
     pub title: String,
     /// The IANA name of its time zone.
     pub zone: String,
-    /// What stands between whole and decimal digits in its students' answers.
+    /// The sign between whole and decimal digits in its students' answers.
     pub decimal: DecimalMark,
-    /// What its seeds and its problems' numbers are drawn with.
+    /// The secret with which its seeds and its problems' numbers are drawn.
     #[serde(skip_serializing)]
     #[serde(default)]
     pub secret: String,
@@ -70,7 +70,7 @@ impl Course {
     }
 }
 
-/// What somebody is in a course, each with the rights of those before it.
+/// The role of somebody in a course, each with the rights of those before it.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, Hash, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
@@ -112,13 +112,13 @@ impl Role {
 /// Somebody in a course. Sheets and attempts hold this key, not the person's.
 #[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Member {
-    /// What other records call this member; seeds are drawn from it.
+    /// The key by which other records name this member; seeds are drawn from it.
     pub key: Key<Member>,
     /// The course.
     pub course: Key<Course>,
     /// The person.
     pub person: Key<Person>,
-    /// What the person is in the course.
+    /// The role of the person in the course.
     pub role: Role,
     /// The section; empty where the course has none.
     pub section: String,

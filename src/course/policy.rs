@@ -35,7 +35,7 @@ pub struct Policy {
     pub verdicts: Release,
     /// When students see the worked solutions.
     pub solutions: SolutionRelease,
-    /// What becomes of answers that were saved and not handed in.
+    /// The treatment of answers that were saved and not handed in.
     #[serde(default)]
     pub unsubmitted: Unsubmitted,
     /// Whether the site solves problems of these kinds for others than those who teach, while it is open.
@@ -47,7 +47,7 @@ pub struct Policy {
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Release {
-    /// As soon as answers are marked.
+    /// Shown as soon as answers are marked.
     #[default]
     AtOnce,
     /// When the assignment has closed for the student.
@@ -91,7 +91,7 @@ impl SolutionRelease {
     }
 }
 
-/// What becomes of answers that were saved and not handed in, when no more are taken.
+/// The treatment of answers that were saved and not handed in, when no more are taken.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Unsubmitted {
@@ -140,7 +140,7 @@ impl Solvers {
 }
 
 impl Policy {
-    /// What attempts and hints cost, in the terms of marking. The best sheet counts.
+    /// The cost of attempts and hints, in the terms of marking. The best sheet counts.
     #[must_use]
     pub fn rules(&self) -> Attempts {
         Attempts {

@@ -9,10 +9,10 @@ use super::moment::Moment;
 use super::people::Person;
 use super::stored_report::StoredReport;
 
-/// What stands where an answer was.
+/// The text in place of an answer.
 const REDACTED: &str = "[redacted]";
 
-/// What is said of a redacted answer that could not be read.
+/// The message on a redacted answer that could not be read.
 const UNREAD: &str = "This answer was redacted.";
 
 /// The order to take an answer out of the records. It is kept itself.
@@ -26,7 +26,7 @@ pub struct Redaction {
     pub part: String,
     /// Why.
     pub reason: String,
-    /// Who ordered it.
+    /// The person who ordered it.
     pub by: Key<Person>,
     /// When.
     pub at: Moment,
@@ -44,7 +44,7 @@ pub enum NotRedacted {
     /// Why it is to go is not said.
     #[error("say why: it is kept with the marks")]
     NoReason,
-    /// What was kept of the attempt cannot be read.
+    /// The stored report of the attempt cannot be read.
     #[error("the report of this attempt was written by another version of the program")]
     Report,
 }

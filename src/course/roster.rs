@@ -22,31 +22,31 @@ const LONGEST: usize = 200;
 pub struct RosterRow {
     /// The name by which the student signs in.
     pub login: String,
-    /// What the student is called.
+    /// The name of the student.
     pub name: String,
     /// The section; empty where the table has none.
     pub section: String,
 }
 
-/// What a roster changes.
+/// A change that a roster makes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum RosterChange {
     /// Somebody joins the course.
     New {
-        /// Who.
+        /// The row of the student.
         row: RosterRow,
     },
     /// Somebody who had left the course is back.
     Back {
-        /// Who.
+        /// The member.
         member: Key<Member>,
-        /// As the roster names the student.
+        /// The row of the roster that names the student.
         row: RosterRow,
     },
     /// Somebody is called otherwise.
     Renamed {
-        /// Who.
+        /// The member.
         member: Key<Member>,
         /// The name so far.
         from: String,
@@ -55,7 +55,7 @@ pub enum RosterChange {
     },
     /// Somebody moves to another section.
     Moved {
-        /// Who.
+        /// The member.
         member: Key<Member>,
         /// The section so far.
         from: String,
@@ -64,9 +64,9 @@ pub enum RosterChange {
     },
     /// Somebody is no longer on the roster. Sheets and marks stay.
     Gone {
-        /// Who.
+        /// The member.
         member: Key<Member>,
-        /// What the student is called.
+        /// The name of the student.
         name: String,
     },
 }
@@ -147,8 +147,8 @@ impl RosterRow {
     }
 }
 
-/// What a roster would change in a course with these members, those who left included: who is new comes first, who is gone last. Staff
-/// are never changed by a roster.
+/// The changes that a roster would make in a course with these members, those who left included: who is new comes first, who is
+/// gone last. Staff are never changed by a roster.
 ///
 /// # Errors
 /// The logins that belong to staff of the course.

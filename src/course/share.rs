@@ -38,7 +38,7 @@ impl Share {
         self.0 == Rational::ZERO
     }
 
-    /// As it is typed: in per cent where that is exact with two decimals, else as a fraction.
+    /// The share as it is typed: in per cent where that is exact with two decimals, else as a fraction.
     #[must_use]
     pub fn typed(&self) -> String {
         let percent = self.percent();

@@ -1,4 +1,4 @@
-//! What the answers of a course say about its problems.
+//! Statistics of the answers of a course.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ use super::key::Key;
 use super::people::Member;
 use super::stored_report::StoredReport;
 
-/// What the answers of a class say about the problems of an assignment.
+/// The statistics of a class for the problems of an assignment.
 #[derive(Clone, Debug)]
 pub struct ClassStatistics {
     /// The students who have points for an item.
@@ -30,12 +30,12 @@ pub struct ClassStatistics {
     pub parts: Statistics,
 }
 
-/// What a class has for an item.
+/// The standings of a class for an item.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ItemStatistics {
     /// Its heading in the gradebook.
     pub heading: String,
-    /// What it is worth.
+    /// Its points.
     pub out_of: u32,
     /// The students who have points for it.
     pub students: usize,

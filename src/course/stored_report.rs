@@ -1,4 +1,4 @@
-//! What is kept of a marked attempt, and what a student may see of it.
+//! Stored reports of marked attempts, and what a student may see of them.
 
 use std::borrow::Cow;
 
@@ -19,7 +19,7 @@ use super::handed_in::{Attempt, HintShown};
 use super::moment::Moment;
 use super::window::{Late, Window};
 
-/// What is kept of a marked attempt. Points are exact. It holds all that the next attempt must know of those before it.
+/// The stored report of a marked attempt. Points are exact. It holds all that the next attempt must know of those before it.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub struct StoredReport {
     /// The parts, in the order of the sheet.
@@ -31,14 +31,14 @@ pub struct StoredReport {
     pub out_of: u32,
     /// How late it was, where it was.
     pub late: Option<Late>,
-    /// What the student has handed in by now.
+    /// The history of the student's hand-ins.
     pub history: History,
     /// The work that stands; nothing where none was handed in.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<StoredWork>,
 }
 
-/// What is kept of the work beside the answers.
+/// The stored work beside the answers.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub struct StoredWork {
     /// Its lines.
@@ -50,7 +50,7 @@ pub struct StoredWork {
     pub factor: Rational,
 }
 
-/// What is kept of a part.
+/// The stored report of a part.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub struct StoredPart {
     /// How the part is called in answers.
@@ -61,30 +61,30 @@ pub struct StoredPart {
     pub entry: Entry,
     /// When the answer was entered that stands; nothing where there is none.
     pub since: Option<Moment>,
-    /// What was understood of the answer that stands. It is known without the right one, as are the next two.
+    /// The reading of the answer that stands. It is known without the right one, as are the next two.
     pub read: Option<String>,
     /// Why what was typed cannot be read, where it cannot.
     pub unread: Option<String>,
     /// How many attempts were counted at the part by now.
     pub made: u32,
-    /// What was found.
+    /// The verdict.
     pub verdict: Verdict,
     /// The points reached.
     #[serde(with = "exact")]
     pub points: Rational,
-    /// What the student is told.
+    /// The message to the student.
     pub message: String,
     /// The usual mistakes that lead to the answer, by their codes.
     pub mistakes: Vec<String>,
-    /// What is said of them, a question first, each plainer than the one before; the message has the first.
+    /// The hints on them, a question first, each plainer than the one before; the message has the first.
     pub hints: Vec<String>,
     /// The earlier parts from which the answer follows.
     pub follows_from: Vec<String>,
-    /// What would have followed from the student's own answers, once no attempt is left.
+    /// The values that would have followed from the student's own answers, once no attempt is left.
     pub own_values: Option<String>,
 }
 
-/// What a student may see of an attempt.
+/// The part of an attempt's report that a student may see.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ShownReport {
     /// The parts, in the order of the sheet.
@@ -97,7 +97,7 @@ pub struct ShownReport {
     pub late: Option<Late>,
 }
 
-/// What a student may see of a part.
+/// The part of a part's report that a student may see.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ShownPart {
     /// How the part is called in answers.
@@ -106,17 +106,17 @@ pub struct ShownPart {
     pub out_of: u32,
     /// How the answer came into this attempt.
     pub entry: Entry,
-    /// What was understood of the answer that stands.
+    /// The reading of the answer that stands.
     pub read: Option<String>,
     /// Why what was typed cannot be read, where it cannot.
     pub unread: Option<String>,
     /// How many attempts were counted at the part by now.
     pub made: u32,
-    /// What was found, once verdicts are shown.
+    /// The finding, once verdicts are shown.
     pub found: Option<Found>,
 }
 
-/// What was found at a part.
+/// The finding on a part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Found {
     /// The code of the verdict.
@@ -126,9 +126,9 @@ pub struct Found {
     /// The points reached; a page says them as they are printed everywhere.
     #[serde(serialize_with = "printed")]
     pub points: Points,
-    /// What the student is told.
+    /// The message to the student.
     pub message: String,
-    /// What would have followed from the student's own answers, once no attempt is left.
+    /// The values that would have followed from the student's own answers, once no attempt is left.
     pub own_values: Option<String>,
 }
 
@@ -141,12 +141,12 @@ fn printed<S: Serializer>(points: &Points, serializer: S) -> Result<S::Ok, S::Er
 pub struct NextHint {
     /// Its number among the further hints at the part, from 1.
     pub number: u32,
-    /// What it says.
+    /// Its text.
     pub text: String,
 }
 
 impl StoredReport {
-    /// What is kept of an attempt.
+    /// Reads the stored report of an attempt.
     ///
     /// # Errors
     /// Where it was written by another program, or another version of this one.
@@ -154,8 +154,8 @@ impl StoredReport {
         serde_json::from_str(attempt.report.get())
     }
 
-    /// What the student may see of it at a moment. Before verdicts are shown it is what was read, and nothing that depends on what is
-    /// right.
+    /// The report that the student may see at a moment. Before verdicts are shown it is what was read, and nothing that depends
+    /// on what is right.
     #[must_use]
     pub fn shown(&self, window: &Window, at: Moment) -> ShownReport {
         let released = window.shows_verdicts(at);

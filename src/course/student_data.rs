@@ -19,7 +19,7 @@ pub struct StudentData<'a> {
     pub course: &'a str,
     /// The name by which the student signs in.
     pub login: &'a str,
-    /// What the student is called.
+    /// The name of the student.
     pub name: &'a str,
     /// The section.
     pub section: &'a str,
@@ -33,7 +33,7 @@ pub struct StudentData<'a> {
     pub drafts: &'a [Draft],
 }
 
-/// What is kept about a sheet.
+/// The data kept about a sheet.
 #[derive(Clone, Debug, Serialize)]
 pub struct SheetData<'a> {
     /// The problem.
@@ -44,24 +44,24 @@ pub struct SheetData<'a> {
     pub statement: &'a str,
     /// When it was first seen.
     pub seen: Moment,
-    /// What was handed in.
+    /// The attempts.
     pub attempts: Vec<AttemptData<'a>>,
     /// The hints that were shown.
     pub hints: &'a [HintShown],
-    /// What was set by hand, without who did it.
+    /// The points set by hand, without who set them.
     pub by_hand: Vec<ByHandData<'a>>,
 }
 
-/// What is kept about an attempt.
+/// The data kept about an attempt.
 #[derive(Clone, Debug, Serialize)]
 pub struct AttemptData<'a> {
     /// Its number.
     pub number: u32,
     /// When the server had it.
     pub received: Moment,
-    /// What was typed.
+    /// The typed answers.
     pub answers: &'a BTreeMap<String, String>,
-    /// What the student may see of its marks.
+    /// The report of its marks that the student may see.
     pub report: Option<ShownReport>,
 }
 
@@ -74,14 +74,14 @@ pub struct ByHandData<'a> {
     pub rule: OverrideRule,
     /// Why.
     pub reason: &'a str,
-    /// What else the student is told.
+    /// A further remark to the student.
     pub comment: &'a str,
     /// When.
     pub at: Moment,
 }
 
 impl<'a> StudentData<'a> {
-    /// What is kept about a student, as it may be seen at a moment.
+    /// The data kept about a student, as they may be seen at a moment.
     #[must_use]
     pub fn of(
         (course, member, person): (&'a Course, &'a Member, &'a Person),

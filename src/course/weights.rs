@@ -33,13 +33,13 @@ impl Weights {
         self.0.is_empty()
     }
 
-    /// What each of these parts counts.
+    /// The weight of each of these parts.
     #[must_use]
     pub fn over(&self, parts: &[Part]) -> Vec<u32> {
         parts.iter().map(|part| self.0.get(&part.id).copied().unwrap_or(part.points)).collect()
     }
 
-    /// What is wrong with them for these parts; a line `help:` says the way out.
+    /// The fault of the weights for these parts; a line `help:` says the way out.
     #[must_use]
     pub fn fault(&self, parts: &[Part]) -> Option<String> {
         let names = || parts.iter().map(|part| part.id.as_str()).collect::<Vec<_>>().join(", ");

@@ -1,4 +1,4 @@
-//! What may be done at a moment: whether answers are taken, what being late costs, and what a student may see.
+//! The rights of a moment: whether answers are taken, what being late costs, and what a student may see.
 
 use jiff::{Span, Zoned};
 use serde::{Deserialize, Serialize};

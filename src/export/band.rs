@@ -13,9 +13,9 @@ const MOST_PLACES: usize = 6;
 pub(super) struct Band<'i> {
     pub low: f64,
     pub high: f64,
-    /// What it earns, from 0 to 1.
+    /// Its share of the points, from 0 to 1.
     pub share: f64,
-    /// What is said of it.
+    /// Its feedback.
     pub feedback: &'i [String],
     /// Whether it earns nothing, and nothing is known but that the power of ten is another one.
     pub is_coarse: bool,

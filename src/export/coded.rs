@@ -1,4 +1,4 @@
-//! What the code of a variant stands for, and how the answers to its fields make those to its parts again.
+//! Codes of variants, and how the answers to their fields make those to their parts again.
 
 use serde::Deserialize;
 use serde::Serialize;
@@ -10,7 +10,7 @@ use momentous_render::SeedWord;
 use super::question::{Asking, Question};
 use super::target::Target;
 
-/// What stands for the answer to a field.
+/// The sign in place of the answer to a field.
 const FIELD: &str = "{}";
 
 /// A variant that was exported.
@@ -48,7 +48,7 @@ pub struct CodedPart {
 }
 
 impl Coded {
-    /// What the code of a question stands for in a target. Where students type the unit there, it is not added to what they typed.
+    /// The code of a question in a target. Where students type the unit there, it is not added to what they typed.
     ///
     /// ```
     /// use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What an item holds that not every target has a place for, and what can become of it.
+//! Features of an item that not every target has a place for, and what can become of them.
 
 /// Something that an item holds and not every target has a place for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -11,7 +11,7 @@ pub enum Feature {
     UnitsOfSeveral,
     /// Usual mistakes and slips, with what is said of them.
     Mistakes,
-    /// That nothing but the power of ten is wrong, in a question of several fields.
+    /// Only the power of ten is wrong, in a question of several fields.
     PowersOfTen,
     /// Points for slips.
     Credit,
@@ -39,7 +39,7 @@ pub enum Feature {
     Documents,
 }
 
-/// What becomes of a feature in a target.
+/// The place of a feature in a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// All of it.

@@ -1,4 +1,4 @@
-//! What stands for each feature of an item in each target.
+//! The place of each feature of an item in each target.
 
 use super::feature::Feature;
 use super::feature::Place;

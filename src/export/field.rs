@@ -12,13 +12,13 @@ use momentous_render::Markup;
 pub(super) struct Field<'i> {
     /// How it is called: the label of its part, and its place where the part has several.
     pub name: String,
-    /// What stands before it, where its part has several: the letter of an axis, `from`.
+    /// The caption before it, where its part has several: the letter of an axis, `from`.
     pub caption: String,
-    /// What is asked.
+    /// The quantity or choice asked.
     pub asked: Asked<'i>,
 }
 
-/// What is asked.
+/// The quantity or choice that a field asks.
 #[derive(Clone, Debug)]
 pub(super) enum Asked<'i> {
     /// A number.
@@ -30,7 +30,7 @@ pub(super) enum Asked<'i> {
 /// One of several phrases.
 #[derive(Clone, Debug)]
 pub(super) struct Choice<'i> {
-    /// As it is typed.
+    /// The text as it is typed.
     pub text: &'i str,
     /// A formula as mathematics.
     pub math: Option<&'i Math>,
@@ -83,7 +83,7 @@ fn formula(item: &FormulaItem, right: bool, feedback: String) -> Choice<'_> {
     Choice { text: &item.text, math: item.math.as_ref(), right, feedback }
 }
 
-/// What stands before several values of one quantity, from the smallest.
+/// The places of several values of one quantity, from the smallest.
 fn places(count: usize) -> Vec<String> {
     let words: Vec<&str> = match count {
         2 => vec!["the smaller:", "the greater:"],
@@ -94,7 +94,7 @@ fn places(count: usize) -> Vec<String> {
 }
 
 impl Choice<'_> {
-    /// As it is printed.
+    /// The text as it is printed.
     pub fn shown(&self, markup: Markup) -> String {
         self.math.map_or_else(|| markup.line(self.text), |math| markup.math(math))
     }

@@ -46,7 +46,7 @@ pub trait Export {
     fn finish(self: Box<Self>) -> Result<(), NotWritten>;
 }
 
-/// What stands at the beginning of an export, and takes the questions.
+/// The export that a target begins, and that takes the questions.
 type Begun<'w> = Result<Box<dyn Export + 'w>, NotWritten>;
 
 /// Why an item was not written.

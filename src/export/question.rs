@@ -29,7 +29,7 @@ pub struct Question<'i> {
 pub(super) struct Asking<'i> {
     pub part: &'i ItemPart,
     pub fields: Vec<Field<'i>>,
-    /// What each of its fields weighs.
+    /// The weight of each of its fields.
     pub weight: u32,
 }
 
@@ -69,7 +69,7 @@ impl<'i> Question<'i> {
         self.asked.is_empty()
     }
 
-    /// What it holds that not every target has a place for.
+    /// The features for which not every target has a place.
     #[must_use]
     pub fn features(&self) -> Vec<Feature> {
         let item = self.item;
@@ -109,12 +109,12 @@ impl<'i> Question<'i> {
         self.asked.iter().flat_map(|asking| asking.fields.iter().map(move |field| (asking, field)))
     }
 
-    /// What all fields weigh together.
+    /// The weight of all fields together.
     pub(super) fn weight(&self) -> u32 {
         self.fields().map(|(asking, _)| asking.weight).sum()
     }
 
-    /// What variants of the same form have in common, fit for names of files: `impact-two-carts-forward`.
+    /// The stem of names of files for variants of the same form: `impact-two-carts-forward`.
     #[must_use]
     pub fn name(&self) -> String {
         let identity = &self.item.identity;
@@ -204,13 +204,13 @@ pub(super) enum TypedUnit {
 }
 
 impl Asking<'_> {
-    /// What is asked, with its label where the question has other parts, and with what a sign says.
+    /// The text of the question, with its label where the question has other parts, and with what a sign means.
     pub(super) fn question(&self, markup: Markup, labelled: bool) -> String {
         let label = if labelled { format!("({}) ", self.part.field.label) } else { String::new() };
         markup.text(&label) + &markup.inline(&self.part.field.question) + &markup.text(&self.signs())
     }
 
-    /// What a positive and a negative value say, of what has a direction.
+    /// The meaning of a positive and a negative value, of what has a direction.
     fn signs(&self) -> String {
         let number = |field: &Field<'_>| match &field.asked {
             Asked::Number(number) => number.senses.clone(),
@@ -231,7 +231,7 @@ impl Asking<'_> {
         matches!(self.part.answers, ItemAnswers::Roots(_))
     }
 
-    /// What stands behind each of its fields.
+    /// The unit behind each of its fields.
     pub(super) fn unit(&self, markup: Markup) -> String {
         self.part.field.unit.as_ref().map(|unit| markup.math(unit)).unwrap_or_default()
     }

@@ -1,10 +1,10 @@
-//! What students answered in other programs: the tables of responses that Moodle and Canvas download, read by the codes in them.
+//! Responses of students in other programs: the tables that Moodle and Canvas download, read by the codes in them.
 
 use std::collections::BTreeMap;
 
 use super::coded::Coded;
 
-/// What is typed where nothing was answered.
+/// The text where nothing was answered.
 const NOTHING: &str = "-";
 
 /// The headings under which students are known, the surest first: those of Moodle, then those of Canvas.
@@ -27,11 +27,11 @@ pub struct Responses<'c> {
 /// The response of a student to a variant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Response<'c> {
-    /// Who answered.
+    /// The student who answered.
     pub student: String,
     /// The variant.
     pub coded: &'c Coded,
-    /// What was typed, by the names of fields.
+    /// The typed texts, by the names of fields.
     pub typed: Vec<(String, String)>,
 }
 
@@ -73,7 +73,7 @@ impl<'c> Responses<'c> {
         cells.get(self.headings.iter().position(is_number)?)?.trim().parse().ok()
     }
 
-    /// What a row says.
+    /// The responses in a row.
     #[must_use]
     pub fn of_row(&self, cells: &[&str]) -> Vec<Response<'c>> {
         let student = cells.get(self.student).copied().unwrap_or_default().trim();

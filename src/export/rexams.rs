@@ -19,7 +19,7 @@ const MARKUP: Markup = Markup::Markdown;
 const LATIN: std::ops::RangeInclusive<char> = '\0'..='\u{ff}';
 const EM_SPACE: char = '\u{2003}';
 
-/// What stands before the variants. Text of problems stands only in strings of R, where knitr runs no code in it.
+/// The text before the variants. Text of problems stands only in strings of R, where knitr runs no code in it.
 const HEAD: &str = "```{r variants, echo = FALSE, results = \"hide\"}\nvariants <- list(\n";
 
 /// Behind the variants: one of them is drawn. LaTeX reads no SVG, so that there the figures are made of `TikZ`.
@@ -56,7 +56,7 @@ cat(paste(\"*\", variant$answers), sep = \"\\n\")
 
 ";
 
-/// What stands at the end.
+/// The text at the end.
 const REST: &str = "\
 Solution
 ========
@@ -203,10 +203,10 @@ fn for_latex(text: &str) -> String {
     out
 }
 
-/// What R/exams is told of a field.
+/// The parameters of R/exams for a field.
 struct Answer {
     kind: &'static str,
-    /// What stands in the list of answers.
+    /// The entries in the list of answers.
     listed: Vec<String>,
     right: String,
     tolerance: String,

@@ -15,7 +15,7 @@ use super::{canvas, moodle, numbas, prairielearn, qti, rexams};
 pub struct Target {
     /// Its name in commands.
     pub name: &'static str,
-    /// What is written.
+    /// The description of what is written.
     pub about: &'static str,
     /// How mathematics can stand there; the first is the usual way.
     pub markup: &'static [Markup],

@@ -1,4 +1,4 @@
-//! What was typed into a form that is refused, as the page that refuses it shows it: nothing of it is typed twice.
+//! Fields of a form that is refused, as the page that refuses it shows them: nothing is typed twice.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ const OF_PAGES: [&str; 17] = [
 ];
 /// Fields whose value is shown nowhere.
 const PASSWORDS: [&str; 4] = ["password", "old", "new", "again"];
-/// What is before the name of a part, in the names of fields.
+/// The prefix of a part's name, in the names of fields.
 const ANSWER: &str = "answer.";
 
 /// A form that can be sent again.
@@ -40,7 +40,7 @@ enum Kind {
 }
 
 impl Again {
-    /// What was typed, to be sent again to an address below `base`; nothing where nothing was.
+    /// The typed texts, to be sent again to an address below `base`; `None` where there are none.
     pub fn of(base: &str, to: &str, typed: &Parameters) -> Option<Self> {
         // Requests for nested pages may have lost it already.
         let to = format!("{base}{}", to.strip_prefix(base).unwrap_or(to));

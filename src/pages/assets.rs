@@ -78,7 +78,7 @@ const KINDS: [(&str, &str); 4] = [
     (".svg", "image/svg+xml"),
 ];
 
-/// What pages refer to.
+/// The files to which pages refer.
 pub struct Assets {
     files: Vec<(&'static str, Cow<'static, [u8]>)>,
     /// The digest of all of them: one changes, and every address does, since scripts name each other.

@@ -115,7 +115,7 @@ impl Library {
         Ok(exhibits)
     }
 
-    /// What a person calls a problem: its title, or for those of a course what its identity says.
+    /// The name that people give to a problem: its title, or for those of a course what its identity says.
     ///
     /// # Errors
     /// The folder cannot be read.

@@ -1,4 +1,4 @@
-//! What all pages share.
+//! The common part of all pages.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,7 +15,7 @@ use super::assets::Assets;
 use super::library::Library;
 use super::words;
 
-/// What all pages share: the problems, the templates and the files to which pages refer.
+/// The common part of all pages: the problems, the templates and the files to which pages refer.
 pub struct Pages {
     /// The problems of the bank.
     pub library: Library,
@@ -29,7 +29,7 @@ pub struct Pages {
     renderer: Renderer,
 }
 
-/// What stands beside the pages of problems.
+/// The pages beside those of problems.
 #[derive(Clone, Debug, Default)]
 pub struct Beside {
     /// Whether there are pages of courses.
@@ -38,7 +38,7 @@ pub struct Beside {
     pub hidden_simulators: Vec<&'static str>,
 }
 
-/// What every page knows besides its contents.
+/// The facts that every page knows besides its contents.
 #[derive(Serialize)]
 struct Around<'a, Who, Page> {
     /// Where the pages begin.
@@ -51,9 +51,9 @@ struct Around<'a, Who, Page> {
     has_courses: bool,
     /// The simulators that the header offers: names in addresses, and titles.
     simulators: Vec<(&'static str, &'static str)>,
-    /// What buttons and headings are called, by their names.
+    /// The words on buttons and headings, by their names.
     say: BTreeMap<&'static str, &'static str>,
-    /// What a page of a course knows besides.
+    /// The facts that a page of a course knows besides.
     who: Option<&'a Who>,
     page: &'a Page,
 }

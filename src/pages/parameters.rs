@@ -37,7 +37,7 @@ impl Parameters {
         self.0.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
     }
 
-    /// What stands in a field; an empty text where it is not there.
+    /// The text in a field; empty where it is not there.
     #[must_use]
     pub fn text(&self, name: &str) -> &str {
         self.get(name).unwrap_or_default()
@@ -75,7 +75,7 @@ impl Parameters {
         Ok(usize::try_from(self.number(name)?.unwrap_or(0)).unwrap_or(usize::MAX))
     }
 
-    /// What stands behind a prefix: `set.m_A` as `m_A`. Empty values are left out.
+    /// The fields behind a prefix: `set.m_A` as `m_A`. Empty values are left out.
     #[must_use]
     pub fn behind(&self, prefix: &str) -> BTreeMap<String, String> {
         let entry = |(name, value): &(String, String)| {

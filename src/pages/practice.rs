@@ -26,11 +26,11 @@ struct PracticePage {
     title: String,
     place: Place,
     sheet: SheetResponse,
-    /// What was typed into each field, in their order.
+    /// The text typed into each field, in their order.
     typed: Vec<String>,
     /// How that was read, in the same order.
     read: Vec<ReadResponse>,
-    /// What marking says of each field, in their order; empty before anything is marked.
+    /// The marks of each field, in their order; empty before anything is marked.
     marked: Vec<Option<MarkedPart>>,
     /// Marks of the whole sheet, once it is marked.
     report: Option<MarkResponse>,
@@ -49,7 +49,7 @@ struct PracticePage {
     decimal: String,
     /// The lines of work that were typed.
     work: String,
-    /// What is found of them; nothing before there are some, or a hint is asked for.
+    /// The judgement of the lines; `None` before there are some, or a hint is asked for.
     judged: Option<WorkResponse>,
     /// The letters that they may hold.
     letters: Vec<Letter>,

@@ -7,7 +7,7 @@ use super::refusal::{Refusal, heading, no_page};
 use super::view::View;
 use super::{figure, play, practice, simulator, solve, start};
 
-/// What makes the page of a problem, or of a simulator by its name.
+/// The function that makes the page of a problem, or of a simulator by its name.
 pub type OfProblem = fn(&View<'_>, String, &Parameters) -> Result<String, Refused>;
 
 /// When a page is shown.

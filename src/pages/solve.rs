@@ -53,7 +53,7 @@ struct SolvePage {
 #[derive(Serialize)]
 struct GivenField {
     given: GivenResponse,
-    /// What it is, in words.
+    /// The quantity, in words.
     meaning: String,
     typed: String,
 }

@@ -12,7 +12,8 @@ use super::view::View;
 /// The levels by their names in addresses, and what they are called.
 const LEVELS: [(&str, &str); 3] = [("intro", "Introductory"), ("core", "Standard"), ("challenge", "Challenging")];
 
-/// So many problems of each section stand on the start page itself; the rest is behind a link, so that the page stays short and small.
+/// The number of problems of each section on the start page itself; the rest is behind a link, so that the page stays short and
+/// small.
 const FIRST: usize = 4;
 
 #[derive(Serialize)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use momentous_exercise::calls::{Problems, Refused};
 use momentous_problem::Problem;
 
-/// What is shown and solved nowhere at the moment.
+/// The problems that are shown and solved nowhere at the moment.
 pub trait Withheld: Send + Sync {
     /// Refuses a problem that is withheld, by its id.
     ///

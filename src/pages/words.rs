@@ -1,4 +1,4 @@
-//! What buttons, tabs and headings of the pages are called: one word for one thing, on every page.
+//! Words on buttons, tabs and headings of the pages: one word for one thing, on every page.
 
 /// Names each word for the program and for templates, where it stands as `say.submit`.
 macro_rules! words {

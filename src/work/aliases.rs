@@ -53,7 +53,7 @@ const GREEK: [(&str, &str); 12] = [
 struct Alias {
     name: String,
     terms: Vec<Expr>,
-    /// So many of them are told, asked or used for the answers.
+    /// The number of them that are told, asked or used for the answers.
     likely: usize,
 }
 

@@ -22,7 +22,7 @@ use super::written::Alphabet;
 const FUNCTIONS: [(&Law, &str); 4] =
     [(&force::IMPULSE, "F"), (&energy::WORK, "F"), (&angular::MOMENT_IMPULSE, "M"), (&motion::DISPLACEMENT, "v")];
 
-/// So many members of a sequence have names.
+/// The number of members of a sequence that have names.
 const MOST_MEMBERS: i64 = 12;
 
 /// Values are the same within this share.
@@ -44,7 +44,7 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
         others: BTreeMap::new(),
         loose: BTreeSet::new(),
         numbers: BTreeMap::new(),
-        own: BTreeSet::new(),
+        own_letters: BTreeSet::new(),
         vectors: Vectors::among(&model.symbols),
         limits: BTreeMap::new(),
     };

@@ -8,7 +8,7 @@ use momentous_quantity::coherent_unit;
 
 /// Units agree within this share.
 const SAME: f64 = 1e-12;
-/// What other units are made of.
+/// The dimensions of which other units are made.
 const BASE: [Dimension; 3] = [Dimension::MASS, Dimension::LENGTH, Dimension::TIME];
 
 /// The units of bare numbers.

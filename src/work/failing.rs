@@ -20,7 +20,7 @@ use super::wrong::WrongSystems;
 const SHARES: [f64; 3] = [0.17, 0.48, 0.81];
 
 impl Judge<'_> {
-    /// What is said of a line that cannot be tried.
+    /// The verdict on a line that cannot be tried.
     pub(crate) fn open(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Found {
         let missing = line.quantities().into_iter().find(|symbol| place.value(*symbol).is_none());
         if let Some(verdict) = missing.and_then(|variable| self.of_function(line, place, sets, variable)) {
@@ -66,7 +66,7 @@ impl Judge<'_> {
         })
     }
 
-    /// What is found of a line where its bare numbers count in the units of the sheet, with which it holds.
+    /// The finding on a line where its bare numbers count in the units of the sheet, with which it holds.
     pub(crate) fn in_units_of_sheet(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Option<Found> {
         let units = BareUnits::of_sheet(self.worked).filter(|_| self.has_printed_number(line, self.units))?;
         let value = |symbol: Symbol| place.value(symbol);

@@ -1,4 +1,4 @@
-//! What is found of one line.
+//! Findings on one line.
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -20,7 +20,7 @@ pub(crate) struct Accepted {
     pub(crate) shows_laws: bool,
 }
 
-/// What was found of one reading of a line.
+/// The finding on one reading of a line.
 pub(crate) struct Found {
     pub(crate) verdict: Verdict,
     pub(crate) support: Support,

@@ -48,9 +48,9 @@ pub(crate) struct Stated {
 pub(crate) struct Ground {
     /// Its equations.
     pub(crate) system: System,
-    /// What the sheet tells.
+    /// The symbols that the sheet tells.
     pub(crate) told: BTreeSet<Symbol>,
-    /// What has a value before any line is read.
+    /// The symbols that have a value before any line is read.
     base: BTreeSet<Symbol>,
     /// The values of the base in other variants.
     variants: Vec<Values>,

@@ -19,7 +19,7 @@ use super::verdict::Verdict;
 use super::written::{Statement, Written};
 
 impl Judge<'_> {
-    /// What is said of a line whose sides agree for this variant.
+    /// The finding on a line whose sides agree for this variant.
     pub(crate) fn holding(&self, line: &Written, place: Place<'_>, sets: &[Meanings], here: &[Holds]) -> Found {
         let everywhere = |set: &Meanings| {
             let holds = |place: Place<'_>| {

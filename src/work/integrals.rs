@@ -8,28 +8,28 @@ const UPRIGHT: [&str; 3] = ["\\mathrm{d}", "\\text{d}", "{\\rm d}"];
 /// An integral as it stands in a side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct WrittenIntegral {
-    /// What stands before it.
+    /// The text before it.
     pub(crate) before: String,
     /// From where and to where; none where no limits are written.
     pub(crate) limits: Option<[String; 2]>,
-    /// What is integrated.
+    /// The integrand.
     pub(crate) integrand: String,
     /// Over what.
     pub(crate) variable: String,
-    /// What stands behind it.
+    /// The text behind it.
     pub(crate) behind: String,
 }
 
 /// A term between limits, `[t^3/3]_0^T`, as it stands in a side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct BetweenLimits {
-    /// What stands before it.
+    /// The text before it.
     pub(crate) before: String,
     /// The term.
     pub(crate) term: String,
     /// From where and to where.
     pub(crate) limits: [String; 2],
-    /// What stands behind it.
+    /// The text behind it.
     pub(crate) behind: String,
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn between_limits(side: &str) -> Option<BetweenLimits> {
     })
 }
 
-/// What is wrong with an integral.
+/// Faults of an integral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum IntegralFault {
     /// One limit, or none where none are known.

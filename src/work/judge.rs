@@ -149,7 +149,7 @@ impl<'a> Judge<'a> {
         rest.or(worst).unwrap_or_else(|| Found::of(Verdict::Remark))
     }
 
-    /// What is found of one statement, or of the equation in it where it is a sentence that cannot be read as a whole.
+    /// The finding on one statement, or on the equation in it where it is a sentence that cannot be read as a whole.
     pub(crate) fn stated(&mut self, text: &str) -> Found {
         let found = self.plainly_stated(text);
         if found.verdict != Verdict::Unreadable {
@@ -172,7 +172,7 @@ impl<'a> Judge<'a> {
         found
     }
 
-    /// What is found of one statement. The sheet does not tell the sense of the axis across the line of impact: a line may count it
+    /// The finding on one statement. The sheet does not tell the sense of the axis across the line of impact: a line may count it
     /// the other way round.
     pub(crate) fn plainly_stated(&mut self, text: &str) -> Found {
         if let Some(found) = self.own_letter(text) {
@@ -214,7 +214,7 @@ impl<'a> Judge<'a> {
         self.take(found, reading)
     }
 
-    /// What is found of one statement, and the reading in which it is found. Where it does not hold, its short names are tried with
+    /// The finding on one statement, and the reading in which it is found. Where it does not hold, its short names are tried with
     /// whatever else they may mean.
     pub(crate) fn tried(&self, text: &str) -> (Found, Option<Written>) {
         let (found, reading) = match self.tried_as(text, &[], Search::Mistakes) {
@@ -244,7 +244,7 @@ impl<'a> Judge<'a> {
         Found::of(Verdict::Unreadable).because(format!("say what `{name}` stands for: it may be several things here"))
     }
 
-    /// What is found of the best reading of a statement.
+    /// The finding on the best reading of a statement.
     pub(crate) fn tried_as(
         &self,
         text: &str,

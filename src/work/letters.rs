@@ -13,7 +13,7 @@ use momentous_solve::Equation;
 pub struct Letter {
     /// The letter as it is typed: `v_A2`.
     pub name: String,
-    /// What it stands for: `the velocity of cart A just after the impact`.
+    /// Its meaning: `the velocity of cart A just after the impact`.
     pub meaning: String,
 }
 

@@ -15,7 +15,7 @@ use super::written::Written;
 /// The most sets of meanings that are tried for a line.
 const MOST: usize = 96;
 
-/// What a number stands for.
+/// The meaning of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Meaning {
     /// The value of a given, or its negative where the sign is written before it.
@@ -31,12 +31,12 @@ pub(crate) enum Meaning {
     Computed,
 }
 
-/// What the numbers of a line stand for; a number that is not in it is computed.
+/// The meanings of the numbers of a line; a number that is not in it is computed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Meanings(BTreeMap<Symbol, Meaning>);
 
 impl Meanings {
-    /// Of one number.
+    /// The meaning of one number.
     pub(crate) fn of(&self, symbol: Symbol) -> Meaning {
         self.0.get(&symbol).copied().unwrap_or(Meaning::Computed)
     }

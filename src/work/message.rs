@@ -5,7 +5,7 @@ use super::judge::Judge;
 use super::verdict::{Verdict, list};
 
 impl Judge<'_> {
-    /// What the student is told of a line.
+    /// The message to the student about a line.
     pub(crate) fn message(&self, found: &Found, laws: &[&str]) -> String {
         let by =
             |before: &str| if laws.is_empty() { before.to_owned() } else { format!("{before}, by {}", list(laws)) };

@@ -2,7 +2,7 @@
 
 use momentous_laws::Law;
 
-/// What names a quantity, takes a vector apart or says again what the text says.
+/// The laws that name a quantity, take a vector apart or say again what the text says.
 const NAMING: [&str; 33] = [
     "acceleration-as-rate",
     "angle-between",

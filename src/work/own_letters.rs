@@ -35,7 +35,7 @@ impl Judge<'_> {
         if chain.signs.iter().any(|sign| *sign != Compared::Equal) || !is_name(name) || rest.len() > MOST_SIDES {
             return None;
         }
-        let is_own = self.alphabet.own.contains(name);
+        let is_own = self.alphabet.own_letters.contains(name);
         let (is_unknown, is_loose) = match term(name, &self.alphabet, self.mark) {
             Err(fault) => (is_unknown_name(&fault), false),
             Ok(_) if name == EULER && self.alphabet.symbols.find(EULER).is_none() => (true, false),
@@ -97,7 +97,7 @@ impl Judge<'_> {
         Rational::try_from(if is_as_last { first } else { last }).ok()
     }
 
-    /// What is found of a chain without those of its sides in which a letter is not known; nothing where no two are left.
+    /// The finding on a chain without those of its sides in which a letter is not known; `None` where no two are left.
     pub(crate) fn with_readable_sides(&mut self, text: &str) -> Option<Found> {
         let sides = sides(text)?;
         let [alternatives] = sides.as_slice() else { return None };
@@ -115,8 +115,8 @@ impl Judge<'_> {
         (found.verdict != Verdict::Unreadable).then_some(found)
     }
 
-    /// What is found of a statement with one letter that the problem does not have, where it holds if that letter is one quantity of
-    /// the scene, and for no other.
+    /// The finding on a statement with one letter that the problem does not have, where it holds if that letter is one quantity
+    /// of the scene, and for no other.
     pub(crate) fn with_letter_guessed(&mut self, text: &str) -> Option<Found> {
         let fault = readings(text, &self.alphabet, self.before.as_ref(), self.mark, &[]).err()?;
         let NoLine::Unreadable(Unreadable { kind: UnreadableKind::UnknownName { name: unknown, .. }, .. }) = fault

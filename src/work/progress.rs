@@ -1,4 +1,4 @@
-//! What a student's lines have established, what is missing, and the next step.
+//! The progress of a student's lines: what they have established, what is missing, and the next step.
 
 use std::collections::BTreeSet;
 

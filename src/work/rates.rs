@@ -2,7 +2,7 @@
 
 /// Spellings of an upright d.
 const UPRIGHT: [&str; 3] = ["\\mathrm{d}", "\\text{d}", "{\\rm d}"];
-/// What the name of a rate begins with.
+/// The beginning of the name of a rate.
 const RATE: &str = "rate_";
 
 /// A line with the rates that have a name under it.

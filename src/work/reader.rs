@@ -92,7 +92,7 @@ pub(crate) fn term(side: &str, alphabet: &Alphabet, mark: DecimalMark) -> Result
 
 struct Reader<'a> {
     alphabet: &'a Alphabet,
-    /// What short names stand for instead of what is likeliest.
+    /// The meanings of short names instead of the likeliest.
     instead: &'a [(Symbol, Expr)],
     manner: Manner,
     mark: DecimalMark,

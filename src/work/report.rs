@@ -1,4 +1,4 @@
-//! What is told of a student's work: each line with its verdict, what is established and what is still missing.
+//! The report on a student's work: each line with its verdict, what is established and what is still missing.
 
 use std::fmt;
 
@@ -14,13 +14,13 @@ pub struct JudgedLine {
     pub line: usize,
     /// The line as it was written.
     pub text: String,
-    /// What is found of it.
+    /// Its verdict.
     pub verdict: Verdict,
     /// The laws that it is made of, by their ids.
     pub laws: Vec<&'static str>,
     /// The mistakes that it may come from, by their codes.
     pub mistakes: Vec<&'static str>,
-    /// What the student is told.
+    /// The message to the student.
     pub message: String,
     /// Whether it is written in letters and the constants of formulas, with no number that was worked out or put in.
     #[serde(skip)]

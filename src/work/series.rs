@@ -4,17 +4,17 @@ use momentous_expr::Expr;
 
 /// The sign that stands for the terms that are not written.
 pub(crate) const DOTS: char = '…';
-/// So many terms are needed to see how a series goes on.
+/// The number of terms needed to see how a series goes on.
 const FEWEST_TERMS: usize = 3;
 
 /// A series as it stands in a side: what stands before it, its written terms with their signs, and what stands behind it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct WrittenSeries {
-    /// What stands before it.
+    /// The text before it.
     pub(crate) before: String,
     /// Its terms, each with its sign.
     pub(crate) terms: Vec<String>,
-    /// What stands behind it.
+    /// The text behind it.
     pub(crate) behind: String,
 }
 

@@ -43,14 +43,14 @@ const SIGNS: [(&str, Compared); 20] = [
     (">", Greater),
 ];
 
-/// What stands between two statements of one line: the second follows from the first.
+/// The arrows between two statements of one line: the second follows from the first.
 const ARROWS: [&str; 10] = ["\\Longrightarrow", "\\Rightarrow", "\\implies", "\\to ", "=>", "->", "⇒", "⟹", "→", ";"];
 
 /// Words between two statements of one line.
 const JOINERS: [&str; 9] =
     [", so ", " so ", " with ", " where ", " therefore ", " hence ", " thus ", " then ", ", and "];
 
-/// What stands between two solutions, of which one holds.
+/// The words between two solutions, of which one holds.
 const ALTERNATIVES: [&str; 3] = [" or ", "\\text{ or }", "\\text{or}"];
 
 /// Words that open a line and say nothing of their own.
@@ -265,7 +265,7 @@ fn without_words(text: &str) -> &str {
     }
 }
 
-/// What stands behind a reason in words: `no friction, so T_2 = T_1`.
+/// The text behind a reason in words: `no friction, so T_2 = T_1`.
 fn behind_reason(text: &str) -> Option<&str> {
     let compared = SIGNS.iter().filter_map(|(sign, _)| text.find(sign)).min()?;
     let (at, conclusion) = CONCLUSIONS

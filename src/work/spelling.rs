@@ -1,6 +1,6 @@
 //! Names as far as they tell quantities apart.
 
-/// What of a name tells it apart: its letters and digits.
+/// The letters and digits of a name, by which it is told apart.
 pub(crate) fn letters(name: &str) -> String {
     name.chars().filter(|sign| sign.is_alphanumeric() || *sign == '\'').collect()
 }

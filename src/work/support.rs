@@ -8,7 +8,7 @@ use momentous_expr::Symbol;
 
 use super::ground::{Ground, Place};
 
-/// What is left of a row of length one, where nothing is left.
+/// The length of the remainder of a row of length one that counts as nothing.
 const NOTHING: f64 = 1e-7;
 
 /// The slopes of the equations at one place, ready to be compared with those of lines.
@@ -31,7 +31,7 @@ type Row = Vec<f64>;
 struct Basis(Vec<Row>);
 
 impl Basis {
-    /// What of a row is none of this, of length one; none where nothing is left.
+    /// The part of a row that is none of this, of length one; `None` where nothing is left.
     fn rest(&self, row: &Row) -> Option<Row> {
         let length = norm(row);
         if length == 0.0 || !length.is_finite() {
@@ -67,7 +67,7 @@ fn norm(row: &Row) -> f64 {
     dot(row, row).sqrt()
 }
 
-/// What a line is made of.
+/// The support of a line: the laws of which it is made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Support {
     /// The positions of the ground's equations.
@@ -199,7 +199,7 @@ fn is_multiple(one: &Row, other: &Row) -> bool {
     without(one, other).is_none()
 }
 
-/// What of a row of length one is no multiple of another, of length one.
+/// The part of a row of length one that is no multiple of another, of length one.
 fn without(row: &Row, other: &Row) -> Option<Row> {
     Basis(vec![other.clone()]).rest(row)
 }

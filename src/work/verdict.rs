@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// What is found of a line.
+/// Verdicts on a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {

@@ -32,18 +32,18 @@ pub(crate) struct Alphabet {
     pub(crate) symbols: SymbolTable,
     /// The quantities and short names that a line may hold.
     pub(crate) names: Vec<Symbol>,
-    /// What each short name stands for.
+    /// The meaning of each short name.
     pub(crate) short: Vec<(Symbol, Expr)>,
     /// Spellings that are no names, each with the short name in its place: `|H_O1|`.
     pub(crate) spelt: Vec<(String, String)>,
-    /// What short names may stand for beside that.
+    /// The other meanings that short names may have.
     pub(crate) others: BTreeMap<Symbol, Vec<Expr>>,
     /// Short names that the student may use for something else.
     pub(crate) loose: BTreeSet<Symbol>,
     /// Letters of the student's own that stand for numbers that were worked out.
     pub(crate) numbers: BTreeMap<Symbol, Rational>,
     /// Short names that the student has introduced.
-    pub(crate) own: BTreeSet<String>,
+    pub(crate) own_letters: BTreeSet<String>,
     /// The vectors of the problem.
     pub(crate) vectors: Vectors,
     /// The only limits between which the problem integrates over a variable, by its name.
@@ -54,11 +54,11 @@ impl Alphabet {
     /// Adds a short name for a term, where the problem has no quantity of that name.
     pub(crate) fn shorten(&mut self, name: &str, term: Expr) {
         // What was worked out in numbers has lost its dimension.
-        let is_own = self.own.contains(name);
+        let is_own = self.own_letters.contains(name);
         let Some(dimension) = term.dimension(&self.symbols).ok().or(is_own.then_some(Dimension::NONE)) else { return };
         if let Some(known) = self.symbols.find(name) {
             // A letter of the student's own may be given another meaning.
-            if self.own.contains(name) {
+            if self.own_letters.contains(name) {
                 self.numbers.remove(&known);
                 self.short.retain(|(short, _)| *short != known);
                 self.short.push((known, term));
@@ -100,7 +100,7 @@ impl Alphabet {
         let loose: BTreeSet<Symbol> = self.loose.iter().copied().filter(is_same).collect();
         self.names.retain(|symbol| !loose.contains(symbol) || self.symbols.entry(*symbol).name == name);
         self.loose.retain(|symbol| !loose.contains(symbol));
-        self.own.insert(name.to_owned());
+        self.own_letters.insert(name.to_owned());
         self.shorten(name, term);
     }
 
@@ -125,7 +125,7 @@ impl Alphabet {
         Some(WrittenNumber { symbol, value, unit: None, half })
     }
 
-    /// What short names may stand for, each in all combinations with the others.
+    /// The meanings that short names may have, each in all combinations with the others.
     pub(crate) fn meanings(&self, line: &Written) -> Vec<Vec<(Symbol, Expr)>> {
         let mut sets: Vec<Vec<(Symbol, Expr)>> = vec![Vec::new()];
         // A letter of the sheet stands for something else only where nothing but numbers stands beside it.
@@ -148,7 +148,7 @@ impl Alphabet {
         let entry = &self.symbols.entry(known).name;
         let is_short = self.short.iter().any(|(short, _)| *short == known);
         self.others.contains_key(&known)
-            || self.own.contains(entry)
+            || self.own_letters.contains(entry)
             || !is_short && entry == name && entry.chars().count() > 1
     }
 
@@ -183,7 +183,7 @@ impl Statement {
 /// A line in one reading.
 #[derive(Clone, Debug)]
 pub(crate) struct Written {
-    /// What it states, one after another; of the alternatives of each one has to hold, with all its statements.
+    /// Its statements, one after another; of the alternatives of each one has to hold, with all its statements.
     pub(crate) stated: Vec<Vec<Vec<Statement>>>,
     /// The numbers.
     pub(crate) numbers: Vec<WrittenNumber>,

@@ -144,7 +144,7 @@ fn presentation(html: &str) -> Element {
     element("presentation").holding(material(html))
 }
 
-/// What is set off first: the worked solution, which is shown whatever was answered.
+/// The first step: the worked solution, which is shown whatever was answered.
 fn processing() -> Element {
     let score = element("decvar")
         .with("maxvalue", "100")

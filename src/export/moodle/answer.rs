@@ -13,7 +13,7 @@ const FRACTIONS: [f64; 21] = [
 /// Moodle keeps fourteen digits of a number.
 const DIGITS: usize = 14;
 
-/// As a share of a number, more than what is lost by that.
+/// The share of a number that is more than what is lost by that.
 const KEPT: f64 = 1e-13;
 
 /// One answer to a numerical question.
@@ -35,7 +35,7 @@ pub(super) fn nearest(share: f64) -> f64 {
         .fold(FRACTIONS[0], |best, fraction| if away(&fraction) < away(&best) { fraction } else { best })
 }
 
-/// What Moodle keeps of a number.
+/// The number as Moodle keeps it.
 fn as_moodle_keeps(number: f64) -> f64 {
     format!("{number:.*e}", DIGITS - 1).parse().unwrap_or(number)
 }

@@ -167,7 +167,7 @@ fn title(item: &Item) -> String {
     format!("{}{form}{seed}{code}", item.sheet.title)
 }
 
-/// What makes the same numbers again; of what is too long for Moodle, the end, which tells variants of a problem apart.
+/// The identity that makes the same numbers again; of one too long for Moodle, the end, which tells variants of a problem apart.
 fn id_number(identity: &Identity) -> String {
     let Identity { problem, form, seed, digest, scheme, .. } = identity;
     let number = |number: Option<u64>| number.map_or_else(|| "-".to_owned(), |number| number.to_string());

@@ -35,7 +35,7 @@ const SCRIPTS: [&str; 4] = [script!("engine"), script!("memory"), script!("asset
 const PLATFORM: &str = script!("platform");
 /// The script that opens the page.
 const START: &str = script!("start");
-/// What stands in frames instead of scripts that ask a server.
+/// The scripts in frames in place of those that ask a server.
 const IN_FRAMES: [(&str, &str); 2] =
     [("address.js", script!("in_frames/address")), ("engine.js", script!("in_frames/engine"))];
 
@@ -54,7 +54,7 @@ pub struct PageProblem {
     pub id: String,
 }
 
-/// What a learning platform is told.
+/// Messages to a learning platform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reported {
     /// Which problems were right, and that all were.

@@ -17,10 +17,10 @@ use super::package::Package;
 use super::printable;
 use super::question::{Asking, Pictures, Question, TypedUnit, said};
 
-/// What marks every question.
+/// The script that marks every question.
 const SERVER: &str = include_str!("server.py");
 
-/// What every question looks like.
+/// The page of every question.
 const PAGE: &str = include_str!("question.html");
 
 /// A package on its way. The variants of a form stand in one file, which has to wait until their pictures are written.

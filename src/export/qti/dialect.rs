@@ -12,7 +12,7 @@ pub(super) struct Dialect {
     pub namespace: &'static str,
     /// The namespace of the manifest.
     pub manifest: &'static str,
-    /// What the manifest calls its own schema, and the version of it.
+    /// The name of the manifest's schema, and its version.
     pub schema: [&'static str; 2],
     /// The ending of types of resources.
     pub resource: &'static str,

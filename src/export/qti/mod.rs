@@ -19,7 +19,7 @@ struct Qti<W: Write> {
     /// How the test is called.
     title: String,
     sections: Vec<Section>,
-    /// What the manifest says of each item; it stands at the end.
+    /// The entries of the manifest for the items; they stand at the end.
     resources: Vec<Element>,
 }
 
