@@ -12,6 +12,7 @@ use momentous_grade::History;
 use momentous_grade::PartHistory;
 use momentous_grade::PartReport;
 use momentous_problem::Part;
+use momentous_problem::part_letter;
 use momentous_quantity::Rational;
 
 use super::handed_in::HintShown;
@@ -154,8 +155,7 @@ impl HandIn<'_> {
             let text = self.text(&part.id)?;
             let is_new = history.get(place).is_none_or(|history| history.text() != text);
             let figures = self.exercise.figures_wanted(part, text, self.decimal).filter(|_| is_new)?;
-            let label = ('a'..='z').cycle().nth(place)?;
-            Some(format!("({label}) is to have {figures} significant figures"))
+            Some(format!("({}) is to have {figures} significant figures", part_letter(place)))
         };
         let all: Vec<String> = parts.filter_map(asked).collect();
         (!all.is_empty()).then(|| all.join(", "))

@@ -64,7 +64,7 @@ async fn link_for(store: &Store, person: &Person, now: Moment) -> Result<String,
 }
 
 /// What the trail calls a link that whoever runs the server made.
-const LINK: &str = "link made by the operator";
+const LINK: &str = "link created by the operator";
 /// What it calls an address that whoever runs the server set.
 pub(super) const ADDRESS: &str = "e-mail address set by the operator";
 

@@ -31,6 +31,7 @@ mod staff;
 mod state;
 mod student;
 mod table;
+mod titles;
 mod visit;
 mod visitor;
 mod withheld;

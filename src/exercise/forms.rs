@@ -2,8 +2,7 @@
 
 use momentous_explain::Inline;
 use momentous_problem::PlannedForm;
-
-use super::Exercise;
+use momentous_problem::Problem;
 
 /// The number of quantities that are named; of more, the first.
 const MOST: usize = 3;
@@ -17,12 +16,12 @@ pub struct FormLabel {
     pub label: Vec<Inline>,
 }
 
-impl Exercise {
-    /// The forms of the problem that have names.
+impl FormLabel {
+    /// The forms of a problem that have names.
     #[must_use]
-    pub fn form_labels(&self) -> Vec<FormLabel> {
-        let forms = self.problem().forms();
-        let asked: Vec<Vec<Inline>> = forms.iter().map(|form| self.sought(form)).collect();
+    pub fn all(problem: &Problem) -> Vec<Self> {
+        let forms = problem.forms();
+        let asked: Vec<Vec<Inline>> = forms.iter().map(|form| sought(problem, form)).collect();
         let label = |(place, form): (usize, &PlannedForm)| {
             let name = form.question.name.clone()?;
             let is_alone = asked.iter().filter(|other| **other == asked[place]).count() == 1;
@@ -31,24 +30,24 @@ impl Exercise {
             } else {
                 vec![Inline::Text(titled(&name))]
             };
-            Some(FormLabel { name, label })
+            Some(Self { name, label })
         };
         forms.iter().enumerate().filter_map(label).collect()
     }
+}
 
-    /// The quantities that a form asks for; nothing where it asks for none.
-    fn sought(&self, form: &PlannedForm) -> Vec<Inline> {
-        let mut said = Vec::new();
-        for (place, symbol) in form.wanted().enumerate() {
-            if place == MOST {
-                said.push(Inline::Text(", …".to_owned()));
-                break;
-            }
-            said.push(Inline::Text(if place == 0 { "Find " } else { ", " }.to_owned()));
-            said.push(Inline::Math(self.problem().math_of(symbol)));
+/// The quantities that a form asks for; nothing where it asks for none.
+fn sought(problem: &Problem, form: &PlannedForm) -> Vec<Inline> {
+    let mut said = Vec::new();
+    for (place, symbol) in form.wanted().enumerate() {
+        if place == MOST {
+            said.push(Inline::Text(", …".to_owned()));
+            break;
         }
-        said
+        said.push(Inline::Text(if place == 0 { "Find " } else { ", " }.to_owned()));
+        said.push(Inline::Math(problem.math_of(symbol)));
     }
+    said
 }
 
 /// A name in hyphens as people write it: `week-one` as `Week one`.

@@ -19,6 +19,7 @@ mod marking;
 mod names;
 mod note;
 mod offered_formulas;
+mod part_label;
 mod printable;
 mod record;
 mod roots;
@@ -62,6 +63,7 @@ use momentous_problem::RangePart;
 use momentous_problem::USUAL_FIGURES;
 use momentous_problem::Variant;
 use momentous_problem::Worked;
+use momentous_problem::part_letter;
 use momentous_quantity::Printed;
 use momentous_render::Identity;
 use momentous_render::KeyRow;
@@ -76,6 +78,7 @@ pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{FormulaItem, Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
 pub use momentous_work::{JudgedLine, Letter, Verdict as WorkVerdict};
+pub use part_label::PartLabel;
 pub use roster::{KnownBy, Student};
 pub use sheet_numbers::SheetNumbers;
 pub use sheet_seed::SheetSeed;
@@ -214,7 +217,7 @@ impl Exercise {
             _ => Vec::new(),
         };
         SheetPart {
-            label: letter(index),
+            label: part_letter(index),
             text,
             options,
             pictures: self.pictures(part),
@@ -253,7 +256,7 @@ impl Exercise {
         let rows = self.worked().form.parts.iter().enumerate().map(|(index, part)| KeyRow {
             identity: self.identity(),
             student: None,
-            part: letter(index),
+            part: part_letter(index),
             answer: match &part.kind {
                 PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
                 PartKind::Vector(vector) => vec![Inline::Math(explain::printed_vector(self.worked(), vector))],
@@ -351,9 +354,4 @@ fn precision(number: &NumberPart) -> String {
     } else {
         String::new()
     }
-}
-
-/// The label of a part: a, b, c, ...
-fn letter(index: usize) -> String {
-    ('a'..='z').cycle().nth(index).into_iter().collect()
 }

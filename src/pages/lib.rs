@@ -39,6 +39,7 @@ pub use assets::Assets;
 pub use library::Library;
 pub use pages::{Beside, Pages, SIMULATORS};
 pub use parameters::Parameters;
+pub use place::FormLink;
 pub use refusal::{Refusal, heading, no_page};
 pub use routes::{OfProblem, PROBLEM_PAGES, Shown};
 pub use view::View;

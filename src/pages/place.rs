@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use momentous_exercise::calls::{Refused, RefusedKind, VariantRequest};
 use momentous_exercise::{Exercise, FormLabel};
+use momentous_problem::Problem;
 use momentous_render::Fragment;
 
 /// Which variant a page shows, and its neighbours.
@@ -29,16 +30,23 @@ pub(super) struct Place {
 
 /// A form of the problem, and what it asks.
 #[derive(Serialize)]
-pub(super) struct FormLink {
+pub struct FormLink {
     name: String,
     label: Fragment,
 }
 
+impl FormLink {
+    /// The forms of a problem that have names.
+    #[must_use]
+    pub fn all(problem: &Problem) -> Vec<Self> {
+        let link = |FormLabel { name, label }| Self { label: Fragment::inline(&label), name };
+        FormLabel::all(problem).into_iter().map(link).collect()
+    }
+}
+
 impl Place {
     pub(super) fn of(exercise: &Exercise, variant: &VariantRequest) -> Result<Self, Refused> {
-        let labels = if variant.is_typed() { Vec::new() } else { exercise.form_labels() };
-        let link = |label: FormLabel| FormLink { label: Fragment::inline(&label.label), name: label.name };
-        let forms: Vec<FormLink> = labels.into_iter().map(link).collect();
+        let forms = if variant.is_typed() { Vec::new() } else { FormLink::all(exercise.problem()) };
         let form = exercise.worked().form.question.name.clone();
         let mut fields: Vec<(String, String)> = form.iter().map(|form| ("form".to_owned(), form.clone())).collect();
         let seed = exercise.variant().seed();

@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-12;
 const WEAK: f64 = 1e-6;
 
 /// Figures in tables for people.
-const FIGURES: usize = 6;
+const FIGURES: usize = 4;
 
 impl Film {
     /// The rows of the table of impacts, without the last ones where they are [`Self::weak_impacts`].
@@ -63,7 +63,7 @@ fn row(impact: &RecordedImpact, time: f64) -> Vec<String> {
     vec![figures(time), impact.contact.clone(), impulse, before, after]
 }
 
-/// A number with six figures, as short as it can be written.
+/// A number with four figures, as short as it can be written.
 fn figures(value: f64) -> String {
     let rounded: f64 = format!("{value:.*e}", FIGURES - 1).parse().unwrap_or(value);
     let size = rounded.abs();
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn figures_are_short() {
-        let cases = [(0.0, "0"), (-2.5, "\u{2212}2.5"), (1.0 / 3.0, "0.333333"), (6e24, "6e24"), (1e-5, "1e\u{2212}5")];
+        let cases = [(0.0, "0"), (-2.5, "\u{2212}2.5"), (1.0 / 3.0, "0.3333"), (6e24, "6e24"), (1e-5, "1e\u{2212}5")];
         for (value, text) in cases {
             assert_eq!(figures(value), text);
         }

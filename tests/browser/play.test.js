@@ -176,7 +176,7 @@ test("whoever wants no motion sees the end at once", async () => {
 test("without JavaScript the places stand as curves, with the impacts as a table", async () => {
   const { page, complaints, close } = await site.open({ javaScriptEnabled: false });
   await page.goto(`${site.url}/play/impact/two-carts?seed=1`);
-  assert.equal(await page.locator(".found figure svg").count(), 1);
+  assert.equal(await page.locator(".filmed figure svg").count(), 1);
   assert.equal(await page.locator(".impacts tbody tr").count(), 1);
   assert.deepEqual(complaints, []);
   await close();

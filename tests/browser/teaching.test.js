@@ -391,7 +391,7 @@ const TOUR = [
   ["Correct a problem", async () => {
     const { page } = teacher;
     await page.goto(`${server.url}${found.course}/problems`);
-    await page.getByRole("link", { name: "class/coupled-trolleys" }).click();
+    await page.getByRole("link", { name: "Two trolleys that couple" }).click();
     const file = page.getByLabel("Problem file");
     await file.fill((await file.inputValue()).replace("restitution: 1", "restitution: 0"));
     await page.getByRole("button", { name: "Save draft" }).click();
@@ -449,7 +449,7 @@ const TOUR = [
     assert.deepEqual([book.get("(erased)"), book.has(name_of(ERASED)), book.size], [before, false, 40]);
     await page.goto(`${server.url}${found.course}/trail`);
     const trail = (await page.locator("main").textContent()) ?? "";
-    for (const done of ["name erased", "corrected problem taken in", "points set by hand", "more time given", "roster changed"]) {
+    for (const done of ["name erased", "correction applied", "points set by hand", "extension given", "roster changed"]) {
       assert.ok(trail.includes(done), done);
     }
     assert.ok(!trail.includes(name_of(ERASED)));

@@ -9,7 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::generate::NUMBER;
 use crate::cli::table;
 use crate::exercise::{Column, HandedOut, Key, Listed, Place, SeedSource, Submission, VariantRef, excerpt};
-use crate::problem::Scheme;
+use crate::problem::{Scheme, part_letter};
 use crate::render::SeedWord;
 
 use super::register::Next;
@@ -197,7 +197,7 @@ fn part(heading: &str, homework: &Homework) -> Option<Heading> {
     let parts = &homework.slots.get(number.checked_sub(1)?)?.asked()?.parts;
     let part = match name.strip_prefix('.') {
         Some(id) => parts.iter().find(|part| part.id == id.trim())?,
-        None => parts.iter().zip('a'..='z').find(|(_, letter)| name.eq_ignore_ascii_case(&letter.to_string()))?.0,
+        None => parts.iter().enumerate().find(|(place, _)| name.eq_ignore_ascii_case(&part_letter(*place)))?.1,
     };
     Some(Heading::Part(number, part.id.clone()))
 }

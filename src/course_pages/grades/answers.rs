@@ -17,6 +17,7 @@ use super::super::reply::Reply;
 use super::super::visit::Visit;
 use super::super::withheld::Withheld;
 use super::class::{member, reports, titles};
+use super::part_title::PartTitle;
 use momentous_pages::Withheld as _;
 
 #[derive(Serialize)]
@@ -58,8 +59,10 @@ struct AttemptShown {
 #[derive(Serialize)]
 struct PartShown {
     id: String,
-    /// Its label on the sheet and its right answer, where whoever asks may have it.
-    right: Option<RightAnswer>,
+    /// Nothing where the file no longer asks it.
+    title: Option<PartTitle>,
+    /// Its right answer, where whoever asks may have it.
+    right: Option<String>,
     typed: String,
     is_redacted: bool,
     read: Option<String>,
@@ -71,11 +74,11 @@ struct PartShown {
     message: String,
 }
 
-/// What the key says of a part.
-#[derive(Clone, Serialize)]
-struct RightAnswer {
-    label: String,
-    answer: String,
+/// What the problem says of its parts, by their names in answers.
+#[derive(Default)]
+struct Key {
+    titles: BTreeMap<String, PartTitle>,
+    right: BTreeMap<String, String>,
 }
 
 #[derive(Serialize)]
@@ -158,7 +161,7 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
     let reports = reports(&attempts)?;
     let counting = reports.last().and_then(|last| last.history.counting());
     let records = Records::of_student(visit, whole, student.member.key).await?;
-    let right = right_answers(visit, place).await?;
+    let key = key(visit, place).await?;
     let is_own = |decision: &&Override| records.is_at(decision, item.key);
     let page = AnswersPage {
         title: format!(
@@ -178,7 +181,7 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
         attempts: attempts
             .iter()
             .zip(&reports)
-            .map(|(attempt, report)| shown((attempt, report), counting, zone, &right))
+            .map(|(attempt, report)| shown((attempt, report), counting, zone, &key))
             .collect(),
         by_hand: records.by_hand.iter().filter(is_own).map(|decision| set(decision, zone)).collect(),
         decides: visit.place()?.member.role == Role::Instructor,
@@ -188,30 +191,24 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
     visit.page("courses/grades/answers", page).await
 }
 
-/// The right answers to the sheet, by part. They are kept from whoever learns in another course where the problem is open.
-async fn right_answers(visit: &Visit, place: &Place) -> Result<BTreeMap<String, RightAnswer>, NotShown> {
-    let Some(sheet) = &place.sheet else { return Ok(BTreeMap::new()) };
-    if Withheld::from_student(visit).await?.check(&place.item.problem).is_err() {
-        return Ok(BTreeMap::new());
-    }
+/// What the parts of the sheet ask, and the right answers, which are kept from whoever learns in another course where the problem is open.
+async fn key(visit: &Visit, place: &Place) -> Result<Key, NotShown> {
+    let Some(sheet) = &place.sheet else { return Ok(Key::default()) };
     let (problem, issued) = (items::problem(visit, &place.item).await?, sheet.issued.clone());
-    let answers = visit.work(move |_| {
+    let titles = PartTitle::all(&problem, issued.form.as_deref());
+    if Withheld::from_student(visit).await?.check(&place.item.problem).is_err() {
+        return Ok(Key { titles, ..Key::default() });
+    }
+    let right = visit.work(move |_| {
         // A corrected problem may no longer draw this sheet; then nothing stands beside it.
         let Ok(exercise) = issued.draw(&problem) else { return Ok(BTreeMap::new()) };
-        let parts = exercise.worked().form.parts.iter().zip(exercise.student_sheet().fields);
-        let right = parts
-            .map(|(part, field)| (part.id.clone(), RightAnswer { label: field.label, answer: exercise.printed(part) }));
-        Ok(right.collect())
+        let parts = exercise.worked().form.parts.iter();
+        Ok(parts.map(|part| (part.id.clone(), exercise.printed(part))).collect())
     });
-    answers.await
+    Ok(Key { titles, right: right.await? })
 }
 
-fn shown(
-    (attempt, report): (&Attempt, &StoredReport),
-    counting: Option<u32>,
-    zone: &str,
-    right: &BTreeMap<String, RightAnswer>,
-) -> AttemptShown {
+fn shown((attempt, report): (&Attempt, &StoredReport), counting: Option<u32>, zone: &str, key: &Key) -> AttemptShown {
     AttemptShown {
         number: attempt.number,
         received: attempt.received.shown(zone),
@@ -219,15 +216,16 @@ fn shown(
         counts: counting == Some(attempt.number),
         total: Points(report.total.clone()).to_string(),
         out_of: report.out_of,
-        parts: report.parts.iter().map(|kept| part(attempt, kept, right.get(&kept.id))).collect(),
+        parts: report.parts.iter().map(|kept| part(attempt, kept, key)).collect(),
         work: report.work.as_ref().map_or_else(String::new, |work| work.text.clone()),
     }
 }
 
-fn part(attempt: &Attempt, kept: &StoredPart, right: Option<&RightAnswer>) -> PartShown {
+fn part(attempt: &Attempt, kept: &StoredPart, key: &Key) -> PartShown {
     PartShown {
         id: kept.id.clone(),
-        right: right.cloned(),
+        title: key.titles.get(&kept.id).cloned(),
+        right: key.right.get(&kept.id).cloned(),
         typed: attempt.answers.get(&kept.id).cloned().unwrap_or_default(),
         is_redacted: is_redacted(attempt, &kept.id),
         read: kept.read.clone(),

@@ -28,7 +28,8 @@ pub(crate) async fn set_points(visit: &Visit) -> Result<Reply, NotShown> {
     let sheet = &place.issued(visit).await?;
     let by = visit.person()?.key;
     let what = if read.is_some() { "points set by hand" } else { "points of marking count again" };
-    let detail = format!("sheet {}: {}", sheet.key, read.as_deref().unwrap_or("as marked"));
+    let whose = format!("member {}, {}", place.student.member.key, place.item.problem);
+    let detail = format!("{whose}: {}", read.as_deref().unwrap_or("as marked"));
     // The last one counts, whatever became of the clock.
     let before = visit.store().set_by_hand(place.whole.assignment.key).await?;
     let last = before.iter().filter(|decision| decision.sheet == sheet.key).map(|decision| decision.at.after(1)).max();
@@ -61,7 +62,8 @@ pub(crate) async fn redact(visit: &Visit) -> Result<Reply, NotShown> {
     };
     match redacted(&attempts, &order) {
         Ok(changed) => {
-            let detail = format!("sheet {}, attempt {number}, part {}: {}", sheet.key, order.part, order.reason);
+            let whose = format!("member {}, {}", place.student.member.key, place.item.problem);
+            let detail = format!("{whose}, attempt {number}, part {}: {}", order.part, order.reason);
             visit.store().redact(&changed, &visit.entry("answer redacted", detail)).await?;
             Ok(Reply::To(place.address(visit)?))
         }

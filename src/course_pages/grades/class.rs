@@ -11,6 +11,7 @@ use momentous_web::App;
 use super::super::at_close;
 use super::super::ledger::Records;
 use super::super::outcome::NotShown;
+use super::super::titles::Titles;
 use super::super::visit::Visit;
 
 /// The assignment of the address, which belongs to the course of the address.
@@ -30,10 +31,10 @@ pub(super) async fn titles(
 ) -> Result<BTreeMap<Key<Item>, String>, NotShown> {
     let items: Vec<(Key<Item>, u32, String)> =
         whole.items.iter().map(|item| (item.key, item.position.saturating_add(1), item.problem.clone())).collect();
+    let titles = Titles::of(visit).await?;
     let titled = move |app: &App| {
-        let title = |(key, place, problem): &(_, _, String)| {
-            Ok((*key, format!("{place}. {}", app.pages.library.title(problem)?)))
-        };
+        let title =
+            |(key, place, problem): &(_, _, String)| Ok((*key, format!("{place}. {}", titles.title(app, problem)?)));
         items.iter().map(title).collect()
     };
     visit.work(titled).await

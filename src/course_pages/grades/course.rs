@@ -230,7 +230,7 @@ pub(crate) async fn save_grading(visit: &Visit) -> Result<Reply, NotShown> {
         return with(visit, Some(form)).await;
     }
     let course = Course { grading, ..visit.course()?.clone() };
-    visit.store().save_course(&course, &visit.entry("weights of the grade changed", "")).await?;
+    visit.store().save_course(&course, &visit.entry("grade weights changed", "")).await?;
     Ok(Reply::To(visit.in_course("/gradebook?saved=yes")?))
 }
 

@@ -7,6 +7,7 @@ mod correction;
 mod course;
 mod gradebook;
 mod member;
+mod part_title;
 mod regrade;
 mod retention;
 mod statistics;

@@ -168,7 +168,7 @@ pub(crate) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
     let is_asked = |corrected: &&Corrected| corrected.item.key == asked && corrected.file.digest == field("digest");
     let corrected = items.iter().find(is_asked).ok_or_else(changed)?;
     let way = WAYS.iter().find(|way| way.name == field("choice") && corrected.offers(way.regrading.choice));
-    let Way { regrading, name, .. } = way.ok_or_else(|| NotShown::field("choose one of the choices of the page"))?;
+    let Way { regrading, says, .. } = way.ok_or_else(|| NotShown::field("choose one of the choices of the page"))?;
     let said = |name: &str| field(name).trim().to_owned();
     let correction = Correction {
         item: corrected.item.key,
@@ -196,11 +196,9 @@ pub(crate) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
         revision: whole.revision,
         handed_in,
     };
-    let detail = format!(
-        "{} from {} to {}: {name}. {}",
-        corrected.item.problem, correction.from, correction.to, correction.reason
-    );
-    if visit.store().regrade(session::key(), &step, &visit.entry("corrected problem taken in", detail)).await? {
+    let detail =
+        format!("{} {} {}: {}. {}", corrected.item.problem, correction.from, correction.to, says, correction.reason);
+    if visit.store().regrade(session::key(), &step, &visit.entry("correction applied", detail)).await? {
         Ok(Reply::To(of(visit, &whole)?))
     } else {
         Err(changed())

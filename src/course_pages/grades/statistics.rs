@@ -1,16 +1,23 @@
 //! What the answers of a class say about the problems.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use momentous_course as course;
 use momentous_course::ClassStatistics;
+use momentous_exercise::titled;
+use momentous_grade::Item as AnsweredPart;
 use momentous_grade::Points;
 use momentous_quantity::Rational;
+use momentous_store::AssignmentWithItems;
 
+use super::super::items;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
 use super::class::{Class, handed_in_sheets, titles};
+use super::part_title::PartTitle;
 
 #[derive(Serialize)]
 struct StatisticsPage {
@@ -35,8 +42,10 @@ struct ItemShown {
 #[derive(Serialize)]
 struct PartShown {
     problem: String,
-    form: String,
-    part: String,
+    /// Nothing where the file no longer asks it.
+    title: Option<PartTitle>,
+    /// The form, where the problem stands here in several.
+    form: Option<String>,
     answers: u64,
     facility: String,
     discrimination: String,
@@ -57,31 +66,57 @@ pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = &class.whole.assignment;
     let (title, key) = (format!("Statistics: {}", whole.title), whole.key.to_string());
     let titles = titles(visit, &class.whole).await?;
-    let found = visit.work(move |app| {
+    let asked = Asked::of(visit, &class.whole).await?;
+    let page = visit.work(move |_| {
         let (accounts, mut book) = (class.records.accounts(), class.gradebook());
         for column in &mut book.columns {
             if let Some(title) = titles.get(&column.item) {
                 column.heading.clone_from(title);
             }
         }
-        let mut found = course::statistics(
-            &accounts,
-            &book,
-            all.iter().map(|handed_in| (&handed_in.sheet, handed_in.reports.as_slice())),
-        );
-        for part in &mut found.parts.items {
-            part.item.problem = app.pages.library.title(&part.item.problem)?;
-        }
-        Ok(found)
+        let sheets = all.iter().map(|handed_in| (&handed_in.sheet, handed_in.reports.as_slice()));
+        Ok(shown(title, key, course::statistics(&accounts, &book, sheets), &asked))
     });
-    visit.page("courses/grades/statistics", shown(title, key, found.await?)).await
+    visit.page("courses/grades/statistics", page.await?).await
+}
+
+/// What the problems of an assignment ask.
+struct Asked {
+    /// Titles, by the problems' identities.
+    problems: BTreeMap<String, String>,
+    /// Parts, by problem and form; the form is empty where the problem has one without a name.
+    parts: BTreeMap<(String, String), BTreeMap<String, PartTitle>>,
+}
+
+impl Asked {
+    async fn of(visit: &Visit, whole: &AssignmentWithItems) -> Result<Self, NotShown> {
+        let mut asked = Self { problems: BTreeMap::new(), parts: BTreeMap::new() };
+        // What was never drawn has no answers, and its file may be at fault just now.
+        for item in whole.items.iter().filter(|item| item.digest.is_some()) {
+            let problem = items::problem(visit, item).await?;
+            asked.problems.insert(item.problem.clone(), problem.title().to_owned());
+            let place = (item.problem.clone(), item.form.clone().unwrap_or_default());
+            asked.parts.insert(place, PartTitle::all(&problem, item.form.as_deref()));
+        }
+        Ok(asked)
+    }
+
+    fn title(&self, part: &AnsweredPart) -> Option<PartTitle> {
+        self.parts.get(&(part.problem.clone(), part.form.clone()))?.get(&part.part).cloned()
+    }
+
+    /// The form of a part, where the problem stands in the assignment in several.
+    fn form(&self, part: &AnsweredPart) -> Option<String> {
+        let forms = self.parts.keys().filter(|(problem, _)| *problem == part.problem).count();
+        (forms > 1).then(|| titled(&part.form))
+    }
 }
 
 fn percent(share: f64) -> String {
     format!("{:.0} %", share * 100.0)
 }
 
-fn shown(title: String, assignment: String, found: ClassStatistics) -> StatisticsPage {
+fn shown(title: String, assignment: String, found: ClassStatistics, asked: &Asked) -> StatisticsPage {
     let items = found.items.into_iter().map(|statistics| ItemShown {
         heading: statistics.heading,
         students: statistics.students,
@@ -89,16 +124,20 @@ fn shown(title: String, assignment: String, found: ClassStatistics) -> Statistic
         out_of: statistics.out_of,
     });
     let parts = found.parts.items.into_iter().map(|statistics| PartShown {
-        problem: statistics.item.problem,
-        form: statistics.item.form,
-        part: statistics.item.part,
+        problem: asked
+            .problems
+            .get(&statistics.item.problem)
+            .cloned()
+            .unwrap_or_else(|| titled(&statistics.item.problem)),
+        title: asked.title(&statistics.item),
+        form: asked.form(&statistics.item),
         answers: statistics.answers,
         facility: percent(statistics.facility),
         discrimination: statistics.discrimination.map_or_else(|| "\u{2013}".to_owned(), |found| format!("{found:.2}")),
         mistakes: statistics
             .mistakes
             .into_iter()
-            .map(|count| Counted { what: count.does.to_owned(), count: count.count })
+            .map(|mistake| Counted { what: mistake.does.to_owned(), count: mistake.count })
             .collect(),
         wrong: statistics.wrong.into_iter().map(|wrong| Counted { what: wrong.answer, count: wrong.count }).collect(),
     });

@@ -1,15 +1,19 @@
 //! Who did what in a course.
 
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
+use std::collections::btree_map;
 
 use serde::Serialize;
 
+use momentous_course::Moment;
+use momentous_exercise::calls::Refused;
 use momentous_pages::words;
-use momentous_store::Membership;
+use momentous_problem::is_digest;
+use momentous_store::{Entry, Membership};
 
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
+use super::super::titles::Titles;
 use super::super::visit::Visit;
 
 /// The entries that a page shows.
@@ -40,25 +44,31 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
     let found = visit.store().trail(course.key, MOST + 1).await?;
     for by in found.iter().filter_map(|entry| entry.by) {
         // Operators need not be members.
-        if let Entry::Vacant(unnamed) = names.entry(by) {
+        if let btree_map::Entry::Vacant(unnamed) = names.entry(by) {
             let person = visit.store().person(by).await?;
             unnamed.insert(person.map_or_else(|| "(unknown)".to_owned(), |person| person.shown().to_owned()));
         }
     }
     let called = called(visit, &members).await?;
-    let shown = found.iter().take(MOST as usize).map(|entry| EntryShown {
-        at: entry.at.shown(&course.zone),
-        by: entry.by.and_then(|by| names.get(&by).cloned()).unwrap_or_else(|| "the program".to_owned()),
-        what: entry.what.clone(),
-        detail: named(&entry.detail, &called),
+    let is_cut = found.len() > MOST as usize;
+    let (zone, titles) = (course.zone.clone(), Titles::of(visit).await?);
+    let shown = visit.work(move |app| {
+        let shown = |entry: Entry| {
+            Ok(EntryShown {
+                at: entry.at.shown(&zone),
+                by: entry.by.and_then(|by| names.get(&by).cloned()).unwrap_or_else(|| "the program".to_owned()),
+                what: entry.what,
+                detail: said(&entry.detail, &called, &zone, |problem| titles.title(app, problem))?,
+            })
+        };
+        found.into_iter().take(MOST as usize).map(shown).collect()
     });
-    let page =
-        TrailPage { title: words::HISTORY, most: MOST, is_cut: found.len() > MOST as usize, entries: shown.collect() };
+    let page = TrailPage { title: words::HISTORY, most: MOST, is_cut, entries: shown.await? };
     visit.page("courses/grades/trail", page).await
 }
 
 /// What people call that which has a key in the trail: members and assignments, by their keys.
-async fn called(visit: &Visit, members: &[Membership]) -> Result<Vec<(String, String)>, NotShown> {
+async fn called(visit: &Visit, members: &[Membership]) -> Result<BTreeMap<String, String>, NotShown> {
     let people =
         members.iter().map(|membership| (membership.member.key.to_string(), membership.person.shown().to_owned()));
     let assignments = visit.store().assignments(visit.course()?.key).await?;
@@ -66,7 +76,40 @@ async fn called(visit: &Visit, members: &[Membership]) -> Result<Vec<(String, St
     Ok(people.chain(assignments).collect())
 }
 
-/// A detail with names in place of keys.
-fn named(detail: &str, called: &[(String, String)]) -> String {
-    called.iter().fold(detail.to_owned(), |detail, (key, name)| detail.replace(key, name))
+/// A detail as people read it: names in place of keys, titles in place of the problems' identities, moments in the zone of the course, and
+/// no digest of a file.
+fn said(
+    detail: &str,
+    called: &BTreeMap<String, String>,
+    zone: &str,
+    title: impl Fn(&str) -> Result<String, Refused>,
+) -> Result<String, Refused> {
+    let mut said: Vec<String> = Vec::new();
+    for word in detail.split(' ') {
+        let bare = word.trim_end_matches([':', ',', '.', ';']);
+        let mark = word.strip_prefix(bare).unwrap_or_default();
+        if let Some(name) = called.get(bare) {
+            said.push(format!("{name}{mark}"));
+        } else if is_digest(bare) {
+            if let Some(before) = said.last_mut() {
+                before.push_str(mark);
+            }
+        } else if is_problem(bare) {
+            said.push(format!("{}{mark}", title(bare)?));
+        } else if let Ok(at) = bare.parse::<Moment>() {
+            said.push(format!("{}{mark}", at.shown(zone)));
+        } else {
+            said.push(word.to_owned());
+        }
+    }
+    Ok(said.join(" "))
+}
+
+/// Whether a word is the identity of a problem, as `impact/two-carts`.
+fn is_problem(word: &str) -> bool {
+    let is_name = |name: &str| {
+        name.bytes().any(|byte| byte.is_ascii_lowercase())
+            && name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-')
+    };
+    word.contains('/') && word.split('/').all(is_name)
 }

@@ -54,7 +54,7 @@ pub(super) async fn links(visit: &Visit, people: &[Person]) -> Result<Vec<String
     match course {
         None => {
             for person in people {
-                entries.extend(visit.entries(person.key, "link made by the operator").await?);
+                entries.extend(visit.entries(person.key, "link created by the operator").await?);
             }
         }
         Some(course) => {
@@ -62,10 +62,10 @@ pub(super) async fn links(visit: &Visit, people: &[Person]) -> Result<Vec<String
             let of_these =
                 elsewhere.filter(|membership| people.iter().any(|person| person.key == membership.person.key));
             entries.extend(of_these.map(|membership| {
-                let entry = visit.entry("link made in another course", format!("member {}", membership.member.key));
+                let entry = visit.entry("link created in another course", format!("member {}", membership.member.key));
                 Entry { course: Some(membership.course.key), ..entry }
             }));
-            entries.push(visit.entry("links made", format!("{} links", tokens.len())));
+            entries.push(visit.entry("links created", format!("{} links", tokens.len())));
         }
     }
     visit.store().add_tickets(tickets, visit.now, &entries).await?;

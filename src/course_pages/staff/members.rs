@@ -74,7 +74,7 @@ pub(crate) async fn remove(visit: &Visit) -> Result<Reply, NotShown> {
         return Err(NotShown::NotPossible(message.to_owned()));
     }
     let member = Member { left: Some(visit.now), ..membership.member.clone() };
-    let entry = visit.entry("member taken out", member.key.to_string());
+    let entry = visit.entry("member removed", member.key.to_string());
     visit.store().save_members(&[], &[member], &entry).await?;
     Ok(Reply::To(visit.in_course("/roster?done=yes")?))
 }

@@ -68,7 +68,7 @@ pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
         let entry = visit.entry("person added", person.key.to_string());
         person_form::unless_taken(visit.store().add_people(std::slice::from_ref(&person), &entry).await)?;
     }
-    visit.store().add_course(&course, &first, &visit.entry("course made", key.to_string())).await?;
+    visit.store().add_course(&course, &first, &visit.entry("course created", key.to_string())).await?;
     let link = match visit.store().password(person.key).await? {
         Some(_) => None,
         None => Some(link(visit, &person).await?),

@@ -154,13 +154,13 @@ pub(crate) async fn new_code(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?.key;
     let expires = visit.now.after(i64::from(days) * DAY);
     let code = CourseCode { course, code: Code::drawn(session::random()), expires };
-    visit.store().save_code(&code, &visit.entry("code made", format!("{days} days"))).await?;
+    visit.store().save_code(&code, &visit.entry("join code created", format!("{days} days"))).await?;
     Ok(Reply::To(visit.in_course("/roster?done=yes#requests")?))
 }
 
 /// Ends the code.
 pub(crate) async fn end_code(visit: &Visit) -> Result<Reply, NotShown> {
-    visit.store().end_code(visit.course()?.key, &visit.entry("code ended", "")).await?;
+    visit.store().end_code(visit.course()?.key, &visit.entry("join code ended", "")).await?;
     Ok(Reply::To(visit.in_course("/roster?done=yes#requests")?))
 }
 

@@ -192,7 +192,9 @@ pub(crate) async fn apply(visit: &Visit) -> Result<Reply, NotShown> {
     let mut random = session::random;
     let records = roster_records(&changes, (key, &class.pairs()), &others, visit.now, &mut random);
     let count = |kind: &str| changes.iter().filter(|change| class.shown(change).kind == kind).count();
-    let detail = ["new", "back", "renamed", "moved", "gone"].map(|kind| format!("{} {kind}", count(kind))).join(", ");
+    let counts = ["new", "back", "renamed", "moved", "gone"].map(|kind| (count(kind), kind)).into_iter();
+    let told = counts.filter(|(count, _)| *count > 0).map(|(count, kind)| format!("{count} {kind}"));
+    let detail = told.collect::<Vec<_>>().join(", ");
     let entry = visit.entry("roster changed", detail);
     person_form::unless_taken(visit.store().save_members(&records.people, &records.members, &entry).await)?;
     Ok(Reply::To(visit.in_course("/roster?done=yes")?))

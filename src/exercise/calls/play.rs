@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use momentous_expr::Math;
 use momentous_figure::{ForcePlot, PlotAxis, Role, Wording};
+use momentous_scene::Scene;
 use momentous_simulate::least::Request;
 use momentous_simulate::scene::Component;
 use momentous_witness::{AT_ITS_TIME, Film, IMPACTS};
@@ -13,6 +14,9 @@ use super::limits::Limits;
 use super::refused::Refused;
 use super::sheet::FigureResponse;
 use super::simulate::shot;
+
+/// The column of the table of impacts that names a contact, as `A-B`.
+const BETWEEN: usize = 1;
 
 /// The looks of curves, and how a caption calls them.
 const LOOKS: [(Role, &str); 4] = [
@@ -71,13 +75,22 @@ impl PlayResponse {
                 cautions: film.cautions(),
                 ending: Some(film.ending.clone()).filter(|ending| ending != AT_ITS_TIME),
                 headings: IMPACTS,
-                impacts: film.impacts(),
+                impacts: film.impacts().into_iter().map(|row| named(row, scene)).collect(),
                 weak_impacts: film.weak_impacts(),
                 plots: film.axes.iter().enumerate().map(|(place, axis)| plot(film, &bodies, place, axis)).collect(),
             }
         });
         Ok(Self { films: films.collect(), nothing: shot.nothing.clone() })
     }
+}
+
+/// A row of the table of impacts with the bodies as the problem calls them.
+fn named(mut row: Vec<String>, scene: &Scene) -> Vec<String> {
+    if let Some(contact) = row.get_mut(BETWEEN) {
+        let name = |part: &str| if scene.bodies.contains_key(part) { scene.called(part) } else { part.to_owned() };
+        *contact = contact.split('-').map(name).collect::<Vec<_>>().join(" and ");
+    }
+    row
 }
 
 /// The places of all bodies along an axis, against time.

@@ -24,6 +24,12 @@ pub struct Part {
     pub kind: PartKind,
 }
 
+/// The letter of a part on its sheet, by its place: `a`, `b` and so on.
+#[must_use]
+pub fn part_letter(place: usize) -> String {
+    ('a'..='z').cycle().nth(place).into_iter().collect()
+}
+
 /// How a part is answered.
 #[derive(Clone, Debug)]
 pub enum PartKind {

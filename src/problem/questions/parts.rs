@@ -33,6 +33,7 @@ use super::part::FormulaPart;
 use super::part::Named;
 use super::part::Part;
 use super::part::PartKind;
+use super::part::part_letter;
 use super::pictures::pictured_read;
 use super::range;
 use super::rubric;
@@ -55,9 +56,9 @@ pub(crate) struct Read {
 /// Reads the parts of a form; faults are noted in the builder.
 pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
     let mut read = Read::default();
-    for ((index, ask), letter) in question.ask.iter().enumerate().zip(('a'..='z').cycle()) {
+    for (index, ask) in question.ask.iter().enumerate() {
         let path = question.path.key("ask").index(index);
-        let letter = letter.to_string();
+        let letter = part_letter(index);
         let part = match ask {
             Ask::Enough(ask) => {
                 let points = loaded.draft.points_of(ask.points);

@@ -126,8 +126,17 @@ pub fn digest(source: &Source) -> String {
     hex(&Sha256::digest(source.text.replace("\r\n", "\n").as_bytes()))
 }
 
+/// The bytes of a digest that are written down.
+const BYTES: usize = 8;
+
+/// Whether a word is written as [`digest`] writes.
+#[must_use]
+pub fn is_digest(word: &str) -> bool {
+    word.len() == 2 * BYTES && word.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
 fn hex(bytes: &[u8]) -> String {
-    bytes.iter().take(8).fold(String::new(), |mut digits, byte| {
+    bytes.iter().take(BYTES).fold(String::new(), |mut digits, byte| {
         // Writing to a string cannot fail.
         let _ = write!(digits, "{byte:02x}");
         digits

@@ -67,7 +67,7 @@ fn every_attempt_is_shown_with_what_was_typed_and_read() {
     let page = handed.university.browser_of("ann").get(&handed.answers("")).text(200);
     for said in [
         "<code>ask 555-0199 &lt;b&gt;</code>",
-        "not read:",
+        "<td>not read</td>",
         "Mon, 1 Dec 2025, 21:00",
         "late by 1 started day",
         "<code>99.0 m&#x2F;s</code>",
@@ -186,6 +186,12 @@ fn a_redacted_answer_is_gone_and_its_points_stay() {
             && trail.contains("ida &lt;script&gt;")
     );
     assert!(!trail.contains("0199"), "{trail}");
+    assert!(
+        trail.contains(
+            "member ada &lt;script&gt;, Two carts on a straight track, attempt 1, part v_B2: a telephone number"
+        ),
+        "{trail}"
+    );
 }
 
 #[test]
@@ -194,7 +200,9 @@ fn statistics_say_how_easy_a_part_was() {
     let page = handed.university.browser_of("ann").get(&handed.assignment("/statistics")).text(200);
     assert!(page.contains("1 student has points; the mean is 40 %") && page.contains("4 of 10"), "{page}");
     assert!(
-        page.contains("3 answers were marked") && page.contains("forward: v_A2") && page.contains("100 %"),
+        page.contains("3 answers were marked")
+            && page.contains("Two carts on a straight track: (a) the velocity of ")
+            && page.contains("100 %"),
         "{page}"
     );
 }

@@ -77,7 +77,7 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
             items::pin(visit, item).await?;
         }
     }
-    let what = if before.is_some() { "assignment changed" } else { "assignment made" };
+    let what = if before.is_some() { "assignment changed" } else { "assignment created" };
     let entry = visit.entry(what, format!("{}: {}", whole.assignment.key, summary(&whole.items)));
     if !visit.store().save_assignment(&whole, &entry).await? {
         return changed(visit, draft, &catalogue, Some(current(visit).await?)).await;
@@ -126,6 +126,9 @@ fn revision(of: Option<&AssignmentWithItems>) -> String {
 
 /// What an assignment consists of, for the trail.
 fn summary(items: &[Item]) -> String {
-    let said = |item: &Item| format!("{} {} {}", item.problem, item.form.as_deref().unwrap_or("-"), item.points);
+    let said = |Item { problem, form, points, .. }: &Item| {
+        let form = form.as_ref().map(|form| format!(" ({form})")).unwrap_or_default();
+        format!("{problem}{form} {points} {}", if *points == 1 { "point" } else { "points" })
+    };
     items.iter().map(said).collect::<Vec<_>>().join(", ")
 }

@@ -137,7 +137,7 @@ pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
         Ok(extensions) => {
             let with_entry = |extension: Extension| {
                 let detail = format!("{} until {}, closes {}", extension.member, extension.due, extension.closes);
-                let entry = visit.entry("more time given", detail);
+                let entry = visit.entry("extension given", detail);
                 (extension, entry)
             };
             visit.store().extend(&extensions.into_iter().map(with_entry).collect::<Vec<_>>()).await?;

@@ -15,7 +15,7 @@ use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
-use momentous_pages::Withheld as _;
+use momentous_pages::{FormLink, Withheld as _};
 
 /// The seeds that are shown.
 const SEEDS: [u64; 3] = [1, 2, 3];
@@ -25,7 +25,7 @@ struct LookPage {
     title: String,
     problem: String,
     form: Option<String>,
-    forms: Vec<String>,
+    forms: Vec<FormLink>,
     looked: Vec<Looked>,
     simulator: Option<&'static str>,
 }
@@ -49,8 +49,8 @@ pub(crate) async fn look(visit: &Visit) -> Result<Reply, NotShown> {
     let name = visit.fields.text("problem");
     Withheld::from_student(visit).await?.check(name)?;
     let problem = items::problem(visit, &items::unpinned(name)).await?;
-    let forms: Vec<String> = problem.forms().iter().filter_map(|form| form.question.name.clone()).collect();
-    let form = visit.fields.get("form").map(str::to_owned).or_else(|| forms.first().cloned());
+    let first = problem.forms().first().and_then(|form| form.question.name.clone());
+    let form = visit.fields.get("form").map(str::to_owned).or(first);
     let Some(place) = problem.form(form.as_deref()) else {
         return Err(NotShown::missing(format!("{} has no such form", problem.id())));
     };
@@ -59,7 +59,7 @@ pub(crate) async fn look(visit: &Visit) -> Result<Reply, NotShown> {
         title: problem.title().to_owned(),
         problem: problem.id().to_owned(),
         form,
-        forms,
+        forms: FormLink::all(&problem),
         looked,
         simulator: Kind::of(problem.loaded()).simulator(),
     };

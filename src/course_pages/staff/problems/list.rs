@@ -2,10 +2,12 @@
 
 use serde::Serialize;
 
+use momentous_course::ProblemFile;
 use momentous_pages::words;
 
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
+use super::super::super::titles::title;
 use super::super::super::visit::Visit;
 
 #[derive(Serialize)]
@@ -16,6 +18,7 @@ struct ListPage {
 
 #[derive(Serialize)]
 struct Listed {
+    title: String,
     problem: String,
     digest: String,
     saved: String,
@@ -27,11 +30,16 @@ pub(crate) async fn list(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let mut files = visit.store().problem_files(course.key).await?;
     files.sort_by(|one, other| (&one.problem, other.saved).cmp(&(&other.problem, one.saved)));
-    let listed = files.into_iter().map(|file| Listed {
-        problem: file.problem,
-        digest: file.digest,
-        saved: file.saved.shown(&course.zone),
-        published: file.published.map(|at| at.shown(&course.zone)),
+    let zone = course.zone.clone();
+    let listed = visit.work(move |_| {
+        let listed = |file: ProblemFile| Listed {
+            title: title(&file),
+            problem: file.problem,
+            digest: file.digest,
+            saved: file.saved.shown(&zone),
+            published: file.published.map(|at| at.shown(&zone)),
+        };
+        Ok(files.into_iter().map(listed).collect())
     });
-    visit.page("courses/staff/problems", ListPage { title: words::PROBLEMS, files: listed.collect() }).await
+    visit.page("courses/staff/problems", ListPage { title: words::PROBLEMS, files: listed.await? }).await
 }

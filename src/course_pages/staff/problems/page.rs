@@ -11,7 +11,7 @@ use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
 use super::super::assignment::{Looked, looked};
 use super::check::{Checked, run};
-use momentous_pages::Withheld as _;
+use momentous_pages::{FormLink, Withheld as _};
 
 #[derive(Serialize)]
 struct ProblemPage {
@@ -20,7 +20,7 @@ struct ProblemPage {
     digest: String,
     text: String,
     published: Option<String>,
-    forms: Vec<String>,
+    forms: Vec<FormLink>,
     form: Option<String>,
     looked: Vec<Looked>,
     checked: Option<Checked>,
@@ -36,8 +36,8 @@ async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Res
     let letters = items::letters(visit, &file).await?;
     let item = Item { digest: Some(file.digest.clone()), letters, ..items::unpinned(&file.problem) };
     let problem = items::problem(visit, &item).await?;
-    let forms: Vec<String> = problem.forms().iter().filter_map(|form| form.question.name.clone()).collect();
-    let form = visit.fields.get("form").map(str::to_owned).or_else(|| forms.first().cloned());
+    let first = problem.forms().first().and_then(|form| form.question.name.clone());
+    let form = visit.fields.get("form").map(str::to_owned).or(first);
     let Some(place) = problem.form(form.as_deref()) else {
         return Err(NotShown::missing(format!("{} has no such form", problem.id())));
     };
@@ -48,7 +48,7 @@ async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Res
         digest: file.digest,
         text: file.text,
         published: file.published.map(|at| at.shown(zone)),
-        forms,
+        forms: FormLink::all(&problem),
         form,
         looked: looked(visit, &problem, place).await?,
         checked,
