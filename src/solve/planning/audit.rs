@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use momentous_expr::Symbol;
+use momentous_expr::{Expr, Function, Symbol};
+use momentous_quantity::Rational;
 
-use super::super::{Plan, Statement, Step, System, Tactic};
+use super::super::{Closed, Plan, Statement, Step, System, Tactic};
 use super::tactics::{Attempts, Block, close, isolate};
 
 /// A plan extended for judging.
@@ -39,6 +40,7 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
     order.sort_by_key(|place| system.equations[*place].cost);
     // An equation with one unknown gives it or does not, whatever else is found.
     let mut tried = used.clone();
+    let mut postponed: Vec<Step> = Vec::new();
     loop {
         let mut progress = false;
         for place in &order {
@@ -51,14 +53,21 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
             if step.roots.len() != 1 {
                 continue;
             }
+            if divides_by_a_turn(&step) {
+                postponed.push(step);
+                continue;
+            }
             found.insert(unknown);
             used.insert(*place);
             extended.steps.push(step);
             progress = true;
         }
-        // Two at once only where nothing follows alone: an impact of which neither velocity is known.
         if !progress {
-            let Some(step) = pair(system, &order, &mut open, &found, &used, attempts) else { break };
+            postponed.retain(|step| !step.unknowns.iter().any(|unknown| found.contains(unknown)));
+            // Two at once only where nothing follows alone: an impact of which neither velocity is known.
+            let step = (!postponed.is_empty()).then(|| postponed.remove(0));
+            let step = step.or_else(|| pair(system, &order, &mut open, &found, &used, attempts));
+            let Some(step) = step else { break };
             found.extend(&step.unknowns);
             used.extend(&step.equations);
             extended.steps.push(step);
@@ -70,6 +79,33 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
     };
     let checks = (0..system.equations.len()).filter(|place| is_check(place)).collect();
     Audit { plan: extended, answer_steps: plan.steps.len(), checks }
+}
+
+/// Whether a step divides by the sine or cosine of an angle, which may be drawn as zero or as a right angle: another equation gives the
+/// same without.
+fn divides_by_a_turn(step: &Step) -> bool {
+    let values = step.roots.iter().flat_map(|root| &root.values);
+    values.into_iter().any(|(_, value)| matches!(value, Closed::Formula(term) if has_a_turn_below(term)))
+}
+
+fn has_a_turn_below(term: &Expr) -> bool {
+    match term {
+        Expr::Power(power) => {
+            let (base, exponent) = &**power;
+            let divides = exponent.as_number().is_some_and(|exponent| *exponent < Rational::ZERO);
+            (divides && has_a_turn(base)) || has_a_turn_below(base)
+        }
+        other => other.children().any(has_a_turn_below),
+    }
+}
+
+fn has_a_turn(term: &Expr) -> bool {
+    match term {
+        Expr::Apply(Function::Sin | Function::Cos | Function::Tan, angle) => {
+            angle.iter().any(|angle| !angle.all_symbols(&|_| false))
+        }
+        other => other.children().any(has_a_turn),
+    }
 }
 
 /// The symbols of each equation that were not found when it was last looked at.

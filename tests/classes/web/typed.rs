@@ -150,3 +150,9 @@ fn a_ball_that_loses_nothing_says_why_its_problem_has_no_solution() {
     let lossy = client.get("/simulators/restitution?e=0.9").text(200);
     assert!(lossy.contains("Worked solution") && !lossy.contains("data-problem hidden"));
 }
+
+#[test]
+fn fields_of_own_numbers_are_labelled_with_the_names_of_their_quantities() {
+    let page = Client::new().get("/solve/impact/two-carts").text(200);
+    assert!(page.contains("<span>The mass of cart A "), "{page}");
+}
