@@ -9,6 +9,7 @@ use momentous_expr::Operator;
 use momentous_expr::Symbol;
 use momentous_laws::geometry::ROTATION;
 use momentous_laws::separation::GUIDE;
+use momentous_model::Because;
 use momentous_model::Instance;
 use momentous_solve::Closed;
 use momentous_solve::Equation;
@@ -64,6 +65,8 @@ pub(crate) struct ShortSteps<'a> {
     asked: BTreeSet<Symbol>,
     /// The last reason given, with neither bodies nor axes named.
     reason: String,
+    /// The last cause given, from which a law follows.
+    cause: Option<String>,
     /// All reasons given.
     reasons: BTreeSet<String>,
 }
@@ -75,6 +78,7 @@ impl<'a> ShortSteps<'a> {
             in_symbols: Steps::new(display),
             asked: needed::asked(display.worked),
             reason: String::new(),
+            cause: None,
             reasons: BTreeSet::new(),
         }
     }
@@ -157,7 +161,7 @@ impl<'a> ShortSteps<'a> {
         };
         let Some((equation, instance)) = self.law(place) else { return Vec::new() };
         let reason = script::reason(instance, &equation.statement);
-        let mut blocks: Vec<Block> = self.because(&reason, instance.law.name).into_iter().collect();
+        let mut blocks: Vec<Block> = self.because(&reason, instance).into_iter().collect();
         if line.shown.is_none() && only_evaluates(step, [&line.left, &line.right]) {
             return blocks;
         }
@@ -177,9 +181,9 @@ impl<'a> ShortSteps<'a> {
         blocks
     }
 
-    /// The reason of a law: none where it is that of the law before, its name alone where the reason was given earlier, and that it is
-    /// the same where it differs from the last by those whom it names.
-    fn because(&mut self, reason: &str, law: &str) -> Option<Block> {
+    /// The reason of a law: none where it is that of the law before, the law's name alone where the reason was given earlier or another law
+    /// just followed from the same cause, and that it is the same where it differs from the last by those whom it names.
+    fn because(&mut self, reason: &str, instance: &Instance) -> Option<Block> {
         let scene = &self.display.worked.problem.loaded().draft.scene;
         let unnamed = scene.bodies.keys().fold(reason.to_owned(), |text, body| {
             let name = scene.called(body);
@@ -189,11 +193,17 @@ impl<'a> ShortSteps<'a> {
         let is_like_the_last = unnamed == self.reason;
         let is_new = self.reasons.insert(reason.to_owned());
         self.reason = unnamed;
-        match (is_like_the_last, is_new) {
+        let cause = match &instance.because {
+            Because::Fact(fact) => Some(fact.clone()),
+            Because::Definition | Because::Conclusion(..) => None,
+        };
+        let follows_again = cause.is_some() && cause == self.cause;
+        self.cause = cause;
+        match (is_like_the_last, is_new && !follows_again) {
             (true, true) => Some(Block::text("In the same way:")),
             (true, false) => None,
             (false, true) => Some(Block::text(reason)),
-            (false, false) => Some(Block::text(&format!("By {law}:"))),
+            (false, false) => Some(Block::text(&format!("By {}:", instance.law.name))),
         }
     }
 
