@@ -99,9 +99,9 @@ pub(super) fn not_zero(columns: &[Column<'_>]) -> Outcome {
         (share > 0.0 && share < 1.0 && !column.whole)
             .then(|| (share, format!("`{}` is zero in {}", column.id, percent(share))))
     };
-    let found: Vec<(f64, String)> = columns.iter().filter_map(zeros).collect();
-    let often = found.iter().any(|(share, _)| *share > MOST_ZEROS);
-    let said: Vec<String> = found.into_iter().map(|(_, said)| said).collect();
+    let zeros: Vec<(f64, String)> = columns.iter().filter_map(zeros).collect();
+    let often = zeros.iter().any(|(share, _)| *share > MOST_ZEROS);
+    let said: Vec<String> = zeros.into_iter().map(|(_, said)| said).collect();
     if often { broken(&said) } else { Outcome::Kept }
 }
 

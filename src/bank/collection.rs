@@ -77,15 +77,15 @@ impl Bank {
     /// # Errors
     /// Where no problem is of that topic.
     pub fn topic(&self, topic: &str) -> Result<Vec<&Source>, Faults> {
-        let found: Vec<&Source> =
+        let sources: Vec<&Source> =
             self.problems.iter().filter(|(id, _)| topic_of(id) == topic).map(|(_, source)| source).collect();
-        if found.is_empty() {
+        if sources.is_empty() {
             let topics = self.topics();
             let near = did_you_mean(topic, topics.iter().copied());
             let help = near.map_or_else(|| format!("topics are {}", topics.join(", ")), meant);
             return Err(unknown(topic, format!("no problem has the topic `{topic}`"), help));
         }
-        Ok(found)
+        Ok(sources)
     }
 
     /// The file of the problem with that identity.
@@ -93,8 +93,8 @@ impl Bank {
     /// # Errors
     /// Where there is none; the nearest known identity is named.
     pub fn find(&self, id: &str) -> Result<&Source, Faults> {
-        let found = self.problems.iter().find(|(known, _)| known == id);
-        found.map(|(_, source)| source).ok_or_else(|| {
+        let entry = self.problems.iter().find(|(known, _)| known == id);
+        entry.map(|(_, source)| source).ok_or_else(|| {
             let same_name = || self.ids().find(|known| name_of(known) == name_of(id));
             let near = did_you_mean(id, self.ids()).or_else(same_name);
             let help = || "`momentous list` shows every problem; a file is named by its path".to_owned();

@@ -109,13 +109,13 @@ fn of_seed(problem: &Arc<Problem>, form: usize, seed: u64) -> (Tally, Vec<&'stat
         }
         tally.students += 1;
         match &marked.diagnosis {
-            Some(found) if found.codes.contains(code) => {
+            Some(diagnosis) if diagnosis.codes.contains(code) => {
                 tally.right += 1;
-                tally.shared += u64::from(found.codes.len() > 1);
+                tally.shared += u64::from(diagnosis.codes.len() > 1);
             }
-            Some(found) => {
+            Some(diagnosis) => {
                 tally.another += 1;
-                *tally.confused.entry((code, found.codes.join(" "))).or_default() += 1;
+                *tally.confused.entry((code, diagnosis.codes.join(" "))).or_default() += 1;
             }
             None => {
                 tally.none += 1;

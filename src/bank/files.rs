@@ -108,7 +108,7 @@ impl Bank {
         let (mut faults, mut files) = (Vec::new(), Vec::new());
         for name in names {
             let (path, topic) = (Path::new(name), name.trim_end_matches('/'));
-            let found = if self.ids().any(|id| topic_of(id) == topic) && !is_path(name) {
+            let matching = if self.ids().any(|id| topic_of(id) == topic) && !is_path(name) {
                 self.topic(topic).map(|sources| sources.into_iter().cloned().collect())
             } else if path.is_dir() {
                 Self::gathered(path).map(|(bank, unusable)| {
@@ -118,9 +118,9 @@ impl Bank {
             } else {
                 self.open(name).map(|source| vec![source])
             };
-            match found {
-                Ok(found) => {
-                    let new: Vec<Source> = found.into_iter().filter(|source| !sources.contains(source)).collect();
+            match matching {
+                Ok(matching) => {
+                    let new: Vec<Source> = matching.into_iter().filter(|source| !sources.contains(source)).collect();
                     sources.extend(new);
                 }
                 Err(found) => faults.push(found),

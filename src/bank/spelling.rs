@@ -13,10 +13,10 @@ pub(super) fn plain(text: &str) -> String {
         .flat_map(char::to_lowercase)
         .collect();
     let spelt = |word: &str| {
-        let found = SPELLINGS
+        let spelling = SPELLINGS
             .iter()
             .find_map(|(other, spelling)| word.strip_prefix(other).map(|ending| format!("{spelling}{ending}")));
-        found.unwrap_or_else(|| word.to_owned())
+        spelling.unwrap_or_else(|| word.to_owned())
     };
     without.split_whitespace().map(spelt).collect::<Vec<_>>().join(" ")
 }

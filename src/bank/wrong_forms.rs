@@ -16,7 +16,7 @@ const USUALLY: u64 = 50;
 
 /// Statistics of the mistakes.
 #[derive(Default)]
-struct Seen {
+struct MistakeCounts {
     /// Seeds on which a mistake changes some answer.
     told: BTreeMap<&'static str, u64>,
     seeds: u64,
@@ -25,27 +25,27 @@ struct Seen {
 /// Says where every mistake that can be made in a form gives the right answers on most seeds: then marking finds none. What single
 /// mistakes do says `momentous diagnose`; an author who wants one told writes `discriminate`.
 pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
-    let mut seen = Seen::default();
+    let mut counts = MistakeCounts::default();
     for seed in 1..=seeds.min(MOST_SEEDS) {
         let Ok(exercise) = Exercise::draw(problem, form, seed) else { continue };
-        seen.look(&exercise);
+        counts.count(&exercise);
     }
-    if seen.seeds == 0 || seen.told.is_empty() {
+    if counts.seeds == 0 || counts.told.is_empty() {
         return Outcome::NotChecked("no common mistake applies to it");
     }
-    let is_told = |told: &u64| 100 * told >= USUALLY * seen.seeds;
-    if seen.told.values().any(is_told) {
+    let is_told = |told: &u64| 100 * told >= USUALLY * counts.seeds;
+    if counts.told.values().any(is_told) {
         return Outcome::Kept;
     }
-    let names: Vec<&str> = seen.told.keys().copied().collect();
+    let names: Vec<&str> = counts.told.keys().copied().collect();
     Outcome::Noted(format!(
         "every usual mistake gives the right answers on most seeds ({}): give other numbers, or name mistakes that must change an answer under `discriminate`",
         names.join(", ")
     ))
 }
 
-impl Seen {
-    fn look(&mut self, exercise: &Exercise) {
+impl MistakeCounts {
+    fn count(&mut self, exercise: &Exercise) {
         self.seeds += 1;
         let worked = exercise.worked();
         let mut told = BTreeSet::new();

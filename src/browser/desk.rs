@@ -48,7 +48,7 @@ enum Answer {
     Assets { directory: String, files: Vec<Asset> },
     /// A page, or a picture.
     Text(String),
-    /// What a call gave.
+    /// The value of a call.
     Value(Box<RawValue>),
     /// Why there is no answer.
     Refused(Refused),

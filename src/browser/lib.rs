@@ -35,7 +35,7 @@ pub extern "C" fn answer() -> usize {
     })
 }
 
-/// Where the answer stands.
+/// The address of the answer.
 #[allow(unsafe_code, reason = "the name under which a browser finds it")]
 #[unsafe(no_mangle)]
 pub extern "C" fn answered_at() -> *const u8 {

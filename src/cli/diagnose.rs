@@ -60,17 +60,17 @@ impl Diagnose {
         let sources = Bank::here()?.select(&self.problems)?;
         let bar = progress::bar(sources.len() as u64, false);
         let look = |source| {
-            let found = diagnosed(source, self.seeds);
+            let of_problem = diagnosed(source, self.seeds);
             bar.inc(1);
-            found
+            of_problem
         };
-        let found: Vec<Diagnosed> = sources.par_iter().map(look).collect::<Result<_, _>>()?;
+        let of_problems: Vec<Diagnosed> = sources.par_iter().map(look).collect::<Result<_, _>>()?;
         bar.finish_and_clear();
-        let total = found.iter().fold(Tally::default(), |sum, diagnosed| sum.plus(&diagnosed.tally));
+        let total = of_problems.iter().fold(Tally::default(), |sum, diagnosed| sum.plus(&diagnosed.tally));
         match self.format {
-            Listing::Text => self.write_table(&mut output, &found, &total)?,
+            Listing::Text => self.write_table(&mut output, &of_problems, &total)?,
             Listing::Json => {
-                for diagnosed in &found {
+                for diagnosed in &of_problems {
                     writeln!(output, "{}", record(diagnosed))?;
                 }
             }
@@ -79,14 +79,14 @@ impl Diagnose {
         Ok(if total.wronged > 0 { Exit::NotRight } else { Exit::Fine })
     }
 
-    fn write_table(&self, output: &mut Output, found: &[Diagnosed], total: &Tally) -> Result<(), Failure> {
-        let width = found.iter().map(|diagnosed| diagnosed.problem.len()).max().unwrap_or(0).max("problem".len());
+    fn write_table(&self, output: &mut Output, of_problems: &[Diagnosed], total: &Tally) -> Result<(), Failure> {
+        let width = of_problems.iter().map(|diagnosed| diagnosed.problem.len()).max().unwrap_or(0).max("problem".len());
         writeln!(
             output,
             "{:width$}  mistakes  students    right  shared  another     none  hidden  honest  wronged",
             "problem"
         )?;
-        for diagnosed in found {
+        for diagnosed in of_problems {
             writeln!(
                 output,
                 "{:width$}  {:8}{}",
@@ -96,7 +96,7 @@ impl Diagnose {
             )?;
         }
         let kinds: std::collections::BTreeSet<&str> =
-            found.iter().flat_map(|diagnosed| diagnosed.mistakes.iter().copied()).collect();
+            of_problems.iter().flat_map(|diagnosed| diagnosed.mistakes.iter().copied()).collect();
         writeln!(output, "{:width$}  {:8}{}", "in total", kinds.len(), cells(total))?;
         if self.confused {
             let mut pairs: Vec<_> = total.confused.iter().collect();

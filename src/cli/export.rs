@@ -207,7 +207,7 @@ impl Export {
     }
 }
 
-/// What did not go along, in how many questions, and what stands in its place.
+/// Tells which features did not go along, in how many questions, and what stands in their place.
 fn report(held: &BTreeMap<Feature, u64>, target: &Target) -> String {
     let mut text = String::from("did not go along as it is (questions): what stands in its place");
     for (feature, what, places) in FEATURES {
@@ -223,7 +223,7 @@ fn report(held: &BTreeMap<Feature, u64>, target: &Target) -> String {
     text
 }
 
-/// What goes along to each target.
+/// The table of features that go along to each target.
 fn targets() -> String {
     let mut text = String::new();
     for (column, target) in TARGETS.iter().enumerate() {

@@ -41,7 +41,7 @@ impl Failure {
         Self { exit, message: messages.join("\n") }
     }
 
-    /// What a seed that draws nothing means: the problem does not keep what it promises.
+    /// The failure behind a seed that draws nothing: the problem does not keep what it promises.
     pub(super) fn no_variant(problem: &str, seed: u64, reason: &NoVariant) -> Self {
         let message = format!(
             "error: {problem}, seed {seed}: {reason}\nhelp: `momentous check {problem}` says how often this happens"
@@ -54,7 +54,7 @@ impl Failure {
         Self { exit: Exit::Fine, message: String::new() }
     }
 
-    /// What went wrong, for a place that says it is an error.
+    /// The message, for a place that says it is an error.
     pub(super) fn message(&self) -> String {
         let message = self.message.trim_end();
         message.strip_prefix("error: ").unwrap_or(message).to_owned()

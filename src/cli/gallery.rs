@@ -96,7 +96,7 @@ struct Form {
 }
 
 struct Figure {
-    /// Where it stands: `sheet`, or `solution 1`.
+    /// The place of the figure: `sheet`, or `solution 1`.
     place: String,
     file: String,
     drawing: Drawing,

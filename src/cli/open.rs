@@ -37,7 +37,7 @@ pub(super) struct Secret {
 }
 
 impl Secret {
-    /// Where it lies, if there is one.
+    /// Its path, if it has one.
     pub(super) fn path(&self) -> Option<&Path> {
         self.secret.as_deref()
     }

@@ -1,4 +1,4 @@
-//! Where results go: standard output, a file that appears whole or not at all, or a device that takes what comes.
+//! Outputs of results: standard output, a file that appears whole or not at all, or a device that takes what comes.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -25,7 +25,7 @@ pub(super) enum Output {
     Stdout(BufWriter<StdoutLock<'static>>),
     /// Standard output where somebody looks.
     Terminal(Terminal<BufWriter<StdoutLock<'static>>>),
-    /// What is there and is no regular file: a device, a pipe. It is written to; it is never replaced.
+    /// A device or a pipe: anything that is there and is no regular file. It is written to; it is never replaced.
     Device(BufWriter<File>, PathBuf),
     File(Box<Pending>),
 }
@@ -45,17 +45,17 @@ impl Output {
     fn at(path: &Path, readers: Readers) -> Result<Self, Failure> {
         let written = |error: io::Error| Failure::file(path, "written", &error);
         match fs::metadata(path) {
-            Ok(found) if found.is_dir() => {
+            Ok(metadata) if metadata.is_dir() => {
                 Err(Failure::unusable(format!("{} is a folder; name a file", path.display())))
             }
-            Ok(found) if !found.is_file() && readers == Readers::AsBefore => {
+            Ok(metadata) if !metadata.is_file() && readers == Readers::AsBefore => {
                 let device = File::options().write(true).open(path).map_err(written)?;
                 Ok(Self::Device(BufWriter::new(device), path.to_owned()))
             }
-            found => {
+            metadata => {
                 // What is its owner's alone replaces a link or a pipe, which somebody else may have put there.
                 let target = if readers == Readers::Owner { path.to_owned() } else { behind_links(path) };
-                let pending = Pending::at(target, found.ok().as_ref(), readers);
+                let pending = Pending::at(target, metadata.ok().as_ref(), readers);
                 Ok(Self::File(Box::new(pending.map_err(written)?)))
             }
         }
@@ -115,7 +115,7 @@ fn resolved(path: &Path) -> PathBuf {
 
 /// Whether something is there that is neither a file nor a folder, and so has nothing beside it.
 pub(super) fn is_device(path: &Path) -> bool {
-    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
 /// The path at which a chain of symbolic links ends, also where nothing is there yet: a link stays a link.
@@ -151,7 +151,7 @@ impl Write for Output {
 /// The bytes of a name's part: a student's and a problem's, with digits and endings, fit into the 255 of most file systems.
 const LONGEST_STEM: usize = 100;
 
-/// What somebody typed or a file said, as a part of a file's name: no separators, and nothing hidden.
+/// The part of a file's name that is made of a text that somebody typed or a file holds: no separators, and nothing hidden.
 pub(super) fn file_stem(text: &str) -> String {
     let plain = |letter: char| if letter.is_alphanumeric() || "-_.".contains(letter) { letter } else { '-' };
     let mut stem: String = text.trim().trim_start_matches(['.', '-']).chars().map(plain).collect();

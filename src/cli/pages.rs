@@ -14,12 +14,12 @@ use crate::render::Solution;
 
 use super::failure::Failure;
 
-/// Where a user keeps templates that take the place of the built-in ones.
+/// The folder of a user's templates that take the place of the built-in ones.
 const TEMPLATES: &str = "templates";
 
 /// How much of a solution is shown.
 #[derive(Args, Clone, Copy, Debug, Default)]
-pub(super) struct Shown {
+pub(super) struct SolutionOptions {
     /// Show the first K steps of each solution only, and leave the rest to the student
     #[arg(long, value_name = "K")]
     faded: Option<usize>,
@@ -31,7 +31,7 @@ pub(super) struct Shown {
     detailed: bool,
 }
 
-impl Shown {
+impl SolutionOptions {
     /// Whether anything but the usual solution for students is wanted.
     pub(super) fn is_said(self) -> bool {
         self.faded.is_some() || self.instructor || self.detailed
@@ -55,9 +55,9 @@ impl Shown {
     }
 }
 
-/// What HTML holds beside its text.
+/// Files that HTML holds beside its text.
 #[derive(Args, Clone, Copy, Debug)]
-pub(super) struct Held {
+pub(super) struct HtmlOptions {
     /// Leave the font of the mathematics out of HTML
     ///
     /// Each file is 66 kB smaller. Roots and brackets then grow only where the reader has a mathematics font.
@@ -65,7 +65,7 @@ pub(super) struct Held {
     no_font: bool,
 }
 
-impl Held {
+impl HtmlOptions {
     /// The renderer for documents that are handed out.
     pub(super) fn renderer(self) -> Result<Renderer, Failure> {
         let renderer = renderer()?;

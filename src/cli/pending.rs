@@ -20,7 +20,7 @@ const INTERRUPTED: i32 = 130;
 /// The temporary files of this program that are there now.
 static THERE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Who may read a file.
+/// The readers of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Readers {
     /// Those who could read the file in whose place it comes; for a new one, those whom the system's settings let.
@@ -39,7 +39,7 @@ pub(super) struct Pending {
 
 impl Pending {
     /// Begins a file in the place of the one that was found there.
-    pub(super) fn at(path: PathBuf, found: Option<&fs::Metadata>, readers: Readers) -> io::Result<Self> {
+    pub(super) fn at(path: PathBuf, metadata: Option<&fs::Metadata>, readers: Readers) -> io::Result<Self> {
         path.file_name().ok_or_else(|| io::Error::other("it names no file"))?;
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
@@ -47,15 +47,15 @@ impl Pending {
         // Held until the file is on the list: a signal in between waits.
         let mut there = THERE.lock().unwrap_or_else(PoisonError::into_inner);
         let file = builder(readers).prefix(".momentous-").suffix(".tmp").tempfile_in(folder)?;
-        if let (Readers::AsBefore, Some(found)) = (readers, found) {
-            fs::set_permissions(file.path(), found.permissions())?;
+        if let (Readers::AsBefore, Some(metadata)) = (readers, metadata) {
+            fs::set_permissions(file.path(), metadata.permissions())?;
         }
         let temporary = file.path().to_owned();
         there.insert(temporary.clone());
         Ok(Self { writer: Some(BufWriter::new(file)), temporary, path })
     }
 
-    /// Where the file will be.
+    /// The path that the file will have.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }

@@ -12,7 +12,7 @@ use super::failure::Failure;
 use super::format::Paper;
 #[cfg(feature = "pdf")]
 use super::pages;
-use super::pages::Held;
+use super::pages::HtmlOptions;
 
 /// The way out that is always there.
 #[cfg(not(feature = "pdf"))]
@@ -35,7 +35,7 @@ pub(super) struct Printed {
 
 impl Printer {
     /// A printer of documents; none for JSON, which is data.
-    pub(super) fn new(paper: Paper, held: Held) -> Result<Option<Self>, Failure> {
+    pub(super) fn new(paper: Paper, held: HtmlOptions) -> Result<Option<Self>, Failure> {
         let Some(format) = paper.document() else { return Ok(None) };
         let renderer = held.renderer()?;
         #[cfg(feature = "pdf")]

@@ -15,8 +15,8 @@ use super::open;
 use super::open::Secret;
 use super::output::Output;
 use super::pages;
-use super::pages::Held;
-use super::pages::Shown;
+use super::pages::HtmlOptions;
+use super::pages::SolutionOptions;
 use super::printer::Printer;
 
 const HELP: &str = "\
@@ -50,9 +50,9 @@ pub(super) struct Solve {
     #[arg(long, value_name = "FORMAT", default_value = "markdown")]
     format: Paper,
     #[command(flatten)]
-    shown: Shown,
+    shown: SolutionOptions,
     #[command(flatten)]
-    held: Held,
+    held: HtmlOptions,
     #[command(flatten)]
     secret: Secret,
 }

@@ -26,18 +26,18 @@ pub(super) fn input(path: &Path) -> io::Result<BufReader<Input>> {
 /// Opens a table of any length.
 pub(super) fn open(path: &Path) -> Result<Table<BufReader<Input>>, Failure> {
     let input = input(path).map_err(|error| Failure::file(path, "read", &error))?;
-    Table::read(input).map_err(|message| of(path, &message))
+    Table::read(input).map_err(|message| failure(path, &message))
 }
 
 /// Opens a table of which all will be kept.
 pub(super) fn whole(path: &Path) -> Result<Table<Cursor<Vec<u8>>>, Failure> {
     let bytes = Input::open(path).and_then(|input| input.bytes(LARGEST));
     let bytes = bytes.map_err(|error| Failure::file(path, "read", &error))?;
-    Table::read(Cursor::new(bytes)).map_err(|message| of(path, &message))
+    Table::read(Cursor::new(bytes)).map_err(|message| failure(path, &message))
 }
 
-/// What is wrong with a table as a whole.
-pub(super) fn of(path: &Path, message: &str) -> Failure {
+/// The failure of a table as a whole.
+pub(super) fn failure(path: &Path, message: &str) -> Failure {
     Failure::unusable(format!("{}: {message}", path.display()))
 }
 

@@ -1,4 +1,4 @@
-//! What reaches a terminal: texts that others wrote show their control characters, so that the terminal obeys none of them.
+//! Texts for a terminal: those that others wrote show their control characters, so that the terminal obeys none of them.
 
 use std::borrow::Cow;
 use std::io;

@@ -1,4 +1,4 @@
-//! What `momentous check` says of simulations: of each form, and of all.
+//! Words of `momentous check` on simulations: of each form, and of all.
 
 use std::io::Write;
 

@@ -30,9 +30,9 @@ impl Faults {
     ///
     /// # Errors
     /// All faults, where there are any, or nothing was made.
-    pub(super) fn or<T>(self, made: Option<T>) -> Result<T, Vec<FieldFault>> {
-        match made {
-            Some(made) if self.0.is_empty() => Ok(made),
+    pub(super) fn or<T>(self, value: Option<T>) -> Result<T, Vec<FieldFault>> {
+        match value {
+            Some(value) if self.0.is_empty() => Ok(value),
             _ => Err(self.0),
         }
     }

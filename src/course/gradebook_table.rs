@@ -47,8 +47,8 @@ impl Gradebook {
     pub fn read_csv(&self, text: &str) -> Result<Vec<ReadGrades>, Vec<String>> {
         let mut table = Table::read(text.as_bytes()).map_err(|message| vec![message])?;
         let column = |heading: &str| -> Result<usize, Vec<String>> {
-            let found = table.column(heading).map_err(|message| vec![message])?;
-            found.ok_or_else(|| vec![format!("there is no column `{heading}`")])
+            let column = table.column(heading).map_err(|message| vec![message])?;
+            column.ok_or_else(|| vec![format!("there is no column `{heading}`")])
         };
         let [login, total] = [column("login")?, column("total")?];
         let places = self.columns.iter().map(|listed| column(&listed.heading)).collect::<Result<Vec<usize>, _>>()?;

@@ -94,10 +94,10 @@ mod tests {
         for case in CASES.lines().filter(|line| !line.starts_with('#')) {
             let cells: Vec<&str> = case.split('|').map(str::trim).collect();
             let [zone, local, expected] = cells[..] else { panic!("{case}") };
-            let found = Moment::local(local, zone);
-            let said = found.as_ref().map_or_else(|why| why.to_string().replace('\n', " "), ToString::to_string);
+            let named = Moment::local(local, zone);
+            let said = named.as_ref().map_or_else(|why| why.to_string().replace('\n', " "), ToString::to_string);
             assert!(said.starts_with(expected), "{case}: {said}");
-            if let Ok(moment) = found {
+            if let Ok(moment) = named {
                 assert_eq!(Moment::local(&moment.typed(zone), zone), Ok(moment), "{case}");
             }
             count += 1;

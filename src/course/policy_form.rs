@@ -102,7 +102,7 @@ impl Policy {
         let unsubmitted = unsubmitted.and_then(|at| Unsubmitted::ALL.get(at));
         let solvers =
             faults.take("solvers", release(&form.solvers, &Solvers::NAMES)).and_then(|at| Solvers::ALL.get(at));
-        let made = || {
+        let policy = || {
             let Instants { due, late_until, closes } = instants?;
             Some(Self {
                 attempts: attempts?,
@@ -120,7 +120,7 @@ impl Policy {
                 solvers: *solvers?,
             })
         };
-        faults.or(made())
+        faults.or(policy())
     }
 
     /// The fields in which the policy is typed, in a course with this time zone.

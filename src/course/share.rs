@@ -80,11 +80,11 @@ impl FromStr for Share {
 
     fn from_str(text: &str) -> Result<Self, NoShare> {
         let text = text.trim();
-        let found = match text.strip_suffix('%') {
+        let typed = match text.strip_suffix('%') {
             Some(percent) => number(percent.trim()).map(|number| number / Rational::from(100)),
             None => fraction(text),
         };
-        found.filter(|share| *share <= Rational::ONE).map(Self).ok_or(NoShare)
+        typed.filter(|share| *share <= Rational::ONE).map(Self).ok_or(NoShare)
     }
 }
 

@@ -181,7 +181,7 @@ impl StoredReport {
 
 impl StoredPart {
     fn shown(&self, released: bool) -> ShownPart {
-        let found = || Found {
+        let finding = || Found {
             verdict: self.verdict,
             right: self.verdict.is_right(),
             points: Points(self.points.clone()),
@@ -196,7 +196,7 @@ impl StoredPart {
             read: self.read.clone(),
             unread: self.unread.clone(),
             made: self.made,
-            found: released.then(found),
+            found: released.then(finding),
         }
     }
 
@@ -255,8 +255,8 @@ mod tests {
     #[test]
     fn a_page_says_points_as_they_are_printed_everywhere() {
         let points = Points(Rational::from(2) / Rational::from(3));
-        let found = Found { verdict: Verdict::Right, right: true, points, message: String::new(), own_values: None };
-        let said = serde_json::to_value(found).map(|found| found["points"].clone());
+        let finding = Found { verdict: Verdict::Right, right: true, points, message: String::new(), own_values: None };
+        let said = serde_json::to_value(finding).map(|json| json["points"].clone());
         assert_eq!(said.ok(), Some("0.67".into()));
     }
 }

@@ -182,7 +182,7 @@ impl Extension {
         if reason.is_empty() {
             faults.say("reason", "say why: it is kept with the marks");
         }
-        let made = instants.map(|Instants { due, late_until, closes }| Self {
+        let window = instants.map(|Instants { due, late_until, closes }| Self {
             assignment: assignment.key,
             member,
             due,
@@ -190,7 +190,7 @@ impl Extension {
             closes,
             reason: reason.to_owned(),
         });
-        faults.or(made)
+        faults.or(window)
     }
 }
 

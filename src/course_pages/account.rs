@@ -46,7 +46,7 @@ impl SignInPage {
     }
 }
 
-/// Where somebody goes after signing in: a page of this server, and no other site.
+/// The address to which somebody goes after signing in: a page of this server, and no other site.
 pub(super) fn onward(visit: &Visit) -> String {
     // Browsers take `\\` for `/`, and leave out tabs and ends of lines.
     let leads_away = |to: &str| to.starts_with("//") || to.contains(|sign: char| sign == '\\' || sign.is_control());
@@ -100,7 +100,7 @@ struct LinkPage {
     title: &'static str,
     /// Whose link it is; nothing where it is used up or has ended.
     name: Option<String>,
-    /// Where the button leads: `sign-in` for links that somebody gave, `mail` for those that were sent.
+    /// The page to which the button leads: `sign-in` for links that somebody gave, `mail` for those that were sent.
     kind: &'static str,
     token: String,
     to: String,
@@ -120,7 +120,7 @@ pub(super) async fn link_page_with(visit: &Visit, name: Option<String>, kind: &'
     visit.page("courses/link", LinkPage { title: "Sign in", name, kind, token, to }).await
 }
 
-/// What is noted of a person who signs in.
+/// The entries of the trail about a person who signs in.
 pub(super) async fn entries_by(visit: &Visit, person: Key<Person>, what: &str) -> Result<Vec<Entry>, NotShown> {
     let entries = visit.entries(person, what).await?.into_iter();
     Ok(entries.map(|entry| Entry { by: Some(person), ..entry }).collect())

@@ -1,4 +1,4 @@
-//! What students saved and did not hand in is handed in at the close, where the assignment says so. It happens when somebody asks for
+//! Hands in at the close what students saved and did not hand in, where the assignment says so. It happens when somebody asks for
 //! anything of the assignment afterwards: nobody sees it without.
 
 use std::collections::BTreeMap;
@@ -80,7 +80,7 @@ async fn one(
     Err(NotShown::Conflict("the assignment was changed again and again at this moment".to_owned()))
 }
 
-/// What marking makes of what was saved, as of when it was saved.
+/// Marks the saved answers, as of when they were saved.
 async fn marked(
     visit: &Visit,
     whole: &AssignmentWithItems,

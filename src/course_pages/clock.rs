@@ -6,7 +6,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use momentous_course::Moment;
 
-/// What says which moment it is. Tests say it themselves.
+/// Clocks that say which moment it is. Tests set it themselves.
 #[derive(Clone)]
 pub struct Clock(Arc<dyn Fn() -> Moment + Send + Sync>);
 

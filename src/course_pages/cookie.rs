@@ -9,7 +9,7 @@ use super::session;
 /// A cookie. Scripts cannot read it, and other sites cannot send it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cookie {
-    /// Who has signed in.
+    /// The session of somebody who has signed in.
     Session,
     /// The browser that has asked for a link by mail.
     Browser,

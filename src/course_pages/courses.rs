@@ -28,7 +28,7 @@ struct PasswordForm {
     /// Whether there is a password.
     is_there: bool,
     needs_old: bool,
-    /// What is wrong with a new one.
+    /// The fault of a new one.
     fault: Option<String>,
     changed: bool,
 }
@@ -40,7 +40,7 @@ struct OwnCourse {
     role: &'static str,
 }
 
-/// What is wrong with a form of the page.
+/// The fault of a form of the page.
 #[derive(Default)]
 struct FormFaults {
     password: Option<String>,

@@ -43,7 +43,7 @@ pub(super) async fn of_form(request: Request, longest: usize) -> Result<Pairs, N
     if fields.is_err() && arrival.is_some_and(|arrival| arrival.is_over()) { Err(NotShown::Slow) } else { fields }
 }
 
-/// What was typed into a form that cannot be taken now, where it can be read.
+/// The fields of a form that cannot be taken now, where they can be read.
 pub(super) async fn typed(request: Request, longest: usize) -> Parameters {
     if request.method() != Method::POST || is_a(request.headers(), "multipart/form-data") {
         return Parameters::default();

@@ -1,11 +1,11 @@
-//! Who may see a page.
+//! Rights to see a page.
 
 use momentous_course::Role;
 
 use super::outcome::NotShown;
 use super::visit::Visit;
 
-/// Who may see a page, and do what it offers.
+/// The people who may see a page, and do what it offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Who {
     /// Everybody.
@@ -14,7 +14,7 @@ pub enum Who {
     SignedIn,
     /// Whoever has at least this role in the course of the address.
     Member(Role),
-    /// Who runs the server.
+    /// The operator of the server.
     Operator,
 }
 

@@ -39,7 +39,8 @@ impl Default for Hidden {
 }
 
 impl Hidden {
-    /// What is hidden at a moment. Where the records cannot be reached it is what was hidden last: simulators go on without them.
+    /// The problems hidden at a moment. Where the records cannot be reached they are those that were hidden last: simulators go
+    /// on without them.
     pub(super) async fn at(&self, bank: &Library, store: &Store, now: Moment) -> Arc<Vec<HiddenKind>> {
         let last = self.read().clone();
         if let Some((read, kinds)) = &last

@@ -68,7 +68,7 @@ const LINK: &str = "link created by the operator";
 /// What it calls an address that whoever runs the server set.
 pub(super) const ADDRESS: &str = "e-mail address set by the operator";
 
-/// What is noted of something that happens to a person: in the trail of each course of that person, and in the server's.
+/// The entries for something that happens to a person: in the trail of each course of that person, and in the server's.
 async fn entries(store: &Store, person: &Person, now: Moment, what: &str) -> Result<Vec<Entry>, StoreFault> {
     let courses = store.courses_of(person.key).await?.into_iter();
     let in_course = |place: Membership| Entry {

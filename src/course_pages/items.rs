@@ -18,10 +18,10 @@ use super::visit::Visit;
 const AGAIN: usize = 8;
 
 /// An assignment of the course of the address, with one of its items.
-pub(super) async fn of(visit: &Visit, item: Key<Item>) -> Result<(AssignmentWithItems, Key<Item>), NotShown> {
+pub(super) async fn item_of(visit: &Visit, item: Key<Item>) -> Result<(AssignmentWithItems, Key<Item>), NotShown> {
     let missing = || NotShown::missing("there is no such problem in this course");
-    let found = visit.store().item(item).await?.ok_or_else(missing)?;
-    let whole = visit.store().assignment(found.assignment).await?.ok_or_else(missing)?;
+    let row = visit.store().item(item).await?.ok_or_else(missing)?;
+    let whole = visit.store().assignment(row.assignment).await?.ok_or_else(missing)?;
     if whole.assignment.course == visit.course()?.key { Ok((whole, item)) } else { Err(missing()) }
 }
 

@@ -23,7 +23,7 @@ struct JoinPage {
     title: &'static str,
     /// The code as it was typed.
     code: String,
-    /// What is wrong with the code.
+    /// The fault of the code.
     fault: Option<&'static str>,
     /// The course of the code.
     course: Option<Joined>,

@@ -18,12 +18,12 @@ pub(super) struct Records {
     pub(super) items: Vec<Item>,
     pub(super) corrections: Vec<Correction>,
     pub(super) sheets: Vec<Sheet>,
-    /// What was kept of the last attempt at each sheet.
+    /// The stored report of the last attempt at each sheet.
     last: BTreeMap<Key<Sheet>, StoredReport>,
     pub(super) by_hand: Vec<Override>,
 }
 
-/// What a student has for an item, as pages show it.
+/// The standing of a student for an item, as pages show it.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Has {
     /// The points; nothing where nothing was handed in, or the item no longer counts.
@@ -31,9 +31,9 @@ pub(super) struct Has {
     pub(super) out_of: u32,
     /// How they came about, where it was not by marking.
     pub(super) how: &'static str,
-    /// What was said when points were set by hand.
+    /// The words with which points were set by hand.
     pub(super) by_hand: Option<Said>,
-    /// What was said when the problem was corrected.
+    /// The words with which the problem was corrected.
     pub(super) corrected: Option<Said>,
 }
 
@@ -119,14 +119,14 @@ impl Records {
         last.map(|report| report.history.handed_in()).sum()
     }
 
-    /// What a student has for one of the items.
+    /// The standing of a student for one of the items.
     pub(super) fn standing(&self, member: Key<Member>, item: Key<Item>) -> Option<Standing> {
         let item = self.items.iter().find(|listed| listed.key == item)?;
         Some(self.accounts().standing(member, item))
     }
 }
 
-/// What was kept of the last attempt at each sheet, of attempts in their order.
+/// The stored report of the last attempt at each sheet, of attempts in their order.
 fn last(attempts: &[Attempt]) -> Result<BTreeMap<Key<Sheet>, StoredReport>, NotShown> {
     let last: BTreeMap<Key<Sheet>, &Attempt> = attempts.iter().map(|attempt| (attempt.sheet, attempt)).collect();
     let report = |(sheet, attempt): (Key<Sheet>, &Attempt)| Ok((sheet, StoredReport::of(attempt)?));

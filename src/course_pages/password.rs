@@ -12,7 +12,7 @@ const LONGEST: usize = 1024;
 /// The tries after which a password may be found, as a power of two: more than the limit of tries allows in years.
 const GUESSES: f64 = 20.0;
 
-/// What is kept of a password; nothing where the machine cannot make it.
+/// The hash kept of a password; `None` where the machine cannot make it.
 pub(super) fn hash(password: &str) -> Option<String> {
     Argon2::default().hash_password(password.as_bytes()).ok().map(|hash| hash.to_string())
 }
@@ -22,7 +22,7 @@ pub(super) fn is_right(password: &str, kept: &str) -> bool {
     Argon2::default().verify_password(password.as_bytes(), kept).is_ok()
 }
 
-/// What is wrong with a new password, where something is.
+/// The fault of a new password, where there is one.
 pub(super) fn fault(password: &str, again: &str, login: &str) -> Option<String> {
     if password != again {
         Some("the two passwords are not the same".to_owned())

@@ -27,10 +27,10 @@ const WRITTEN: &str = "4096";
 const PAUSE: Duration = Duration::from_millis(5);
 /// The bytes of what it prints that are read.
 const SHOWN: u64 = 1 << 22;
-/// Where it prints, in its folder.
+/// The file in its folder to which it prints.
 const PRINTED: &str = "printed.txt";
 
-/// Who has a turn with a process.
+/// The turns with processes.
 pub(super) struct Processes {
     free: Arc<Semaphore>,
     working: Mutex<BTreeSet<Key<Person>>>,

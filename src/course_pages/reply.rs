@@ -1,4 +1,4 @@
-//! What somebody gets who asked for a page.
+//! Replies to somebody who asked for a page.
 
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::cookie::Cookie;
 use momentous_web::Settings;
 
-/// What somebody gets.
+/// A reply.
 pub(super) enum Reply {
     /// A page.
     Page(String),
@@ -28,9 +28,9 @@ pub(super) enum Reply {
     Download {
         /// Its name.
         name: String,
-        /// What it is.
+        /// Its media type.
         kind: &'static str,
-        /// What is in it.
+        /// Its content.
         bytes: Vec<u8>,
     },
     /// An object for a script.
@@ -51,7 +51,7 @@ impl Reply {
         Self::ToWith { to, cookie: Cookie::Session, token: Some(token) }
     }
 
-    /// As a response. No cache keeps what only one person may see.
+    /// Turns it into a response. No cache keeps what only one person may see.
     pub(super) fn response(self, settings: &Settings) -> Response {
         let mut headers = HeaderMap::new();
         headers.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));

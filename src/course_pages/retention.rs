@@ -1,4 +1,4 @@
-//! What courses keep of answers, and its end: for their instructors, and for whoever has the data.
+//! Retention of answers in courses, and its end: for their instructors, and for whoever has the data.
 
 use momentous_course::{Course, Moment};
 use momentous_store::{Entry, Records, Store, StoreFault};
@@ -6,7 +6,7 @@ use momentous_store::{Entry, Records, Store, StoreFault};
 use super::clock::Clock;
 use super::session;
 
-/// What a course keeps of answers, and until when.
+/// The data that a course keeps of answers, and their end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Retained {
     /// The course.
@@ -22,7 +22,7 @@ pub struct Retained {
 }
 
 impl Retained {
-    /// What a course keeps at a moment.
+    /// The data that a course keeps at a moment.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -33,7 +33,7 @@ impl Retained {
         Ok(Self { closes, until, is_over: until.is_some_and(|until| now > until), records, course })
     }
 
-    /// What each course keeps.
+    /// The data that each course keeps.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -66,5 +66,5 @@ impl Retained {
     }
 }
 
-/// What the trail calls the deletion.
+/// The name of the deletion in the trail.
 pub(super) const DELETED: &str = "answers deleted";

@@ -74,7 +74,7 @@ async fn respond(row: &Row, app: SharedApp, courses: Arc<Courses>, path: &RawPat
 /// Why there is no visit, and what was typed.
 type NoVisit = (NotShown, Parameters);
 
-/// Who asks for what. Nothing is read of a form that another site has sent.
+/// Reads who asks for what. Nothing is read of a form that another site has sent.
 async fn visit(
     row: &Row,
     app: SharedApp,
@@ -95,7 +95,7 @@ async fn visit(
         Err(fault) => return Err((fault.into(), fields::typed(request, longest(row)).await)),
     };
     let browser = Cookie::Browser.sent(headers).map(str::to_owned);
-    let from = sender::of(request.extensions(), headers, &app.settings.trusted_proxies);
+    let from = sender::sender(request.extensions(), headers, &app.settings.trusted_proxies);
     let fields = Parameters::default();
     let mut visit = Visit { app, courses, now, place, visitor, browser, from, path, fields };
     match row.who.admits(&visit) {
@@ -118,7 +118,7 @@ async fn visit(
     Ok(visit)
 }
 
-/// Who asks, and the place of that person in the course of the address, as far as the session reaches.
+/// Finds who asks, and the place of that person in the course of the address, as far as the session reaches.
 async fn known(
     store: &Store,
     headers: &HeaderMap,

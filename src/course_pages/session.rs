@@ -1,4 +1,4 @@
-//! Who is asking: random tokens, of which the database keeps a hash.
+//! Sessions of visitors: random tokens, of which the database keeps a hash.
 
 use std::fmt::Write;
 
@@ -44,7 +44,7 @@ fn hex(bytes: &[u8]) -> String {
     })
 }
 
-/// What the database knows of a token.
+/// The hash by which the database knows a token.
 pub(super) fn hash(token: &str) -> String {
     hex(&Sha256::digest(token.as_bytes()))
 }

@@ -1,4 +1,4 @@
-//! What the pages of courses share.
+//! The state that the pages of courses share.
 
 use std::sync::Arc;
 
@@ -11,13 +11,13 @@ use super::limits::Limits;
 use super::mail::Post;
 use super::processes::Processes;
 
-/// What the pages of courses share: the records, the time, and the problems as their sheets were drawn.
+/// The state that the pages of courses share: the records, the time, and the problems as their sheets were drawn.
 pub struct Courses {
     pub(super) store: Store,
     pub(super) clock: Clock,
     pub(super) limits: Limits,
     pub(super) library: CourseLibrary,
-    /// Who has a teacher's file read or checked in a process of its own.
+    /// The processes that read or check a teacher's file.
     pub(super) processes: Arc<Processes>,
     /// The server that takes letters, where one is configured.
     pub(super) post: Option<Post>,

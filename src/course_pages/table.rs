@@ -17,10 +17,10 @@ use super::staff::{assignment, members, new_course, people, print, problems, req
 use super::student;
 use super::visit::Visit;
 
-/// What makes a page.
+/// The function that makes a page.
 pub(super) type Make = for<'v> fn(&'v Visit) -> Pin<Box<dyn Future<Output = Result<Reply, NotShown>> + Send + 'v>>;
 
-/// What a request does.
+/// The effect of a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Does {
     /// It shows something.
@@ -136,7 +136,7 @@ pub struct Address {
     pub changes: bool,
     /// The address, with the names of its parts in braces.
     pub pattern: &'static str,
-    /// Who may see it.
+    /// The people who may see it.
     pub who: Who,
 }
 

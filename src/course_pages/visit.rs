@@ -9,7 +9,7 @@ use serde::Serialize;
 use momentous_course::{Course, Key, Moment, Person};
 use momentous_store::{Entry, Membership, Store};
 
-use super::around::{Around, AroundCourse};
+use super::around::{CourseFrame, VisitFrame};
 use super::outcome::NotShown;
 use super::reply::Reply;
 use super::session;
@@ -44,12 +44,12 @@ impl Visit {
         &self.courses.store
     }
 
-    /// Who asks.
+    /// The person who asks.
     pub(super) fn person(&self) -> Result<&Person, NotShown> {
         self.visitor().map(|visitor| &visitor.person)
     }
 
-    /// Who asks, with the session.
+    /// The person who asks, with the session.
     pub(super) fn visitor(&self) -> Result<&Visitor, NotShown> {
         self.visitor.as_ref().ok_or(NotShown::SignIn)
     }
@@ -96,7 +96,7 @@ impl Visit {
         Ok(self.address(&format!("/courses/{}{path}", self.course()?.key)))
     }
 
-    /// What is noted of something that is done here.
+    /// The entry in the trail for something that is done here.
     pub(super) fn entry(&self, what: &str, detail: impl Into<String>) -> Entry {
         Entry {
             key: session::key(),
@@ -146,19 +146,19 @@ impl Visit {
         if self.visitor.is_some() {
             self.courses.hidden.at(&self.app.pages.library, self.store(), self.now).await;
         }
-        let around = self.around();
+        let frame = self.around();
         // As a value it may outlive what it was made of.
         let page = serde_json::to_value(page).map_err(|error| NotShown::Store(error.into()))?;
-        let text = self.work(move |app| Ok(app.page_for(&around, template, &page)?)).await?;
+        let text = self.work(move |app| Ok(app.page_for(&frame, template, &page)?)).await?;
         Ok(Reply::Page(text))
     }
 
-    /// What every page of a course knows besides its own.
-    pub(super) fn around(&self) -> Around {
-        Around {
+    /// The values that every page of a course knows besides its own.
+    pub(super) fn around(&self) -> VisitFrame {
+        VisitFrame {
             signed_in: self.visitor.as_ref().map(|visitor| visitor.person.shown().to_owned()),
             operator: self.visitor.as_ref().is_some_and(|visitor| visitor.person.operator),
-            course: self.place.as_ref().map(|place| AroundCourse {
+            course: self.place.as_ref().map(|place| CourseFrame {
                 key: place.course.key.to_string(),
                 title: place.course.title.clone(),
                 role: place.member.role.name(),

@@ -1,4 +1,4 @@
-//! Who asks, by the session that a browser sends along.
+//! The visitor, known by the session that a browser sends along.
 
 use axum::http::HeaderMap;
 

@@ -23,7 +23,7 @@ pub(super) struct Withheld {
 }
 
 impl Withheld {
-    /// What is withheld from a visitor, or from somebody who is not known.
+    /// The problems withheld from a visitor, or from somebody who is not known.
     pub(super) async fn from(courses: &Courses, app: &App, visitor: Option<&Visitor>) -> Result<Self, StoreFault> {
         let (store, now) = (&courses.store, courses.clock.now());
         let hidden = courses.hidden.at(&app.pages.library, store, now).await;
@@ -62,7 +62,8 @@ impl Withheld {
         Self { reserved: Reserved::default(), hidden }
     }
 
-    /// What is withheld from somebody who may see what practice refuses: problems of open assignments in which that person is a student.
+    /// The problems withheld from somebody who may see what practice refuses: those of open assignments in which that person is a
+    /// student.
     pub(super) async fn from_student(visit: &Visit) -> Result<Self, NotShown> {
         let person = visit.person()?.key;
         let places = visit.store().courses_of(person).await?.into_iter();

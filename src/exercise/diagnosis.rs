@@ -27,13 +27,13 @@ impl Marking<'_> {
                 continue;
             }
             let exactly = report.verdict == Verdict::RoundingSlip;
-            let found = self.misjudged(place).or_else(|| {
+            let explained = self.misjudged(place).or_else(|| {
                 let suspects = self.suspects(place, exactly)?;
                 let possible = self.possible(suspects.clone(), &right);
-                let found = if possible.is_empty() { self.in_one_part(place, suspects) } else { possible };
-                self.diagnosis(unexplained(report.verdict, found))
+                let mistakes = if possible.is_empty() { self.in_one_part(place, suspects) } else { possible };
+                self.diagnosis(unexplained(report.verdict, mistakes))
             });
-            let Some(diagnosis) = found else { continue };
+            let Some(diagnosis) = explained else { continue };
             if exactly {
                 // A mistake that gives exactly this value says where it comes from; nothing was rounded.
                 (report.verdict, report.message) = (Verdict::Wrong, grade::not_right());
@@ -161,33 +161,33 @@ impl Marking<'_> {
     }
 
     /// What is said of the mistakes that lead to an answer; nothing where there are none.
-    fn diagnosis(&self, mut found: Vec<&Mistake>) -> Option<Diagnosis> {
-        likeliest_first(self.worked, &mut found);
-        let first = found.first()?;
+    fn diagnosis(&self, mut mistakes: Vec<&Mistake>) -> Option<Diagnosis> {
+        likeliest_first(self.worked, &mut mistakes);
+        let first = mistakes.first()?;
         let mut codes: Vec<&'static str> = Vec::new();
-        for mistake in &found {
+        for mistake in &mistakes {
             if !codes.contains(&mistake.of.id) {
                 codes.push(mistake.of.id);
             }
         }
-        Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, &found) })
+        Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, &mistakes) })
     }
 }
 
 /// Of some mistakes those that are named: what is wrong with the data only where the verdict leaves open what it is, and of a right
 /// magnitude without its direction nothing but how it was written.
-pub(super) fn unexplained(verdict: Verdict, mut found: Vec<&Mistake>) -> Vec<&Mistake> {
+pub(super) fn unexplained(verdict: Verdict, mut mistakes: Vec<&Mistake>) -> Vec<&Mistake> {
     match verdict {
         Verdict::Wrong | Verdict::RoundingSlip => {}
-        Verdict::Sense => found.retain(|mistake| mistake.is_written()),
-        _ => found.retain(|mistake| !mistake.yields()),
+        Verdict::Sense => mistakes.retain(|mistake| mistake.is_written()),
+        _ => mistakes.retain(|mistake| !mistake.yields()),
     }
-    found
+    mistakes
 }
 
 /// A law says more than a slip of the pen, an author's own words more than ours, and one mistake explains more than several.
-pub(super) fn likeliest_first(worked: Worked<'_>, found: &mut [&Mistake]) {
-    found
+pub(super) fn likeliest_first(worked: Worked<'_>, mistakes: &mut [&Mistake]) {
+    mistakes
         .sort_by_key(|mistake| (feedback_on(worked, mistake.of).is_none(), mistake.instance.is_none(), mistake.places));
 }
 
@@ -223,12 +223,12 @@ fn step(worked: Worked<'_>, mistake: &Mistake) -> Option<String> {
 
 /// What is said of mistakes that cannot be told apart: a question first, each hint plainer than the one before. None holds the right
 /// value. Of laws two are named; an author's own words stand alone.
-pub(super) fn hints_on(worked: Worked<'_>, found: &[&Mistake]) -> Vec<String> {
-    let Some(mistake) = found.first() else { return Vec::new() };
+pub(super) fn hints_on(worked: Worked<'_>, mistakes: &[&Mistake]) -> Vec<String> {
+    let Some(mistake) = mistakes.first() else { return Vec::new() };
     let own_words = feedback_on(worked, mistake.of);
     let is_another = |other: &&&Mistake| other.of != mistake.of && other.instance.is_some();
     let alone = own_words.is_some() || mistake.instance.is_none();
-    let another = found.iter().find(is_another).filter(|_| !alone).map(|other| other.of);
+    let another = mistakes.iter().find(is_another).filter(|_| !alone).map(|other| other.of);
     let question = own_words.unwrap_or_else(|| mistake.of.ask.to_owned());
     let mut first = match step(worked, mistake) {
         Some(step) => format!("Look at the step with {step}. {question}"),

@@ -36,7 +36,7 @@ pub(super) struct Earlier {
 }
 
 /// Earlier answers and what follows from them.
-pub(super) struct Found {
+pub(super) struct FollowedAnswer {
     pub(super) from: Vec<String>,
     pub(super) by: Vec<&'static Law>,
     pub(super) unphysical: Option<String>,
@@ -54,14 +54,14 @@ impl Marking<'_> {
                 continue;
             }
             let relevant = earlier.split_at(earlier.len().saturating_sub(MOST_EARLIER)).1;
-            if let Some(found) = self.followed(place, relevant) {
-                let flagged = found.unphysical.is_some();
+            if let Some(followed) = self.followed(place, relevant) {
+                let flagged = followed.unphysical.is_some();
                 report.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
                 report.points = grade::Points(
-                    self.rubric.fraction(report.verdict) * found.fraction * Rational::from(report.out_of),
+                    self.rubric.fraction(report.verdict) * followed.fraction * Rational::from(report.out_of),
                 );
-                let by = found.by.iter().map(|law| law.name).collect();
-                let follows = Follows { from: found.from, by, unphysical: found.unphysical };
+                let by = followed.by.iter().map(|law| law.name).collect();
+                let follows = Follows { from: followed.from, by, unphysical: followed.unphysical };
                 report.message = follows.to_string().into();
                 report.follows = Some(follows);
             } else if self.sitting(place).closed
@@ -127,12 +127,12 @@ impl Marking<'_> {
     fn own_values(&self, number: &NumberPart, earlier: &[Earlier]) -> Option<String> {
         let all: Vec<&Earlier> = earlier.iter().collect();
         let last: Vec<&Earlier> = earlier.iter().rev().take(1).collect();
-        let (chosen, found) = [all, last]
+        let (chosen, consequences) = [all, last]
             .into_iter()
             .map(|chosen| (names(&chosen), self.consequences(number.symbol, &chosen, &mut |_| true)))
-            .find(|(_, found)| !found.is_empty())?;
+            .find(|(_, consequences)| !consequences.is_empty())?;
         let unit = self.worked.unit_of(number);
-        let said: Vec<String> = found
+        let said: Vec<String> = consequences
             .iter()
             .filter_map(|consequence| {
                 let value = Printed::new(consequence.value / unit, number.figures)?.plain();
@@ -157,6 +157,6 @@ fn exactly(answer: &grade::Answer) -> Option<Expr> {
 
 /// The parts of earlier answers, each once.
 pub(super) fn names(chosen: &[&Earlier]) -> Vec<String> {
-    let mut seen = BTreeSet::new();
-    chosen.iter().filter(|answer| seen.insert(&answer.id)).map(|answer| answer.id.clone()).collect()
+    let mut listed = BTreeSet::new();
+    chosen.iter().filter(|answer| listed.insert(&answer.id)).map(|answer| answer.id.clone()).collect()
 }

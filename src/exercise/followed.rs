@@ -13,7 +13,7 @@ use momentous_problem::VectorPart;
 use momentous_quantity::Dimension;
 
 use super::follow_through::Earlier;
-use super::follow_through::Found;
+use super::follow_through::FollowedAnswer;
 use super::follow_through::names;
 use super::marking::Marking;
 
@@ -32,7 +32,7 @@ struct Component<'a> {
 
 impl Marking<'_> {
     /// The consequence that the answer is, of the fewest earlier answers; one that is possible rather than one that is not.
-    pub(super) fn followed(&self, place: usize, earlier: &[Earlier]) -> Option<Found> {
+    pub(super) fn followed(&self, place: usize, earlier: &[Earlier]) -> Option<FollowedAnswer> {
         if earlier.is_empty() {
             return None;
         }
@@ -57,7 +57,7 @@ impl Marking<'_> {
         expected: &grade::Expected,
         answer: &grade::Answer,
         earlier: &[Earlier],
-    ) -> Option<Found> {
+    ) -> Option<FollowedAnswer> {
         let grade::ExpectedKind::Number(right) = &expected.kind else { return None };
         let written = grade::diagnose::number(right, answer)?;
         let unit = self.worked.unit_of(number);
@@ -81,7 +81,7 @@ impl Marking<'_> {
         right: &grade::ExpectedFormula,
         answer: &grade::Answer,
         earlier: &[Earlier],
-    ) -> Option<Found> {
+    ) -> Option<FollowedAnswer> {
         self.best(part.symbol, earlier, &mut |chosen, candidate| {
             let formula_of = |symbol: Symbol| chosen.iter().find(|answer| answer.symbol == symbol)?.formula.clone();
             if !chosen.iter().all(|answer| answer.formula.is_some()) {
@@ -102,8 +102,8 @@ impl Marking<'_> {
         asked: Symbol,
         earlier: &[Earlier],
         judge: &mut dyn FnMut(&[&Earlier], &Candidate<'_>) -> Option<Verdict>,
-    ) -> Option<Found> {
-        let mut best: Option<Found> = None;
+    ) -> Option<FollowedAnswer> {
+        let mut best: Option<FollowedAnswer> = None;
         for chosen in subsets(earlier) {
             let mut verdicts = Vec::new();
             let mut accept = |candidate: &Candidate<'_>| {
@@ -111,10 +111,10 @@ impl Marking<'_> {
                 verdicts.extend(judged);
                 judged.is_some()
             };
-            let found = self.consequences(asked, &chosen, &mut accept);
-            for (consequence, judged) in found.into_iter().zip(verdicts) {
+            let consequences = self.consequences(asked, &chosen, &mut accept);
+            for (consequence, judged) in consequences.into_iter().zip(verdicts) {
                 if best.as_ref().is_none_or(|best| best.unphysical.is_some() && consequence.unphysical.is_none()) {
-                    best = Some(Found {
+                    best = Some(FollowedAnswer {
                         from: names(&chosen),
                         by: consequence.by,
                         unphysical: consequence.unphysical,
@@ -133,7 +133,7 @@ impl Marking<'_> {
         expected: &grade::Expected,
         answer: &grade::Answer,
         earlier: &[Earlier],
-    ) -> Option<Found> {
+    ) -> Option<FollowedAnswer> {
         let grade::ExpectedKind::Vector(right) = &expected.kind else { return None };
         let components = vector.components.iter().zip(&right.components);
         let choices: Vec<Vec<Component<'_>>> =
@@ -153,7 +153,7 @@ impl Marking<'_> {
                     by.push(law);
                 }
             });
-            Some(Found {
+            Some(FollowedAnswer {
                 from: names(&chosen),
                 by,
                 unphysical: follow().find_map(|(_, consequence)| consequence.unphysical.clone()),
@@ -162,17 +162,17 @@ impl Marking<'_> {
         };
         let combined =
             combinations(&choices).into_iter().filter(|picked| picked.iter().any(|part| part.follows.is_some()));
-        let mut found: Vec<Found> = combined.filter_map(|picked| judge(&picked)).collect();
-        found.sort_by_key(|followed| (followed.unphysical.is_some(), followed.from.len()));
-        found.into_iter().next()
+        let mut candidates: Vec<FollowedAnswer> = combined.filter_map(|picked| judge(&picked)).collect();
+        candidates.sort_by_key(|followed| (followed.unphysical.is_some(), followed.from.len()));
+        candidates.into_iter().next()
     }
 
     fn component_choices<'e>(&self, part: &NumberPart, right: f64, earlier: &'e [Earlier]) -> Vec<Component<'e>> {
         let unit = self.worked.unit_of(part);
         let mut choices = vec![Component { value: right, follows: None }];
         for chosen in subsets(earlier) {
-            let found = self.consequences(part.symbol, &chosen, &mut |_| true);
-            choices.extend(found.into_iter().map(|consequence| Component {
+            let consequences = self.consequences(part.symbol, &chosen, &mut |_| true);
+            choices.extend(consequences.into_iter().map(|consequence| Component {
                 value: consequence.value / unit,
                 follows: Some((chosen.clone(), consequence)),
             }));

@@ -51,8 +51,8 @@ impl FromStr for Derivation {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|derivation| derivation.to_string() == text.trim());
-        found.ok_or_else(|| format!("the versions are 1 to {}", Self::ALL.len()))
+        let derivation = Self::ALL.into_iter().find(|derivation| derivation.to_string() == text.trim());
+        derivation.ok_or_else(|| format!("the versions are 1 to {}", Self::ALL.len()))
     }
 }
 

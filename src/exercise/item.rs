@@ -314,17 +314,17 @@ impl Exercise {
         for pair in cuts.windows(2) {
             let [low, high] = [pair[0], pair[1]];
             let middle = low + (high - low) / 2.0;
-            let found =
+            let verdict =
                 judged.iter().find(|window| window.contains(middle)).map_or(Verdict::Wrong, |window| window.verdict);
             let behind = mistaken.iter().filter(|window| (window.low..=window.high).contains(&middle));
             let behind: Vec<&Mistake> =
-                behind.map(|window| window.mistake).filter(|_| diagnose::is_open(found)).collect();
-            if found == Verdict::Wrong && behind.is_empty() {
+                behind.map(|window| window.mistake).filter(|_| diagnose::is_open(verdict)).collect();
+            if verdict == Verdict::Wrong && behind.is_empty() {
                 continue;
             }
-            let (mistakes, feedback) = self.said(unexplained(found, behind));
-            let points = rubric.points(found, out_of);
-            let window = Window { low, high, verdict: found, points, mistakes, feedback };
+            let (mistakes, feedback) = self.said(unexplained(verdict, behind));
+            let points = rubric.points(verdict, out_of);
+            let window = Window { low, high, verdict, points, mistakes, feedback };
             match all.last_mut().filter(|last| last.high >= low && last.is_marked_as(&window)) {
                 Some(last) => last.high = high,
                 None => all.push(window),

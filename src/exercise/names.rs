@@ -28,8 +28,8 @@ impl Names {
             return usual;
         }
         let wanted = bare(typed);
-        let mut found = ids.iter().zip(&self.printed).filter(|(_, names)| names.contains(&wanted));
-        match (found.next(), found.next()) {
+        let mut matching = ids.iter().zip(&self.printed).filter(|(_, names)| names.contains(&wanted));
+        match (matching.next(), matching.next()) {
             (Some((id, _)), None) => id,
             _ => typed,
         }

@@ -52,8 +52,8 @@ impl Exercise {
                 _ => Vec::new(),
             };
             let path = form.question.path.key("ask").index(index);
-            let found = options.iter().chain([&part.label]).flat_map(|line| line_faults(line));
-            faults.extend(found.map(|fault| fault.at_path(path.clone())));
+            let faults_of_lines = options.iter().chain([&part.label]).flat_map(|line| line_faults(line));
+            faults.extend(faults_of_lines.map(|fault| fault.at_path(path.clone())));
         }
         if faults.is_empty() { Ok(()) } else { Err(problem.loaded().locate(faults)) }
     }

@@ -52,11 +52,11 @@ pub(super) fn shared_out(
     // What is right comes first, then what is worth anything.
     for wanted in [|verdict: Verdict| verdict.is_right(), |verdict: Verdict| verdict.usual_fraction().0 > 0] {
         for (root, given) in roots.iter().zip(&mut dealt).filter(|(_, given)| given.is_none()) {
-            let found = values.iter().position(|value| {
+            let place = values.iter().position(|value| {
                 let read = grade::read(value, &root.kind, mark);
                 read.is_ok_and(|answer| wanted(grade::judge(root, &answer).verdict))
             });
-            *given = found.map(|position| values.remove(position));
+            *given = place.map(|position| values.remove(position));
         }
     }
     let mut left = values.into_iter();

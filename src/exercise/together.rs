@@ -10,7 +10,7 @@ use super::VariantRef;
 /// The most attempts of one student at one sheet: they are held in memory together.
 pub const MOST_ATTEMPTS: u32 = 1000;
 
-/// Where an attempt stands among those before it.
+/// The place of an attempt among those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// It is the first of a student at a sheet; so is one that has no student.

@@ -19,7 +19,7 @@ use super::pictures::Quantities;
 use super::pictures::Scope;
 use super::reach::last_instant;
 use super::terms::display::Display;
-use super::terms::display::Shown;
+use super::terms::display::PrintedTerms;
 use super::terms::entry::Item;
 use super::terms::printed;
 
@@ -27,7 +27,7 @@ use super::terms::printed;
 #[must_use]
 pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
     let cache = SolutionCache::of(worked);
-    let display = Display { worked, manners: &cache.way(worked).manners, shown: &Shown::default() };
+    let display = Display { worked, manners: &cache.way(worked).manners, shown: &PrintedTerms::default() };
     worked.answers(number).into_iter().map(|answer| printed::answer(display, number, answer)).collect()
 }
 
@@ -35,14 +35,14 @@ pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
 #[must_use]
 pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
     let cache = SolutionCache::of(worked);
-    printed::formula(Display { worked, manners: &cache.way(worked).manners, shown: &Shown::default() }, part)
+    printed::formula(Display { worked, manners: &cache.way(worked).manners, shown: &PrintedTerms::default() }, part)
 }
 
 /// The results of a variant's worked solution that do not come out of the numbers printed before them, in words.
 #[must_use]
 pub fn lines_out(worked: Worked<'_>, detail: Detail) -> Vec<String> {
     let cache = SolutionCache::of(worked);
-    let shown = Shown::default();
+    let shown = PrintedTerms::default();
     let way = cache.way(worked);
     let figures = computed::figures(Display { worked, manners: &way.manners, shown: &shown }, way, detail);
     let name = |symbol: Symbol| &worked.problem.model().symbols.entry(symbol).name;

@@ -14,7 +14,7 @@ use super::Detail;
 use super::checking::checks::Checks;
 use super::pictures::PictureCache;
 use super::terms::display::Display;
-use super::terms::manner::Manners;
+use super::terms::manner::MannerCache;
 use super::working::script;
 use super::working::script::Script;
 
@@ -27,7 +27,7 @@ pub(super) struct SolutionCache {
 #[derive(Default)]
 pub(super) struct WayCache {
     /// How each quantity is shown.
-    pub manners: Manners,
+    pub manners: MannerCache,
     /// The section on the system.
     pub system: OnceLock<Vec<Block>>,
     /// The parts that its figures share.
@@ -44,7 +44,7 @@ pub(super) struct WayCache {
 impl WayCache {
     fn new(worked: Worked<'_>) -> Self {
         Self {
-            manners: Manners::new(worked),
+            manners: MannerCache::new(worked),
             pictures: PictureCache::new(&worked.problem.loaded().draft.scene),
             ..Self::default()
         }

@@ -21,8 +21,8 @@ use super::working::on_paper;
 use super::working::quadratic;
 use super::working::quadratic::Short;
 use super::working::script::Formula;
-use super::working::script::Found;
 use super::working::script::Script;
+use super::working::script::SolvedUnknown;
 use super::working::steps::Steps;
 use super::working::steps::taken;
 
@@ -64,7 +64,7 @@ fn enter_step(
 ) {
     let steps = Steps::new(display);
     let Some(root) = taken(display, position, step) else { return };
-    for (unknown, closed, Found { formula, .. }) in script.printed(root) {
+    for (unknown, closed, SolvedUnknown { formula, .. }) in script.printed(root) {
         if without.contains(&unknown) {
             display.enter(ledger, unknown);
             continue;

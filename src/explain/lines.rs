@@ -17,7 +17,7 @@ use super::Detail;
 use super::cache::SolutionCache;
 use super::computed;
 use super::terms::display::Display;
-use super::terms::display::Shown;
+use super::terms::display::PrintedTerms;
 use super::terms::display::has_pieces;
 use super::working::derivation;
 use super::working::derivation::Origin;
@@ -97,7 +97,7 @@ pub enum Operation {
 #[must_use]
 pub fn lines(worked: Worked<'_>) -> Vec<Line> {
     let cache = SolutionCache::of(worked);
-    let shown = Shown::default();
+    let shown = PrintedTerms::default();
     let way = cache.way(worked);
     let display = Display { worked, manners: &way.manners, shown: &shown };
     shown.figures.get_or_init(|| computed::figures(display, way, Detail::Full));
@@ -138,9 +138,9 @@ impl List<'_> {
             }
         }
         let Some(root) = taken(self.display, position, step) else { return };
-        for (unknown, closed, found) in script.printed(root) {
+        for (unknown, closed, printed) in script.printed(root) {
             let substituted;
-            let formula = match &found.formula {
+            let formula = match &printed.formula {
                 Formula::Fixed(term) => term.as_ref().map(|term| &term.expr),
                 Formula::Varies => {
                     substituted = self.steps.formula(step, unknown, closed);

@@ -187,9 +187,8 @@ mod tests {
         let headings: Vec<String> = headings.split('|').map(str::to_owned).collect();
         let responses = Responses::new(&codes, &headings, None).unwrap();
         let cells: Vec<&str> = row.split('|').collect();
-        let found = responses.of_row(&cells).into_iter();
-        found
-            .map(|response| (response.student, response.coded.code.clone(), response.coded.answers(&response.typed)))
+        let row = responses.of_row(&cells).into_iter();
+        row.map(|response| (response.student, response.coded.code.clone(), response.coded.answers(&response.typed)))
             .collect()
     }
 

@@ -26,7 +26,7 @@ pub enum DimensionClash {
         part: Expr,
         /// Its dimension.
         dimension: Dimension,
-        /// Where it stands: `sin`, `exp`, `an exponent`.
+        /// The place: `sin`, `exp`, `an exponent`.
         place: &'static str,
     },
     /// A root of a quantity that has none: the square root of a length.
@@ -65,10 +65,10 @@ impl Expr {
                 let twelfths = |symbol| symbols.entry(symbol).dimension.power(TWELFTHS).ok_or_else(|| clash.clone());
                 find(self, &twelfths)
                     .ok()
-                    .and_then(|found| found.unwrap_or(Dimension::NONE).root(TWELFTHS))
+                    .and_then(|dimension| dimension.unwrap_or(Dimension::NONE).root(TWELFTHS))
                     .ok_or(clash)
             }
-            found => Ok(found?.unwrap_or(Dimension::NONE)),
+            dimension => Ok(dimension?.unwrap_or(Dimension::NONE)),
         }
     }
 
@@ -77,8 +77,8 @@ impl Expr {
     /// # Errors
     /// The sides themselves, or parts within one of them, that cannot stand together.
     pub fn common_dimension(&self, other: &Self, symbols: &SymbolTable) -> Result<Dimension, DimensionClash> {
-        let found = common([self, other].into_iter(), &|symbol| Ok(symbols.entry(symbol).dimension));
-        Ok(found?.unwrap_or(Dimension::NONE))
+        let dimension = common([self, other].into_iter(), &|symbol| Ok(symbols.entry(symbol).dimension));
+        Ok(dimension?.unwrap_or(Dimension::NONE))
     }
 }
 
@@ -111,9 +111,9 @@ impl DimensionClash {
 type Of<'a> = &'a dyn Fn(Symbol) -> Result<Dimension, DimensionClash>;
 
 /// `None` for zero, which is of any dimension.
-type Found = Result<Option<Dimension>, DimensionClash>;
+type CommonDimension = Result<Option<Dimension>, DimensionClash>;
 
-fn find(term: &Expr, of: Of) -> Found {
+fn find(term: &Expr, of: Of) -> CommonDimension {
     match term {
         Expr::Number(value) if value.is_zero() => Ok(None),
         Expr::Number(_) | Expr::Pi => Ok(Some(Dimension::NONE)),
@@ -133,7 +133,7 @@ fn find(term: &Expr, of: Of) -> Found {
     }
 }
 
-fn common<'a>(terms: impl Iterator<Item = &'a Expr>, of: Of) -> Found {
+fn common<'a>(terms: impl Iterator<Item = &'a Expr>, of: Of) -> CommonDimension {
     let mut first: Option<(&Expr, Dimension)> = None;
     for term in terms {
         let Some(dimension) = find(term, of)? else { continue };
@@ -158,7 +158,7 @@ fn pure(part: &Expr, place: &'static str, of: Of) -> Result<(), DimensionClash> 
     }
 }
 
-fn power(base: &Expr, exponent: &Expr, of: Of) -> Found {
+fn power(base: &Expr, exponent: &Expr, of: Of) -> CommonDimension {
     pure(exponent, "an exponent", of)?;
     let Some(dimension) = find(base, of)? else { return Ok(None) };
     if dimension == Dimension::NONE {
@@ -176,7 +176,7 @@ fn raise(dimension: Dimension, exponent: &Rational) -> Option<Dimension> {
     dimension.power(times)?.root(degree)
 }
 
-fn apply(function: Function, arguments: &[Expr], of: Of) -> Found {
+fn apply(function: Function, arguments: &[Expr], of: Of) -> CommonDimension {
     match function {
         Function::Abs => common(arguments.iter(), of),
         Function::Atan2 => common(arguments.iter(), of).map(|_| Some(Dimension::NONE)),

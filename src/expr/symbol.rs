@@ -34,8 +34,8 @@ pub struct SymbolTable {
 impl SymbolTable {
     /// Adds a symbol, or finds the one of that name.
     pub fn intern(&mut self, entry: SymbolEntry) -> Symbol {
-        if let Some(found) = self.find(&entry.name) {
-            return found;
+        if let Some(symbol) = self.find(&entry.name) {
+            return symbol;
         }
         let index = u32::try_from(self.entries.len()).unwrap_or(u32::MAX);
         self.entries.push(entry);

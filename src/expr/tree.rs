@@ -282,24 +282,24 @@ impl Expr {
     /// Every symbol that occurs, in the order of the symbol table.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
-        let mut found = BTreeSet::new();
-        self.add_symbols(&mut found);
-        found
+        let mut symbols = BTreeSet::new();
+        self.add_symbols(&mut symbols);
+        symbols
     }
 
     /// Adds every symbol that occurs, as often as it does.
-    pub fn add_symbols(&self, found: &mut impl Extend<Symbol>) {
+    pub fn add_symbols(&self, symbols: &mut impl Extend<Symbol>) {
         match self {
             Self::Number(_) | Self::Pi => {}
-            Self::Symbol(symbol) => found.extend([*symbol]),
+            Self::Symbol(symbol) => symbols.extend([*symbol]),
             Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => {
-                parts.iter().for_each(|part| part.add_symbols(found));
+                parts.iter().for_each(|part| part.add_symbols(symbols));
             }
             Self::Power(pair) => {
-                pair.0.add_symbols(found);
-                pair.1.add_symbols(found);
+                pair.0.add_symbols(symbols);
+                pair.1.add_symbols(symbols);
             }
-            other @ Self::Piecewise(_) => other.children().for_each(|part| part.add_symbols(found)),
+            other @ Self::Piecewise(_) => other.children().for_each(|part| part.add_symbols(symbols)),
         }
     }
 

@@ -29,11 +29,11 @@ impl Input {
             return Ok(Self::Stdin(io::stdin()));
         }
         // Asked before it is opened: to open a pipe waits for somebody to write into it.
-        let found = path.metadata()?;
-        if found.is_dir() {
+        let metadata = path.metadata()?;
+        if metadata.is_dir() {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
         }
-        if !found.is_file() {
+        if !metadata.is_file() {
             let message = "it is not a regular file; to read from a pipe, write `-` and give it as standard input";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         }

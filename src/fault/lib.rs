@@ -63,11 +63,11 @@ pub struct Fault {
     pub message: String,
     /// The way out.
     pub help: Option<String>,
-    /// Where: bytes of the source. Code that knows only a path leaves this to the loader.
+    /// The place, as bytes of the source. Code that knows only a path leaves this to the loader.
     pub span: Option<Span>,
-    /// Where: the position in the YAML document.
+    /// The place, as the position in the YAML document.
     pub path: Option<Path>,
-    /// Where in the text of the scalar at `path`: bytes of that text, for a fault inside an expression.
+    /// The place in the text of the scalar at `path`: bytes of that text, for a fault inside an expression.
     pub within: Option<Span>,
 }
 
@@ -116,7 +116,7 @@ impl Fault {
 /// Every fault found in one source, never empty; printing it shows each with its excerpt.
 #[derive(Clone, Debug)]
 pub struct Faults {
-    /// Where they were found.
+    /// The source in which they were found.
     pub source: Source,
     /// The faults in the order of their places.
     pub list: Vec<Fault>,

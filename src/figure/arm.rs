@@ -54,7 +54,7 @@ pub struct OnArm {
     pub distance: f64,
     /// The label of that distance.
     pub label: Option<Math>,
-    /// Where it is seen from the centre, in radians.
+    /// Its direction as seen from the centre, in radians.
     pub angle: f64,
     /// 0 on the arm; 1 or -1 where it touches the arm from the counter-clockwise or the clockwise side.
     pub beside: f64,

@@ -196,7 +196,7 @@ impl Body {
         self.taken.push(outward);
     }
 
-    /// Where the next arrow along `arrow` goes, beside those that lie there already.
+    /// Places the next arrow along `arrow` beside those that lie there already.
     pub(super) fn attach(&mut self, arrow: Point, attach: Attach) -> (Point, Point) {
         let unit = arrow * (1.0 / arrow.length().max(1e-9));
         let outward = if attach == Attach::Leaving { unit } else { -unit };

@@ -25,9 +25,9 @@ const NEARBY: f64 = 18.0;
 /// Below this part of a label's width a line is short; above this part of its length its lesser side makes it slant.
 const SHORT: f64 = 0.5;
 const SLANTING: f64 = 0.12;
-/// Where along a line its label is tried, first on the one side and then on the other.
+/// The parts of a line at which its label is tried, first on the one side and then on the other.
 const PARTS: [f64; 5] = [0.5, 0.7, 0.35, 0.9, 0.15];
-/// Where around a point its label is tried, in eighths of a turn from the preferred direction.
+/// The directions around a point in which its label is tried, in eighths of a turn from the preferred one.
 const EIGHTHS: [f64; 8] = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0];
 /// How far beyond the arc of an angle its label is tried.
 const OPENINGS: [f64; 6] = [0.0, 6.0, 12.0, 18.0, 24.0, 30.0];
@@ -244,7 +244,7 @@ fn clear_of(at: Point, direction: Point, distance: f64, size: Point) -> Point {
     at + direction * (distance + reach(half.x, direction.x).min(reach(half.y, direction.y)))
 }
 
-/// Where the centre of a label must lie for its baseline to be at `height`.
+/// The centre that a label must have for its baseline to be at `height`.
 pub(super) fn on_baseline(x: f64, height: f64, text: &Math) -> Point {
     Point::new(x, height + Measure::of(text).drop())
 }
@@ -277,7 +277,7 @@ pub struct Overlap {
 #[must_use]
 pub fn overlaps(drawing: &Drawing) -> Vec<Overlap> {
     let is_label = |shape: &Shape| matches!(shape, Shape::Label { .. });
-    let mut found = Vec::new();
+    let mut overlaps = Vec::new();
     for (index, label) in drawing.shapes.iter().enumerate() {
         let Shape::Label { at, text, .. } = label else { continue };
         let extent = label_extent(*at, text);
@@ -285,11 +285,11 @@ pub fn overlaps(drawing: &Drawing) -> Vec<Overlap> {
         let others = drawing.shapes.iter().enumerate().filter(|(other, shape)| !is_label(shape) || *other > index);
         for (_, other) in others {
             if extent.contact(other) == Contact::Crosses {
-                found.push(Overlap { label: label.clone(), other: other.clone() });
+                overlaps.push(Overlap { label: label.clone(), other: other.clone() });
             }
         }
     }
-    found
+    overlaps
 }
 
 #[cfg(test)]

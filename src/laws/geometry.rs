@@ -138,7 +138,7 @@ pub const HEIGHT_IN_BOWL: Law = Law {
     wrong: wrong::geometry::HEIGHT_IN_BOWL,
 };
 
-/// Where a condition begins to hold.
+/// A condition begins to hold at its boundary.
 pub const BOUNDARY: Law = Law {
     id: "boundary-of-a-condition",
     name: "the condition of the question",

@@ -83,7 +83,7 @@ pub const TOP: Law = Law {
     wrong: &[],
 };
 
-/// Where a stage ends.
+/// The condition at the end of a motion.
 pub const UNTIL: Law = Law {
     id: "end-of-the-motion",
     name: "the condition at the end of the motion",
@@ -149,7 +149,7 @@ pub const STRANDS: Law = Law {
     wrong: wrong::kinematics::STRANDS,
 };
 
-/// Where a displacement leads.
+/// A displacement leads from one place to another.
 pub const DISPLACED: Law = Law {
     id: "place-after-a-displacement",
     name: "the definition of displacement",

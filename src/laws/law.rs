@@ -15,7 +15,7 @@ pub struct Law {
     pub signs: &'static str,
     /// When it may be used.
     pub when: &'static str,
-    /// Where it comes from: the chapter of mechanics, or the law that it follows from.
+    /// Its source: the chapter of mechanics, or the law that it follows from.
     pub source: &'static str,
     /// The forms in which it is usually got wrong.
     pub wrong: &'static [WrongForm],

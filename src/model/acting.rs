@@ -20,7 +20,7 @@ pub struct ActingForce {
     pub called: String,
     /// Its strength, a term in the time `t` where it changes.
     pub strength: Expr,
-    /// Where it points.
+    /// Its direction.
     pub direction: Direction,
     /// From when to when it changes the momentum of the body.
     pub during: [Expr; 2],
@@ -65,9 +65,9 @@ pub struct Flowing {
     pub stage: usize,
     /// Its speed.
     pub speed: Expr,
-    /// Where it goes before the body.
+    /// Its direction before the body.
     pub direction: Direction,
-    /// Where it goes after a vane, seen from there.
+    /// Its direction after a vane, seen from there.
     pub leaving: Option<Direction>,
     /// Its speed relative to the body.
     pub relative: Expr,

@@ -44,23 +44,23 @@ impl Model {
     /// The quantities that some equation takes as angles: they are added up under a sine, a cosine or a tangent.
     #[must_use]
     pub fn angles(&self) -> BTreeSet<Symbol> {
-        let mut found = BTreeSet::new();
+        let mut angles = BTreeSet::new();
         for equation in &self.system.equations {
             let (Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. }) = &equation.statement;
-            add_angles(left, &mut found);
-            add_angles(right, &mut found);
+            add_angles(left, &mut angles);
+            add_angles(right, &mut angles);
         }
-        found
+        angles
     }
 }
 
-fn add_angles(term: &Expr, found: &mut BTreeSet<Symbol>) {
+fn add_angles(term: &Expr, angles: &mut BTreeSet<Symbol>) {
     if let Some(angle) = argument(term) {
         let is_added = |symbol: &Symbol| angle.differentiate(*symbol).as_number().is_some();
-        found.extend(angle.symbols().into_iter().filter(is_added));
+        angles.extend(angle.symbols().into_iter().filter(is_added));
     }
     for part in term.children() {
-        add_angles(part, found);
+        add_angles(part, angles);
     }
 }
 

@@ -132,7 +132,7 @@ impl Builder<'_> {
         start.map_or_else(Expr::zero, Expr::from) + direction.turn.clone()
     }
 
-    /// Where words name a direction along or against an axis.
+    /// Reads words that name a direction along or against an axis.
     pub(super) fn axis_direction(&self, text: &str) -> Option<Direction> {
         let text = text.trim();
         self.axes.iter().enumerate().find_map(|(position, (axis, senses))| {
@@ -169,7 +169,7 @@ impl Builder<'_> {
         (0..self.axes.len()).filter_map(|position| along.get(self.axis_place(position)).cloned()).collect()
     }
 
-    /// Where the axis of that position stands among the axes of directions: a single axis y stands second.
+    /// The place of the axis of that position among the axes of directions: a single axis y stands second.
     pub(super) fn axis_place(&self, position: usize) -> usize {
         match self.axes[..] {
             [(Axis::Y, _)] => 1,

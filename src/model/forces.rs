@@ -11,7 +11,7 @@ use super::frame::Direction;
 use super::incline::Incline;
 use super::influence::Influence;
 
-/// Where and when the forces of one push act.
+/// The place and the span in which the forces of one push act.
 #[derive(Clone, Copy)]
 pub(super) struct Acts<'a> {
     pub stage: usize,

@@ -60,7 +60,7 @@ impl Direction {
 /// The axes n and t of a contact.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Frame {
-    /// Where n points; t lies at 90° to it, counter-clockwise.
+    /// The direction of n; t lies at 90° to it, counter-clockwise.
     pub normal: Direction,
 }
 

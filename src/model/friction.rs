@@ -177,7 +177,8 @@ impl Builder<'_> {
         self.require(contact.before.clone(), Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// Where the net force changes, a body that slides one way at both ends may stop in between, or leave its floor.
+    /// Refuses a body that slides one way at both ends, where the net force changes in between: it may stop there, or leave its
+    /// floor.
     fn slides_from(&mut self, pushed: &Pushed<'_>, contact: &Contact, begins: &Expr, moves: bool) {
         let (name, clock) = (self.called(pushed.body), pushed.clock);
         let ends = [begins.clone(), pushed.end.clone()];

@@ -25,7 +25,7 @@ pub(super) struct Guided {
     pub body: String,
     /// The guide, as it is called in a sentence.
     pub by: String,
-    /// Where the body can move.
+    /// The direction in which the body can move.
     pub along: Direction,
 }
 

@@ -42,7 +42,7 @@ impl Incline {
         Expr::integer(self.sign) * self.along.clone()
     }
 
-    /// Where weight points as seen along the axis, for a body on a floor.
+    /// The direction of weight as seen along the axis, for a body on a floor.
     pub(super) fn downwards(&self) -> Direction {
         Direction::turned(3, (Expr::integer(-self.sign) * self.angle.clone()).simplify())
     }

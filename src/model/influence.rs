@@ -50,7 +50,7 @@ pub enum Work {
 pub enum Moment {
     /// The moment of its force.
     OfForce,
-    /// None about a fixed point of that name, through which its line always passes.
+    /// No moment about a fixed point of that name, through which its line always passes.
     Through(String),
     /// A moment about every point, in the order of the axes; one in a plane.
     About(Vec<Expr>),

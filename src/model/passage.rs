@@ -10,7 +10,7 @@ use super::Reason;
 pub struct Passage {
     /// The position as a variable.
     pub place: Symbol,
-    /// Where the way begins and ends.
+    /// The ends of the way.
     pub ends: [Expr; 2],
     /// The kinetic energy at the position, or what else must not become negative.
     pub kinetic: Expr,

@@ -1,4 +1,4 @@
-//! Where bodies are: what moves them, and what happens too quickly to.
+//! Places of bodies: what moves them, and what happens too quickly to.
 
 use momentous_expr::Expr;
 use momentous_scene::Axis;

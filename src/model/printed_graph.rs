@@ -13,7 +13,7 @@ pub struct PrintedGraph {
     pub called: String,
     /// Time and force of each point: zero, a quantity, or a multiple of one.
     pub points: Vec<[Expr; 2]>,
-    /// Where the author says so.
+    /// The place at which the author says so.
     pub path: Path,
 }
 

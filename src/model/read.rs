@@ -43,11 +43,11 @@ struct Resolver<'b, 's> {
 
 impl Names for Resolver<'_, '_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
-        let found = self.builder.resolve(name).or_else(|| self.builder.unmeasured_symbol(name));
-        if found.is_none() {
+        let symbol = self.builder.resolve(name).or_else(|| self.builder.unmeasured_symbol(name));
+        if symbol.is_none() {
             self.unknown.push(name.to_owned());
         }
-        found
+        symbol
     }
 
     fn literal(&mut self, text: &str) -> Option<Symbol> {
@@ -97,12 +97,12 @@ impl Builder<'_> {
             }
         }
         match expr.dimension(&self.symbols) {
-            Ok(found) if found == dimension || expr.is_zero() => {}
-            Ok(found) => {
+            Ok(measured) if measured == dimension || expr.is_zero() => {}
+            Ok(measured) => {
                 let message = format!(
                     "{meaning} must be {}, but `{text}` is {}",
                     dimension_name(dimension),
-                    dimension_name(found)
+                    dimension_name(measured)
                 );
                 let help = match misread {
                     Some(help) => help,
@@ -154,9 +154,9 @@ impl Builder<'_> {
         let is_open = |symbol: &Symbol| self.unmeasured.contains(&self.symbols.entry(*symbol).name);
         let [open] = term.symbols().into_iter().filter(is_open).collect::<Vec<_>>()[..] else { return };
         let slope = term.differentiate(open);
-        if let (false, Ok(found)) = (slope.contains(open), slope.dimension(&self.symbols)) {
+        if let (false, Ok(measured)) = (slope.contains(open), slope.dimension(&self.symbols)) {
             self.unmeasured.remove(&self.symbols.entry(open).name);
-            self.symbols.measure(open, dimension / found);
+            self.symbols.measure(open, dimension / measured);
         }
     }
 

@@ -52,7 +52,7 @@ pub enum Reason {
         "the string between {0} and {1} would go slack in the jerk: its ends approach each other, and a string cannot push"
     )]
     GoesSlackInJerk(String, String),
-    /// None of several strings would be jerked.
+    /// No string of several would be jerked.
     #[error("no string would be jerked: the ends of none move apart")]
     NoneIsJerked,
     /// A body would not meet another, or an arm.

@@ -9,6 +9,6 @@ pub struct TautString {
     pub jerk: usize,
     /// The bodies at its ends, the second ahead of the first.
     pub ends: [String; 2],
-    /// Where it leads from the first body.
+    /// The direction in which it leads from the first body.
     pub direction: Direction,
 }

@@ -148,8 +148,8 @@ impl Builder<'_> {
                 let (mass, moves) = (self.mass_at(body, stage + 1), self.velocity_of_surface(surface));
                 Some([0, 1].map(|side| {
                     let split = self.split(body, stage + 1 + side, stage, &frame);
-                    let seen = split.along - moves.clone();
-                    energy::kinetic(&mass, &split.across.into_iter().chain([seen]).collect::<Vec<_>>())
+                    let seen_along = split.along - moves.clone();
+                    energy::kinetic(&mass, &split.across.into_iter().chain([seen_along]).collect::<Vec<_>>())
                 }))
             }
         }

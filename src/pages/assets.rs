@@ -61,7 +61,7 @@ const STYLE: &str = "site.css";
 /// The font of mathematics, to which the style refers by this name.
 const FONT: &str = "momentous-math.woff2";
 
-/// Where these files are in a folder of templates.
+/// The folder of these files in a folder of templates.
 const FOLDER: &str = "web/static";
 
 /// The longest of them that is read from a folder, in bytes.

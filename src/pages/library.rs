@@ -22,7 +22,7 @@ pub struct Library {
     looked_up: AtomicU64,
 }
 
-/// Where the settings of the course to which a file belongs are.
+/// The place of the settings of the course to which a file belongs.
 enum CourseSettings {
     /// In the folder of the file, or above it.
     InFolders,
@@ -121,8 +121,8 @@ impl Library {
     /// The folder cannot be read.
     pub fn title(&self, id: &str) -> Result<String, Refused> {
         let exhibits = self.exhibits()?;
-        let found = exhibits.iter().find(|exhibit| exhibit.card.id == id).map(|exhibit| exhibit.card.title.clone());
-        Ok(found.unwrap_or_else(|| titled(id.rsplit('/').next().unwrap_or(id))))
+        let title = exhibits.iter().find(|exhibit| exhibit.card.id == id).map(|exhibit| exhibit.card.title.clone());
+        Ok(title.unwrap_or_else(|| titled(id.rsplit('/').next().unwrap_or(id))))
     }
 
     /// The file of a problem of the bank.
@@ -132,8 +132,8 @@ impl Library {
     pub fn source(&self, id: &str) -> Result<Source, Refused> {
         let shelf = self.shelf()?;
         // The scenes of the simulators are there whatever bank is shown.
-        let found = shelf.bank.find(id).or_else(|faults| self.built_in.find(id).map_err(|_| faults));
-        found.cloned().map_err(|faults| unknown(&faults))
+        let source = shelf.bank.find(id).or_else(|faults| self.built_in.find(id).map_err(|_| faults));
+        source.cloned().map_err(|faults| unknown(&faults))
     }
 
     /// The shelf; under watch it is read anew where a file was saved.

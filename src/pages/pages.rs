@@ -23,7 +23,7 @@ pub struct Pages {
     pub assets: Assets,
     /// How much a request may take.
     pub limits: Limits,
-    /// Where the addresses of the pages begin, without a slash at its end.
+    /// The beginning of the addresses of the pages, without a slash at its end.
     base: String,
     site: Site,
     renderer: Renderer,
@@ -40,10 +40,10 @@ pub struct Beside {
 
 /// The facts that every page knows besides its contents.
 #[derive(Serialize)]
-struct Around<'a, Who, Page> {
-    /// Where the pages begin.
+struct PageFrame<'a, Who, Page> {
+    /// The beginning of the pages' addresses.
     base: &'a str,
-    /// Where scripts, styles and fonts are.
+    /// The address of scripts, styles and fonts.
     assets: String,
     /// The state of the watched files; nothing where none are watched.
     watch: Option<String>,
@@ -101,7 +101,7 @@ impl Pages {
         page: &impl Serialize,
     ) -> Result<String, Refused> {
         let is_offered = |(name, _): &(&str, &str)| !beside.hidden_simulators.contains(name);
-        let around = Around {
+        let frame = PageFrame {
             base: &self.base,
             assets: self.directory(),
             watch: self.library.stamp().map(|stamp| stamp.to_string()),
@@ -111,6 +111,6 @@ impl Pages {
             who,
             page,
         };
-        self.site.page(name, &around).map_err(|faults| Refused::fault(&faults))
+        self.site.page(name, &frame).map_err(|faults| Refused::fault(&faults))
     }
 }

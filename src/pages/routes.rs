@@ -50,16 +50,16 @@ impl View<'_> {
     /// # Errors
     /// A template is at fault, that of refusals included.
     pub fn answer(&self, path: &str, fields: Vec<(String, String)>) -> Result<String, Refused> {
-        let made = Parameters::new(fields, &self.pages.limits).and_then(|fields| self.at(path, &fields));
-        made.or_else(|refused| self.refusal(&refused))
+        let page = Parameters::new(fields, &self.pages.limits).and_then(|fields| self.at(path, &fields));
+        page.or_else(|refused| self.refusal(&refused))
     }
 
     fn at(&self, path: &str, fields: &Parameters) -> Result<String, Refused> {
         if path == "/" {
             return self.start(fields);
         }
-        let found = PROBLEM_PAGES.iter().find_map(|(begin, _, make)| Some((path.strip_prefix(begin)?, make)));
-        let Some((problem, make)) = found else {
+        let page = PROBLEM_PAGES.iter().find_map(|(begin, _, make)| Some((path.strip_prefix(begin)?, make)));
+        let Some((problem, make)) = page else {
             return Err(no_page());
         };
         make(self, problem.to_owned(), fields)

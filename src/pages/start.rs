@@ -45,11 +45,11 @@ struct Shelf<'a> {
     title: &'a str,
     /// How many problems it has.
     count: usize,
-    problems: Vec<Shown<'a>>,
+    problems: Vec<ShownExhibit<'a>>,
 }
 
 #[derive(Serialize)]
-struct Shown<'a> {
+struct ShownExhibit<'a> {
     id: &'a str,
     title: &'a str,
     level: &'a str,
@@ -79,13 +79,13 @@ pub(super) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refu
             && kind.is_none_or(|kind| exhibit.answers.contains(&kind))
             && query.finds(exhibit)
     };
-    let found: Vec<&Exhibit> = all.iter().filter(is_found).copied().collect();
+    let matching: Vec<&Exhibit> = all.iter().filter(is_found).copied().collect();
     let mut topics: Vec<&Section> = all.iter().map(|exhibit| &exhibit.section).collect();
     topics.dedup();
     let filter = |name, label, chosen, options| Filter { name, label, chosen, options };
     let is_overview = [search, topic, level, answer].iter().all(|words| words.is_empty());
     let most = if is_overview { FIRST } else { usize::MAX };
-    let sections = found.chunk_by(|one, other| one.section == other.section);
+    let sections = matching.chunk_by(|one, other| one.section == other.section);
     let page = StartPage {
         title: "Momentous",
         search,
@@ -101,7 +101,7 @@ pub(super) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refu
             filter("answer", "Kind of answer", answer, AnswerKind::ALL.map(|(_, name, label)| (name, label)).into()),
         ],
         is_overview,
-        found: found.len(),
+        found: matching.len(),
         sections: sections.map(|exhibits| Shelf::of(view, exhibits, most)).collect(),
     };
     view.page("start", &page)
@@ -110,7 +110,7 @@ pub(super) fn start(view: &View<'_>, fields: &Parameters) -> Result<String, Refu
 impl<'a> Shelf<'a> {
     fn of(view: &View<'_>, exhibits: &[&'a Exhibit], most: usize) -> Self {
         let section = exhibits.first().map(|exhibit| &exhibit.section);
-        let shown = |exhibit: &&'a Exhibit| Shown {
+        let shown = |exhibit: &&'a Exhibit| ShownExhibit {
             id: &exhibit.card.id,
             title: &exhibit.card.title,
             level: LEVELS

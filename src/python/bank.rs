@@ -22,8 +22,8 @@ impl Bank {
     fn new(py: Python<'_>, folder: Option<PathBuf>) -> PyResult<Self> {
         match folder {
             Some(folder) => {
-                let found = py.detach(|| bank::Bank::in_folder(&folder));
-                found.map(Self).map_err(|faults| error::of_faults(py, &faults))
+                let bank = py.detach(|| bank::Bank::in_folder(&folder));
+                bank.map(Self).map_err(|faults| error::of_faults(py, &faults))
             }
             None => Self::here(py),
         }

@@ -31,9 +31,9 @@ fn told<'a>(source: &'a Source, fault: &'a Fault) -> Told<'a> {
 }
 
 fn raised(py: Python<'_>, text: &str, faults: &[Told<'_>]) -> PyErr {
-    let made = || -> PyResult<Bound<'_, PyAny>> {
+    let exception = || -> PyResult<Bound<'_, PyAny>> {
         let faults = PyList::new(py, faults)?;
         py.import(MODULE)?.getattr("Error")?.call_method1("_of", (text.trim_end(), faults))
     };
-    made().map_or_else(|error| error, PyErr::from_value)
+    exception().map_or_else(|error| error, PyErr::from_value)
 }

@@ -174,8 +174,8 @@ pub fn round_rational(value: &Rational, figures: usize) -> Decimal {
     let bit_len = |value: &Integer| i64::try_from(value.bit_len()).unwrap_or(i64::MAX);
     let power = |places: i32| Some(power_of_ten(usize::try_from(places.unsigned_abs()).unwrap_or(0)));
     // Every power of ten is there, so there is a result.
-    let found = rounded(&numerator, &Integer::from(value.denominator().clone()), figures, bit_len, power);
-    found.map_or_else(|| Decimal::from(0), |(digits, scale)| signed(digits, scale))
+    let digits_and_scale = rounded(&numerator, &Integer::from(value.denominator().clone()), figures, bit_len, power);
+    digits_and_scale.map_or_else(|| Decimal::from(0), |(digits, scale)| signed(digits, scale))
 }
 
 /// A quotient of positive integers rounded to so many figures, half up: its digits, and how many of them stand behind the

@@ -30,13 +30,13 @@ impl Unit {
             Ok(unit) if unit.dimension() != asked => return Ok(in_other_case_asked(text, asked).unwrap_or(unit)),
             clear => return clear,
         };
-        let mut found: Vec<Self> = Vec::new();
+        let mut units: Vec<Self> = Vec::new();
         for unit in readings(text, MOST_CHOICES) {
-            if unit.dimension() == asked && !found.contains(&unit) {
-                found.push(unit);
+            if unit.dimension() == asked && !units.contains(&unit) {
+                units.push(unit);
             }
         }
-        if found.len() == 1 { found.pop().ok_or(fault) } else { Err(fault) }
+        if units.len() == 1 { units.pop().ok_or(fault) } else { Err(fault) }
     }
 
     /// How many of the other unit it is, as [`Unit::in_terms_of`] says; where the one is a frequency and the other a rotation, a
@@ -101,8 +101,8 @@ fn in_other_case_asked(text: &str, asked: Dimension) -> Option<Unit> {
     }
     let units = in_other_case(word).into_iter().filter_map(|name| Unit::parse(&name).ok());
     let mut units = units.filter(|unit| unit.dimension() == asked);
-    let found = units.next();
-    if units.next().is_none() { found } else { None }
+    let unit = units.next();
+    if units.next().is_none() { unit } else { None }
 }
 
 /// Every unit that a text can mean.

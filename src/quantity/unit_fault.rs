@@ -10,7 +10,7 @@ use momentous_fault::Span;
 pub struct UnitFault {
     /// The fault.
     pub kind: UnitFaultKind,
-    /// Where: bytes of the text that was read.
+    /// The place: bytes of the text that was read.
     pub span: Span,
 }
 

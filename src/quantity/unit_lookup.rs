@@ -67,18 +67,18 @@ pub(super) fn in_other_case(word: &str) -> Vec<String> {
         };
         UNITS.iter().filter(is_meant).map(move |row| Symbol { prefix: Some(prefix), row })
     });
-    let mut found: Vec<String> = whole.chain(prefixed).map(|symbol| symbol.to_string()).collect();
+    let mut symbols: Vec<String> = whole.chain(prefixed).map(|symbol| symbol.to_string()).collect();
     let spelt = SPELLINGS.iter().filter(|(written, _)| is_same(written)).map(|(written, _)| (*written).to_owned());
-    found.extend(spelt);
+    symbols.extend(spelt);
     // `kg` and the slip `Kg` of it are one.
     let mut meanings: Vec<Option<Unit>> = Vec::new();
-    found.retain(|name| {
+    symbols.retain(|name| {
         let meaning = Unit::parse(name).ok();
         let is_new = !meanings.contains(&meaning);
         meanings.push(meaning);
         is_new
     });
-    found
+    symbols
 }
 
 /// Finds the unit behind a word that is not a unit's own name.

@@ -123,9 +123,9 @@ impl<'text> Reader<'text> {
     }
 
     fn take_if(&mut self, token: Token) -> bool {
-        let found = self.peek().is_some_and(|(next, _)| next == token);
-        self.next += usize::from(found);
-        found
+        let is_next = self.peek().is_some_and(|(next, _)| next == token);
+        self.next += usize::from(is_next);
+        is_next
     }
 
     /// Factors up to a closing bracket or the end. Once divided, only a further division may follow: `m/s kg` has two readings.

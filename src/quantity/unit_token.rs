@@ -39,12 +39,12 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token<'_>, Span)>, UnitFault> {
     if text.len() > MAX_LENGTH {
         return Err(UnitFault::new(UnitFaultKind::TooLong, 0, text.len()));
     }
-    let mut found: Vec<(Token, Span)> = Vec::new();
+    let mut tokens: Vec<(Token, Span)> = Vec::new();
     let mut at = 0;
     while let Some(first) = text[at..].chars().next() {
         let rest = &text[at..];
         let follows =
-            found.last().is_some_and(|(token, span)| span.end == at && matches!(token, Token::Word(_) | Token::Close));
+            tokens.last().is_some_and(|(token, span)| span.end == at && matches!(token, Token::Word(_) | Token::Close));
         let token = if first.is_whitespace() {
             None
         } else if let Some((value, length)) = spoken_power(rest) {
@@ -60,10 +60,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token<'_>, Span)>, UnitFault> {
             Some(read_sign_or_word(rest, first).ok_or(fault)?)
         };
         let length = token.map_or(first.len_utf8(), |(_, length)| length);
-        found.extend(token.map(|(token, _)| (token, Span { start: at, end: at + length })));
+        tokens.extend(token.map(|(token, _)| (token, Span { start: at, end: at + length })));
         at += length;
     }
-    Ok(found)
+    Ok(tokens)
 }
 
 /// A token that is no exponent, and its length.

@@ -19,7 +19,7 @@ use super::depth::too_deep;
 /// How deep lists and quotations may nest: LaTeX knows no deeper.
 const DEEPEST: usize = 4;
 
-/// Where a link may lead; anything else could run code or name a file of the reader.
+/// The schemes of links; anything else could run code or name a file of the reader.
 const SCHEMES: [&str; 3] = ["https://", "http://", "mailto:"];
 
 /// Markdown that was checked: its mathematics is well formed, nothing in it reaches outside the document.
@@ -31,7 +31,7 @@ pub(super) struct Authored<'a> {
     pub source: &'a str,
     /// Its pieces in reading order.
     pub pieces: Vec<Piece<'a>>,
-    /// Where raw HTML stands in the source.
+    /// The places of raw HTML in the source.
     pub raw_html: Vec<Range<usize>>,
 }
 
@@ -172,9 +172,9 @@ fn math(
 fn unescaped_percent(tex: &str) -> Option<usize> {
     let mut escaped = false;
     tex.bytes().position(|byte| {
-        let found = byte == b'%' && !escaped;
+        let is_comment = byte == b'%' && !escaped;
         escaped = byte == b'\\' && !escaped;
-        found
+        is_comment
     })
 }
 

@@ -22,7 +22,7 @@ struct Group {
     chain: usize,
 }
 
-/// Where a formula nests too deep, in bytes; nothing where it does not.
+/// The place at which a formula nests too deep, in bytes; none where it does not.
 ///
 /// No grammar is needed to be on the safe side: every group is a level, and so is every command that may be an argument of
 /// the one before.

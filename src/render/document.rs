@@ -55,12 +55,12 @@ impl FromStr for Format {
     /// # Errors
     /// Where no format has that name; the message lists them.
     fn from_str(name: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|format| format.name() == name);
-        found.ok_or_else(|| format!("`{name}` is not a format; there are {}", Self::ALL.map(Self::name).join(", ")))
+        let named = Self::ALL.into_iter().find(|format| format.name() == name);
+        named.ok_or_else(|| format!("`{name}` is not a format; there are {}", Self::ALL.map(Self::name).join(", ")))
     }
 }
 
-/// Where the figures of a Markdown document go; the others always hold their own.
+/// The place of the figures of a Markdown document; the others always hold their own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Figures {
     /// In the document, as SVG.

@@ -81,7 +81,7 @@ struct Body {
     in_code: bool,
     /// The next number of each list that is open, where it is numbered.
     numbers: Vec<Option<u64>>,
-    /// Where the links that are open lead.
+    /// The targets of the links that are open.
     links: Vec<String>,
 }
 

@@ -57,7 +57,7 @@ pub struct Identity {
 pub struct Sheet {
     /// The problem's title.
     pub title: String,
-    /// Where it stands on a sheet with several problems; none where it is alone.
+    /// Its place on a sheet with several problems; none where it is alone.
     pub place: Option<Box<SheetPlace>>,
     /// The identity of the variant.
     pub identity: Identity,

@@ -154,8 +154,8 @@ fn reports(text: &str, sources: &BTreeMap<String, Source>) -> Vec<Placed> {
     let mut placed = Vec::new();
     let mut message = None;
     for line in text.lines() {
-        if let Some(found) = line.strip_prefix("error: ") {
-            message = Some(found.to_owned());
+        if let Some(text) = line.strip_prefix("error: ") {
+            message = Some(text.to_owned());
         } else if let Some(place) = line.trim_start().strip_prefix("--> ") {
             let mut fields = place.rsplitn(3, ':');
             let mut number = || fields.next().and_then(|field| field.parse::<usize>().ok()).unwrap_or(1);

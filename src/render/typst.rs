@@ -118,7 +118,7 @@ struct Body {
     deepest: usize,
     /// The code being read, kept as it is.
     code: Option<String>,
-    /// Where the links that are open lead.
+    /// The targets of the links that are open.
     links: Vec<String>,
 }
 

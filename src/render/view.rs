@@ -26,7 +26,7 @@ use super::writers::writer;
 pub(super) struct View<'a> {
     writer: &'static dyn Writer,
     format: Format,
-    /// Where figures go; only Markdown has the choice.
+    /// The prefix of the names of figures; only Markdown has the choice.
     beside_prefix: Option<&'a str>,
     /// Whether the page around the document has the rules of figures.
     unstyled: bool,

@@ -111,8 +111,8 @@ impl Senses {
         }
     }
 
-    /// Where the axis points, to the right, upwards and towards the reader: those of the four winds lie on the ground, north away from
-    /// the reader.
+    /// The direction of the axis, to the right, upwards and towards the reader: those of the four winds lie on the ground, north
+    /// away from the reader.
     fn in_space(&self) -> Option<[i64; 3]> {
         Some(match self.positive.as_str() {
             "to the right" | "east" => [1, 0, 0],

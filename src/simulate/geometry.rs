@@ -1,4 +1,4 @@
-//! Where two things can touch: the gap between them, the direction of its impulse, and which of them touch now.
+//! Contacts, where two things can touch: the gap between them, the direction of its impulse, and which of them touch now.
 
 use super::contact::Contact;
 use super::state::{State, Vector};

@@ -47,7 +47,7 @@ pub struct Recorded {
 /// The pivot about which all bodies of a record move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pivot {
-    /// Where it is, in m.
+    /// Its place, in m.
     pub at: Vec<f64>,
     /// The tie from it to the bodies.
     pub tie: Tie,
@@ -71,13 +71,13 @@ pub struct RecordedWall {
     pub name: String,
     /// The unit normal, towards the bodies.
     pub normal: Vec<f64>,
-    /// Where its face is at time 0, along the normal, in m.
+    /// The place of its face at time 0, along the normal, in m.
     pub offset: f64,
     /// The velocity of its face along the normal, in m/s.
     pub velocity: f64,
 }
 
-/// Where everything is at an instant, and the two balances.
+/// The places and velocities of all bodies at an instant, and the two balances.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
     /// The time in s.
@@ -217,8 +217,8 @@ fn state_at<const D: usize>(world: &World<D>, run: &Trajectory<D>, (time, after)
         return state.clone();
     }
     for body in 0..world.bodies.len() {
-        let found = if after { run.just_after(body, time) } else { run.at(body, time) };
-        if let Some((position, velocity)) = found {
+        let moving = if after { run.just_after(body, time) } else { run.at(body, time) };
+        if let Some((position, velocity)) = moving {
             (state.positions[body], state.velocities[body]) = (position, velocity);
         }
     }

@@ -23,7 +23,7 @@ const MOST_PAIRS: usize = 10_000;
 impl<const D: usize> World<D> {
     /// The contacts that touch and do not part, or are about to.
     pub(super) fn touching(&self, contacts: &[Contact], state: &State<D>) -> Vec<Struck<D>> {
-        let mut found = Vec::new();
+        let mut struck = Vec::new();
         for &contact in contacts {
             let geometry = self.geometry(contact, state);
             if geometry.gap > self.tolerance(contact, state) {
@@ -31,10 +31,10 @@ impl<const D: usize> World<D> {
             }
             let rate = self.rate(contact, &geometry.normal, &state.velocities);
             if rate <= self.noise(contact, &state.velocities) {
-                found.push(Struck { contact, normal: geometry.normal, rate });
+                struck.push(Struck { contact, normal: geometry.normal, rate });
             }
         }
-        found
+        struck
     }
 
     /// The rate below which a gap that opens is nothing but rounding. On a line bodies that stay together have one velocity exactly.

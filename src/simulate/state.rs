@@ -1,9 +1,9 @@
-//! Where bodies are and how they move.
+//! States: the places and velocities of bodies.
 
 /// A vector of `D` components; with `D = 1` the compiler works with plain numbers.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;
 
-/// Where every body is at a time, and how it moves.
+/// The place and velocity of every body at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<const D: usize> {
     /// The time in s.

@@ -20,7 +20,7 @@ pub struct Trajectory<const D: usize> {
     pub steps: usize,
     /// How often forces, or the next event of a contact, were worked out: what a run takes on any machine.
     pub evaluations: usize,
-    /// Where everything is at the end.
+    /// The state at the end.
     pub last: State<D>,
     /// How it ended.
     pub ending: Ending,
@@ -102,7 +102,7 @@ impl<const D: usize> Motion<D> {
 pub struct Impact<const D: usize> {
     /// When, in s.
     pub time: f64,
-    /// Where.
+    /// The contact.
     pub contact: Contact,
     /// The impulse on the second party of the contact, in N s; the first has the opposite one.
     pub impulse: Vector<D>,

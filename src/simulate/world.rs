@@ -14,7 +14,7 @@ pub struct Body<const D: usize> {
     pub mass: f64,
     /// Its radius in m.
     pub radius: f64,
-    /// Where its centre is at time 0, in m.
+    /// The place of its centre at time 0, in m.
     pub position: Vector<D>,
     /// Its velocity at time 0, in m/s.
     pub velocity: Vector<D>,
@@ -41,7 +41,7 @@ pub struct Wall<const D: usize> {
     pub name: String,
     /// The unit normal, away from the wall towards the bodies.
     pub normal: Vector<D>,
-    /// Where the face is at time 0: its points have this component along the normal, in m.
+    /// The place of the face at time 0: its points have this component along the normal, in m.
     pub offset: f64,
     /// The velocity of the face along the normal, in m/s.
     pub velocity: f64,
@@ -73,7 +73,7 @@ impl<const D: usize> Wall<D> {
         self
     }
 
-    /// Where the near face is at a time, along the normal.
+    /// The place of the near face at a time, along the normal.
     #[must_use]
     pub fn face(&self, time: f64) -> f64 {
         self.offset + self.velocity * time
@@ -254,7 +254,7 @@ impl<const D: usize> World<D> {
         Ok((state, contacts))
     }
 
-    /// Where everything is at time 0.
+    /// The state at time 0.
     #[must_use]
     pub fn start(&self) -> State<D> {
         State {

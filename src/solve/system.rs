@@ -53,7 +53,7 @@ pub enum Statement {
     FirstInteger {
         /// The integer.
         unknown: Symbol,
-        /// Where counting starts.
+        /// The number with which counting starts.
         from: i64,
         /// The left side; it contains `unknown`.
         left: Expr,

@@ -1,4 +1,4 @@
-//! Where the data are.
+//! Addresses of the data.
 
 use std::fmt;
 use std::fmt::Write;
@@ -11,7 +11,7 @@ use super::fault::StoreFault;
 /// The file of the database in a folder.
 const FILE: &str = "momentous.sqlite";
 
-/// Where the data are.
+/// The address of the data.
 ///
 /// ```
 /// use momentous_store::Address;

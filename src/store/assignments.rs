@@ -70,8 +70,8 @@ impl Store {
     /// Where the database refuses.
     pub async fn assignment(&self, key: Key<Assignment>) -> Result<Option<AssignmentWithItems>, StoreFault> {
         let statement = query("SELECT data, revision FROM assignment WHERE key = $1").bind(key.to_string());
-        let found = self.rows(statement).await?;
-        let Some(row) = found.first() else { return Ok(None) };
+        let rows = self.rows(statement).await?;
+        let Some(row) = rows.first() else { return Ok(None) };
         let (assignment, revision) = (record(row)?, row.try_get(1)?);
         let statement = query("SELECT data FROM item WHERE assignment = $1").bind(key.to_string());
         let mut items: Vec<Item> = self.records(statement).await?;
@@ -106,8 +106,8 @@ impl Store {
     ) -> Result<Vec<(AssignmentWithItems, Vec<Extension>)>, StoreFault> {
         let closed = Reserved::closed_since(now).millis();
         let open = "SELECT data, revision FROM assignment WHERE opens <= $1 AND closes >= $2 ORDER BY key";
-        let found = self.rows(query(open).bind(now.millis()).bind(closed)).await?;
-        if found.is_empty() {
+        let rows = self.rows(query(open).bind(now.millis()).bind(closed)).await?;
+        if rows.is_empty() {
             return Ok(Vec::new());
         }
         let items = "SELECT i.data FROM item i JOIN assignment a ON a.key = i.assignment WHERE a.opens <= $1 AND a.closes >= $2";
@@ -121,7 +121,7 @@ impl Store {
             let extensions = more.iter().filter(|extension| extension.assignment == assignment.key).cloned().collect();
             Ok((AssignmentWithItems { assignment, items, revision }, extensions))
         };
-        found.iter().map(whole).collect()
+        rows.iter().map(whole).collect()
     }
 
     /// Gives students more time, each with its entry in the trail: all of them, or none where the database refuses.

@@ -94,9 +94,9 @@ async fn sqlite(file: &Path) -> Result<AnyConnection, StoreFault> {
 
 /// Copies every row of every table, in a transaction of each side.
 async fn copy(from: &mut AnyConnection, to: &mut AnyConnection) -> Result<(), StoreFault> {
-    let found: i64 = query("SELECT MAX(number) FROM version").fetch_one(&mut *from).await?.try_get(0)?;
-    if found > VERSION {
-        return Err(StoreFault::Newer { found, known: VERSION });
+    let version_found: i64 = query("SELECT MAX(number) FROM version").fetch_one(&mut *from).await?.try_get(0)?;
+    if version_found > VERSION {
+        return Err(StoreFault::Newer { found: version_found, known: VERSION });
     }
     for (table, columns) in TABLES {
         let count = columns.split(", ").count();

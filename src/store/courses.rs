@@ -77,8 +77,8 @@ impl Store {
             "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member m JOIN person p ON p.key = m.person \
              JOIN course c ON c.key = m.course WHERE m.course = $1 AND m.person = $2",
         );
-        let found = self.memberships(statement.bind(of.to_string()).bind(person.to_string())).await?;
-        Ok(found.into_iter().next().filter(|membership| membership.member.left.is_none()))
+        let memberships = self.memberships(statement.bind(of.to_string()).bind(person.to_string())).await?;
+        Ok(memberships.into_iter().next().filter(|membership| membership.member.left.is_none()))
     }
 
     /// Everybody who takes part in a course, or did.

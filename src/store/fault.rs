@@ -1,4 +1,4 @@
-//! What goes wrong with a database.
+//! Faults of a database.
 
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use super::open::Store;
 
-/// What keeps the server from keeping anything.
+/// Faults that keep the server from storing anything.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ill {
     /// The database does not answer.

@@ -1,4 +1,4 @@
-//! What can be said of data without changing them.
+//! Inspection of data without changing them.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ use super::schema::VERSION;
 /// How long a database may take to answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// What can be said of data without changing them.
+/// The inspection of data without changing them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inspection {
     /// The version of their tables; nothing where there are none yet.
@@ -26,7 +26,7 @@ pub struct Inspection {
     pub is_served: bool,
     /// The latest moment that was noted in them.
     pub latest: Option<Moment>,
-    /// What the database's clock says, where it has one of its own.
+    /// The time by the database's clock, where it has one of its own.
     pub now: Option<Moment>,
     /// Whether there are no tables yet, and the user of the database may not make them.
     pub lacks_rights: bool,
@@ -40,8 +40,8 @@ impl Inspection {
     /// # Errors
     /// Where the database does not answer or is none of this program's, or a later program wrote it.
     pub async fn of(address: &Address) -> Result<Self, StoreFault> {
-        let found = tokio::time::timeout(PATIENCE, inspect(address)).await;
-        found.unwrap_or_else(|_| Err(StoreFault::late()))
+        let inspection = tokio::time::timeout(PATIENCE, inspect(address)).await;
+        inspection.unwrap_or_else(|_| Err(StoreFault::late()))
     }
 
     /// Whether the next start of the server brings the data to a new version.
@@ -92,8 +92,8 @@ async fn inspect(address: &Address) -> Result<Inspection, StoreFault> {
         return Ok(inspection);
     }
     let version = number(&mut connection, "SELECT MAX(number) FROM version").await?;
-    if let Some(found) = version.filter(|found| *found > VERSION) {
-        return Err(StoreFault::Newer { found, known: VERSION });
+    if let Some(newer) = version.filter(|number| *number > VERSION) {
+        return Err(StoreFault::Newer { found: newer, known: VERSION });
     }
     let latest = number(&mut connection, "SELECT MAX(at) FROM trail").await?.map(Moment::from_millis);
     Ok(Inspection { version, latest, ..inspection })

@@ -19,9 +19,9 @@ use super::writer::Statement;
 pub struct MailedLink {
     /// The hash of the link's token and of the browser's.
     pub hash: String,
-    /// Who signs in by it.
+    /// The person who signs in by it.
     pub person: Key<Person>,
-    /// Where it was sent.
+    /// The address to which it was sent.
     pub address: MailAddress,
     /// When it ends.
     pub expires: Moment,
@@ -144,7 +144,7 @@ fn keep(person: Key<Person>, address: &MailAddress) -> Statement {
         .bind(address.to_string())
 }
 
-/// What ends with a person's address.
+/// The statements that end with a person's address.
 pub(super) fn forget(person: Key<Person>) -> [Statement; 2] {
     let person = person.to_string();
     [

@@ -77,7 +77,7 @@ impl Store {
         })
     }
 
-    /// Where the data are.
+    /// The address of the data.
     #[must_use]
     pub fn address(&self) -> &Address {
         &self.address

@@ -18,7 +18,7 @@ use super::writer::Statement;
 pub struct Membership {
     /// The place.
     pub member: Member,
-    /// Who has it.
+    /// The person who has it.
     pub person: Person,
     /// The course.
     pub course: Course,
@@ -98,8 +98,8 @@ impl Store {
     /// # Errors
     /// Where the database refuses.
     pub async fn password(&self, person: Key<Person>) -> Result<Option<String>, StoreFault> {
-        let found = self.rows(query("SELECT hash FROM password WHERE person = $1").bind(person.to_string())).await?;
-        Ok(found.first().map(|row| row.try_get(0)).transpose()?)
+        let rows = self.rows(query("SELECT hash FROM password WHERE person = $1").bind(person.to_string())).await?;
+        Ok(rows.first().map(|row| row.try_get(0)).transpose()?)
     }
 
     /// Keeps the hash of a person's password, and ends every session and link of that person but for a new session.

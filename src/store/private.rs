@@ -23,7 +23,7 @@ pub(super) fn keep(file: &Path) -> Result<(), StoreFault> {
     for beside in ["", "-wal", "-shm"] {
         let mut name = file.as_os_str().to_owned();
         name.push(beside);
-        let is_open = |found: fs::Metadata| found.permissions().mode() & 0o077 != 0;
+        let is_open = |metadata: fs::Metadata| metadata.permissions().mode() & 0o077 != 0;
         if fs::metadata(&name).is_ok_and(is_open) {
             // Whose owner is another user stays as it is; `momentous serve check` says so.
             let _ = fs::set_permissions(&name, fs::Permissions::from_mode(0o600));

@@ -10,7 +10,7 @@ use super::records::to_json;
 use super::trail::Entry;
 
 /// The column of what belongs to no course.
-fn of(course: Option<Key<Course>>) -> String {
+fn course_of(course: Option<Key<Course>>) -> String {
     course.map_or_else(String::new, |course| course.to_string())
 }
 
@@ -24,8 +24,11 @@ impl Store {
             "INSERT INTO problem_file (course, digest, problem, data) VALUES ($1, $2, $3, $4) \
              ON CONFLICT (course, digest) DO UPDATE SET data = excluded.data",
         );
-        let statement =
-            statement.bind(of(file.course)).bind(file.digest.clone()).bind(file.problem.clone()).bind(to_json(file)?);
+        let statement = statement
+            .bind(course_of(file.course))
+            .bind(file.digest.clone())
+            .bind(file.problem.clone())
+            .bind(to_json(file)?);
         let entry = entry.map(Entry::statement).transpose()?;
         self.write([statement].into_iter().chain(entry).collect()).await.map(|_| ())
     }

@@ -40,12 +40,12 @@ pub(super) const VERSION: i64 = STEPS[STEPS.len() - 1].0;
 pub(super) async fn migrate(connection: &mut AnyConnection) -> Result<(), StoreFault> {
     let create = "CREATE TABLE IF NOT EXISTS version (number BIGINT NOT NULL)";
     sqlx::raw_sql(create).execute(&mut *connection).await?;
-    let found = sqlx::query("SELECT MAX(number) FROM version").fetch_one(&mut *connection).await?;
-    let found: i64 = found.try_get::<Option<i64>, _>(0)?.unwrap_or(0);
-    if found > VERSION {
-        return Err(StoreFault::Newer { found, known: VERSION });
+    let row = sqlx::query("SELECT MAX(number) FROM version").fetch_one(&mut *connection).await?;
+    let version_found: i64 = row.try_get::<Option<i64>, _>(0)?.unwrap_or(0);
+    if version_found > VERSION {
+        return Err(StoreFault::Newer { found: version_found, known: VERSION });
     }
-    for (number, step) in STEPS.into_iter().filter(|(number, _)| *number > found) {
+    for (number, step) in STEPS.into_iter().filter(|(number, _)| *number > version_found) {
         sqlx::raw_sql(step).execute(&mut *connection).await?;
         sqlx::query("INSERT INTO version (number) VALUES ($1)").bind(number).execute(&mut *connection).await?;
     }

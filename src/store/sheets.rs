@@ -1,4 +1,4 @@
-//! What students were given, and what they handed in.
+//! Sheets that students were given, and their hand-ins.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
@@ -28,7 +28,7 @@ pub struct HandIn<'a> {
     pub revision: i64,
 }
 
-/// What became of an attempt.
+/// The fate of an attempt.
 #[derive(Clone, Debug)]
 pub enum HandedIn {
     /// It is kept.
@@ -99,7 +99,7 @@ impl Store {
         self.records(query("SELECT data FROM sheet WHERE member = $1 ORDER BY key").bind(member.to_string())).await
     }
 
-    /// What was handed in on a sheet, in its order.
+    /// The attempts handed in on a sheet, in their order.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -107,7 +107,7 @@ impl Store {
         self.records(query("SELECT data FROM attempt WHERE sheet = $1 ORDER BY number").bind(sheet.to_string())).await
     }
 
-    /// What a student handed in in an assignment, by sheet and in its order.
+    /// The attempts that a student handed in in an assignment, by sheet and in their order.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -224,7 +224,7 @@ impl Store {
         self.write(vec![statement.bind(draft.sheet.to_string()).bind(to_json(draft)?)]).await.map(|_| ())
     }
 
-    /// What was typed and not handed in.
+    /// The answers typed and not handed in.
     ///
     /// # Errors
     /// Where the database refuses.
@@ -232,7 +232,7 @@ impl Store {
         self.one(query("SELECT data FROM draft WHERE sheet = $1").bind(sheet.to_string())).await
     }
 
-    /// What was typed and not handed in at an assignment, of everybody or of one student, each with its sheet.
+    /// The answers typed and not handed in at an assignment, of everybody or of one student, each with its sheet.
     ///
     /// # Errors
     /// Where the database refuses.

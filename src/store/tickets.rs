@@ -1,4 +1,4 @@
-//! What lets somebody in: sessions, and links that sign in once. Only a hash of each is kept.
+//! Tickets that let somebody in: sessions, and links that sign in once. Only a hash of each is kept.
 
 use sqlx::Row;
 use sqlx::query;
@@ -11,7 +11,7 @@ use super::records::record;
 use super::trail::Entry;
 use super::writer::Statement;
 
-/// What a ticket is.
+/// The kind of a ticket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TicketKind {
     /// Its holder is somebody, request after request.
@@ -66,7 +66,7 @@ pub struct Ticket {
     pub hash: String,
     /// Whose it is.
     pub person: Key<Person>,
-    /// What it is.
+    /// Its kind.
     pub kind: TicketKind,
     /// How far it reaches.
     pub reach: Reach,
@@ -83,7 +83,8 @@ impl Ticket {
             .bind(self.expires.millis())
     }
 
-    /// What a new link ends: earlier ones of the same course, or all where it is the operator's.
+    /// The statement that ends the tickets which a new link ends: earlier ones of the same course, or all where it is the
+    /// operator's.
     fn ended(&self) -> Option<Statement> {
         let person = self.person.to_string();
         match (self.kind, self.reach) {
@@ -127,8 +128,8 @@ impl Store {
         let statement = query(
             "SELECT p.data, t.kind FROM ticket t JOIN person p ON p.key = t.person WHERE t.hash = $1 AND t.expires > $2",
         );
-        let found = self.rows(statement.bind(hash.to_owned()).bind(now.millis())).await?;
-        let Some(row) = found.first() else { return Ok(None) };
+        let rows = self.rows(statement.bind(hash.to_owned()).bind(now.millis())).await?;
+        let Some(row) = rows.first() else { return Ok(None) };
         let kept: String = row.try_get(1)?;
         kind.reach(&kept).map(|reach| Ok((record(row)?, reach))).transpose()
     }

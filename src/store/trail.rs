@@ -1,4 +1,4 @@
-//! Who did what: added to, never changed.
+//! The trail of who did what: added to, never changed.
 
 use serde::{Deserialize, Serialize};
 use sqlx::query;
@@ -13,15 +13,15 @@ use super::writer::Statement;
 /// Something that somebody did.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub struct Entry {
-    /// What the record is known by.
+    /// The key by which the record is known.
     pub key: Key<Entry>,
     /// When.
     pub at: Moment,
-    /// Who; nothing where it was the program itself.
+    /// The person; `None` where it was the program itself.
     pub by: Option<Key<Person>>,
     /// The course, where it concerns one.
     pub course: Option<Key<Course>>,
-    /// What was done, in a few words: `points set by hand`.
+    /// The deed, in a few words: `points set by hand`.
     pub what: String,
     /// To what, and why. It holds no name and no answer.
     pub detail: String,
@@ -36,7 +36,7 @@ impl Entry {
 }
 
 impl Store {
-    /// What was done in a course, the latest first.
+    /// The trail of a course, the latest first.
     ///
     /// # Errors
     /// Where the database refuses.

@@ -29,7 +29,7 @@ const FRESH: Duration = Duration::from_secs(1);
 /// The bytes that are written on trial: more than fits into a page of the file that has room left.
 const TRIAL: usize = 16 * 1024;
 
-/// What became of the last work, and when.
+/// The outcome of the last work, and its time.
 #[derive(Default)]
 struct Last(std::sync::Mutex<Option<(Instant, bool)>>);
 
@@ -53,7 +53,7 @@ pub(super) struct Writer {
     address: Address,
     /// Whoever holds it writes.
     line: Mutex<Line>,
-    /// What became of the last work.
+    /// The outcome of the last work.
     last: Last,
     /// Whoever holds it writes on trial.
     trial: Mutex<()>,

@@ -1,4 +1,4 @@
-//! What all requests share.
+//! The state that all requests share.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use super::metrics::Metrics;
 use super::settings::Settings;
 use super::workers::Workers;
 
-/// What all requests share: the pages and the workers that make them.
+/// The state that all requests share: the pages and the workers that make them.
 pub struct App {
     /// How the server is set up.
     pub settings: Settings,

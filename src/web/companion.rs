@@ -1,5 +1,5 @@
-//! What is served beside the pages of problems and may withhold some of them: the courses, which know these pages while these pages
-//! know nothing of courses.
+//! A companion is served beside the pages of problems and may withhold some of them: the courses, which know these pages while
+//! these pages know nothing of courses.
 
 use std::fmt;
 use std::pin::Pin;
@@ -16,7 +16,7 @@ use super::workers::Lane;
 /// A result that is waited for.
 pub type Awaited<'a, T> = Pin<Box<dyn Future<Output = T> + Send + 'a>>;
 
-/// What is served beside the pages of problems.
+/// A companion of the pages of problems.
 pub trait Companion: Send + Sync {
     /// Adds its addresses to those of the pages.
     fn add_routes(self: Arc<Self>, router: Router<SharedApp>) -> Router<SharedApp>;
@@ -37,7 +37,7 @@ pub trait Companion: Send + Sync {
     /// Whether it keeps what it is given; a line for whoever watches the server where it does not.
     fn health(&self) -> Awaited<'_, Result<(), &'static str>>;
 
-    /// What has been read and kept since the start.
+    /// The numbers read and kept since the start.
     fn counts(&self) -> Counts;
 }
 
@@ -55,10 +55,10 @@ pub trait Visitor: Send + Sync {
     /// The queue in which the person waits.
     fn lane(&self) -> Lane;
 
-    /// What is withheld from the person on the pages of problems.
+    /// The problems withheld from the person on the pages of problems.
     fn withheld(&self) -> Awaited<'_, Result<Box<dyn Withheld>, Unreachable>>;
 
-    /// What is withheld on the pages of simulators, which are shown whether or not the records can be reached.
+    /// The problems withheld on the pages of simulators, which are shown whether or not the records can be reached.
     fn withheld_in_simulators(&self) -> Awaited<'_, Box<dyn Withheld>>;
 }
 

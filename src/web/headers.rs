@@ -1,4 +1,4 @@
-//! What every response says of itself.
+//! Headers that every response has.
 
 use axum::http::HeaderName;
 use axum::http::HeaderValue;
@@ -22,7 +22,7 @@ pub(super) const HEADERS: [(HeaderName, HeaderValue); 5] = [
     ),
 ];
 
-/// Where readers come by TLS: their browsers come no other way for two years.
+/// The header for readers who come by TLS: their browsers come no other way for two years.
 pub(super) const BY_TLS: (HeaderName, HeaderValue) =
     (header::STRICT_TRANSPORT_SECURITY, HeaderValue::from_static("max-age=63072000"));
 

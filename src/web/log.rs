@@ -14,7 +14,7 @@ use jiff::{Timestamp, Unit};
 /// Lines that may wait to be written; others are left out, so that a reader that does not read holds no request up.
 const WAITING: usize = 4096;
 
-/// Where lines go, where any are written.
+/// The destination of lines, where any are written.
 #[derive(Default)]
 pub(super) struct Log(Option<SyncSender<String>>);
 

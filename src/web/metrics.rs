@@ -1,4 +1,4 @@
-//! What operators measure: counts and times of requests, without anything of what was asked or who asked.
+//! Measures for operators: counts and times of requests, without anything of what was asked or who asked.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ const SECONDS: [f64; 10] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.5, 1.0
 /// A label and its value.
 type Label = [(&'static str, &'static str); 1];
 
-/// What is measured from the start of the server on.
+/// The measures from the start of the server on.
 pub(super) struct Metrics {
     pub(super) registry: Registry,
     requests: Family<Label, Counter>,

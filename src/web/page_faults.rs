@@ -6,7 +6,7 @@ use momentous_pages::{Nothing, PROBLEM_PAGES, Parameters, SIMULATORS, Shown};
 use super::answer;
 use super::app::App;
 
-/// What is wrong with the templates of the pages: each is filled once, with a problem of the bank.
+/// Faults of the templates of the pages: each is filled once, with a problem of the bank.
 #[must_use]
 pub fn page_faults(app: &App) -> Vec<String> {
     let problem = match app.pages.library.exhibits() {

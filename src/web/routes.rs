@@ -136,7 +136,7 @@ async fn admitted<'app>(
     Ok((place, withheld))
 }
 
-/// Where nobody can say what is withheld, nothing is shown.
+/// Shows nothing where nobody can say what is withheld.
 fn unreachable_records(fault: &Unreachable) -> Response {
     eprintln!("momentous serve: {fault}");
     (StatusCode::SERVICE_UNAVAILABLE, "The records cannot be reached at the moment. Try again in a moment.\n")

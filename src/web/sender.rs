@@ -13,7 +13,7 @@ const FORWARDED: &str = "x-forwarded-for";
 /// The address of whoever sent a request. Of the addresses in `X-Forwarded-For` the last one counts that was added by a proxy that is
 /// believed, and is none itself: what stands before it may be invented.
 #[must_use]
-pub fn of(extensions: &Extensions, headers: &HeaderMap, trusted: &[IpNet]) -> IpAddr {
+pub fn sender(extensions: &Extensions, headers: &HeaderMap, trusted: &[IpNet]) -> IpAddr {
     let from = extensions.get::<Arrival>().map_or(IpAddr::V4(Ipv4Addr::LOCALHOST), |arrival| arrival.from.ip());
     behind(from.to_canonical(), headers, trusted)
 }
@@ -29,7 +29,7 @@ fn behind(from: IpAddr, headers: &HeaderMap, trusted: &[IpNet]) -> IpAddr {
     from
 }
 
-/// What stands for an address in a count of tries: those of one household or host share a network of 64 bits in IPv6.
+/// Senders in a count of tries: those of one household or host share a network of 64 bits in IPv6.
 #[must_use]
 pub fn network(address: IpAddr) -> [u8; 16] {
     match address {

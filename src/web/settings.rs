@@ -12,7 +12,8 @@ use momentous_exercise::calls::Limits;
 pub struct Settings {
     /// The address on which it listens.
     pub bind: SocketAddr,
-    /// Where its pages begin, as a reader's browser sees it: the path that a proxy puts before them, without a slash at its end.
+    /// The path at which its pages begin, as a reader's browser sees it: the one that a proxy puts before them, without a slash
+    /// at its end.
     pub base_path: String,
     /// The host and port of that address, where a proxy stands before the server: forms come from there.
     pub host: Option<String>,

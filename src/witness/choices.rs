@@ -20,7 +20,7 @@ use super::case::Case;
 use super::conserved::is_conserved;
 use super::crossing::holds;
 use super::pictures;
-use super::simulation::Seen;
+use super::simulation::Measurement;
 use super::simulation::UNCHANGED;
 use super::simulation::Witness;
 use super::worlds;
@@ -43,15 +43,15 @@ pub(super) fn chosen(
         (_, ChoicePart::Holds(claim)) => claimed(case, witness, claim).map(yes),
         (_, ChoicePart::Order(symbols)) => {
             let name = |symbol| case.problem.model().symbols.entry(symbol).name.clone();
-            let mut seen = Vec::new();
+            let mut reached = Vec::new();
             for symbol in symbols {
-                seen.push((witness.seen(&name(*symbol))?, *symbol));
+                reached.push((witness.seen(&name(*symbol))?, *symbol));
             }
-            seen.sort_by(|one, other| one.0.value.total_cmp(&other.0.value));
-            if seen.windows(2).any(|pair| pair[1].0.value - pair[0].0.value <= pair[0].0.error + pair[1].0.error) {
+            reached.sort_by(|one, other| one.0.value.total_cmp(&other.0.value));
+            if reached.windows(2).any(|pair| pair[1].0.value - pair[0].0.value <= pair[0].0.error + pair[1].0.error) {
                 return None;
             }
-            let sorted: Vec<_> = seen.into_iter().map(|(_, symbol)| symbol).collect();
+            let sorted: Vec<_> = reached.into_iter().map(|(_, symbol)| symbol).collect();
             orders(symbols).iter().position(|order| *order == sorted)
         }
         (_, ChoicePart::Offered(offer)) => {
@@ -84,12 +84,14 @@ pub(super) fn chosen(
 
 /// Whether a claim holds of what the simulation finds; none where it finds nothing of it.
 fn claimed(case: &Case<'_>, witness: &Witness<'_>, claim: &Claim) -> Option<bool> {
-    let seen = [&claim.left, &claim.right].map(|side| witness.evaluated(side));
-    if seen.iter().all(Option::is_none) {
+    let sides = [&claim.left, &claim.right].map(|side| witness.evaluated(side));
+    if sides.iter().all(Option::is_none) {
         return None;
     }
-    let of_side = |(side, seen): (&Expr, Option<Seen>)| seen.unwrap_or(Seen { value: said(case, side), error: 0.0 });
-    let [left, right] = [(&claim.left, seen[0]), (&claim.right, seen[1])].map(of_side);
+    let of_side = |(side, measurement): (&Expr, Option<Measurement>)| {
+        measurement.unwrap_or(Measurement { value: said(case, side), error: 0.0 })
+    };
+    let [left, right] = [(&claim.left, sides[0]), (&claim.right, sides[1])].map(of_side);
     holds(claim.relation, left, right)
 }
 
@@ -108,8 +110,8 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
     };
     let axes = scene.axes.rectangular();
     let number = |name: &str| witness.value(name);
-    let (mut energies, mut seen) = ([0.0; 2], [0.0; 2]);
-    for (side, (energy, widest)) in energies.iter_mut().zip(&mut seen).enumerate() {
+    let (mut energies, mut speeds) = ([0.0; 2], [0.0; 2]);
+    for (side, (energy, widest)) in energies.iter_mut().zip(&mut speeds).enumerate() {
         let instant = stage + 1 + side;
         let mut apart = [0.0; 3];
         for (axis, _) in &axes {
@@ -135,7 +137,7 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
             }
         };
     }
-    let [meeting, parting] = seen;
+    let [meeting, parting] = speeds;
     Some(if parting <= UNCHANGED * meeting {
         PLASTIC
     } else if (energies[0] - energies[1]).abs() <= UNCHANGED * energies[0] {
@@ -147,10 +149,10 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
 
 /// Which of two roots happens, the greater or the lesser, in the order in which they are offered: the one that the simulation finds.
 pub(super) fn taken_root(worked: &Worked<'_>, witness: &Witness<'_>, symbol: Symbol) -> Option<usize> {
-    let seen = witness.seen(&worked.problem.model().symbols.entry(symbol).name)?.value;
+    let simulated = witness.seen(&worked.problem.model().symbols.entry(symbol).name)?.value;
     let roots = worked.every_root(symbol);
     let [one, other] = roots[..] else { return None };
-    let apart = |root: &Bounded| (root.value - seen).abs();
+    let apart = |root: &Bounded| (root.value - simulated).abs();
     let (near, far) = if apart(&one) < apart(&other) { (one, other) } else { (other, one) };
     Some(usize::from(near.value < far.value))
 }
@@ -164,7 +166,7 @@ pub(super) fn is_first(worked: &Worked<'_>, scene: &Scene, ask: &Count, answer: 
         let replaced = vec![(symbol, number)];
         let case = Case { problem: worked.problem, scene, variant: worked.variant, replaced, known: None };
         let witness = Witness::new(&case, tolerance);
-        let told = |text: &str| witness.value(text).map(|value| Seen { value, error: 0.0 });
+        let told = |text: &str| witness.value(text).map(|value| Measurement { value, error: 0.0 });
         let side = |text: &str| witness.seen(text).or_else(|| told(text));
         holds(relation, side(left)?, side(right)?)
     };

@@ -1,4 +1,4 @@
-//! Where a simulated stage ends that could end several times: the problem's own conditions say at which crossing.
+//! Ends of a simulated stage that could end several times: the problem's own conditions say at which crossing.
 
 use std::cell::Cell;
 
@@ -9,14 +9,14 @@ use momentous_simulate::scene::observe_at;
 use momentous_simulate::scene::value_of;
 use momentous_solve::Relation;
 
-use super::simulation::Seen;
+use super::simulation::Measurement;
 use super::simulation::Witness;
 
 /// The crossings that are tried after the first.
 const MOST_LATER: usize = 3;
 
 /// Whether two values compare as is said; none where they differ by no more than they may be off.
-pub(super) fn holds(relation: Relation, left: Seen, right: Seen) -> Option<bool> {
+pub(super) fn holds(relation: Relation, left: Measurement, right: Measurement) -> Option<bool> {
     let apart = left.value - right.value;
     let is_decided = apart.abs() > left.error + right.error;
     is_decided.then_some(match relation {
@@ -55,7 +55,7 @@ impl Witness<'_> {
             };
             let [left, right] = [left, right].map(|side| value_of(self.scene(), side, &value));
             let (Some(left), Some(right)) = (left, right) else { return false };
-            let [left, right] = [(left, error.get()), (right, 0.0)].map(|(value, error)| Seen { value, error });
+            let [left, right] = [(left, error.get()), (right, 0.0)].map(|(value, error)| Measurement { value, error });
             reached.get() && holds(relation, left, right) == Some(false)
         })
     }

@@ -96,7 +96,7 @@ impl Film {
 /// Why a scene is not simulated as is asked.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{what}\nhelp: {help}")]
-pub struct NotShown {
+pub struct NotFilmed {
     /// The obstacle.
     pub what: String,
     /// The way out.
@@ -104,10 +104,10 @@ pub struct NotShown {
 }
 
 /// Nothing in the table of costs serves.
-pub(super) fn out_of_reach(stage: usize, error: &dyn std::fmt::Display) -> NotShown {
+pub(super) fn out_of_reach(stage: usize, error: &dyn std::fmt::Display) -> NotFilmed {
     refused(stage, &error.to_string(), "ask for less accuracy, allow more time, or omit --method")
 }
 
-pub(super) fn refused(stage: usize, what: &str, help: &'static str) -> NotShown {
-    NotShown { what: format!("stage {stage}: {what}"), help }
+pub(super) fn refused(stage: usize, what: &str, help: &'static str) -> NotFilmed {
+    NotFilmed { what: format!("stage {stage}: {what}"), help }
 }

@@ -38,8 +38,8 @@ pub(super) fn fits(witness: &Witness<'_>, graph: &Graph, curve: &Curve, worked: 
             let [before, after] =
                 if end > begin { [begin + inside, end - inside] } else { [begin - inside, end + inside] };
             for (instant, time) in [(stage + 1, before), (stage + 2, after)] {
-                let found = witness.carried(graph.plotted.letter(), &graph.body, instant, letter(graph))?;
-                all &= (found - curve.at(time)?).abs() <= OFF[0] * height;
+                let carried = witness.carried(graph.plotted.letter(), &graph.body, instant, letter(graph))?;
+                all &= (carried - curve.at(time)?).abs() <= OFF[0] * height;
             }
         }
         if end > begin {
@@ -65,8 +65,9 @@ fn follows(
     let height = high - low;
     let moves =
         |body: &Recorded| body.name == graph.body || witness.scene().members(&body.name).contains(&graph.body.as_str());
-    let found = motions.iter().find_map(|motion| Some((motion, motion.record.bodies.iter().position(moves)?)));
-    let (motion, body) = found?;
+    let motion_and_body =
+        motions.iter().find_map(|motion| Some((motion, motion.record.bodies.iter().position(moves)?)));
+    let (motion, body) = motion_and_body?;
     let component = match graph.along {
         Some(axis) => motion.components.iter().position(|component| component.letter == axis.letter())?,
         None => 0,
@@ -78,7 +79,7 @@ fn follows(
         let velocity = *moment.velocities.get(body)?.get(component)?;
         Some(if graph.plotted == Plotted::Velocity { velocity } else { moment.masses.get(body)? * velocity })
     };
-    let (mut seen, mut off) = (0.0, 0.0);
+    let (mut count, mut off) = (0.0, 0.0);
     for pair in moments.windows(2) {
         let [one, other] = pair else { continue };
         let lasts = other.time - one.time;
@@ -86,12 +87,12 @@ fn follows(
             continue;
         }
         let middle = f64::midpoint(one.time, other.time);
-        let (found, allowed) = match graph.plotted {
+        let (value, allowed) = match graph.plotted {
             Plotted::Force => ((state(other)? - state(one)?) / lasts, OFF[1]),
             Plotted::Velocity | Plotted::Momentum => (f64::midpoint(state(one)?, state(other)?), OFF[0]),
         };
-        seen += 1.0;
-        off += if (found - at(middle)?).abs() > allowed * height { 1.0 } else { 0.0 };
+        count += 1.0;
+        off += if (value - at(middle)?).abs() > allowed * height { 1.0 } else { 0.0 };
     }
-    Some(off <= JUMPS * seen)
+    Some(off <= JUMPS * count)
 }

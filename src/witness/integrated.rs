@@ -10,7 +10,7 @@ use momentous_simulate::least::options;
 use momentous_simulate::scene::NothingToSimulate;
 use momentous_simulate::scene::RecordedMotion;
 
-use super::film::{AT_ITS_TIME, Film, NotShown, out_of_reach};
+use super::film::{AT_ITS_TIME, Film, NotFilmed, out_of_reach};
 use super::staging::followed;
 
 /// The step by which tolerances of two integrations that are compared differ.
@@ -22,7 +22,7 @@ pub(super) fn integrated(
     variant: &Variant,
     stage: usize,
     request: &Request,
-) -> Result<Result<Vec<Film>, NothingToSimulate>, NotShown> {
+) -> Result<Result<Vec<Film>, NothingToSimulate>, NotFilmed> {
     let Some(entry) = problem.loaded().draft.scene.stages.get(stage - 1) else {
         return Ok(Err(NothingToSimulate::NoStage));
     };

@@ -25,7 +25,7 @@ mod trial;
 mod turning;
 mod worlds;
 
-pub use film::{AT_ITS_TIME, Film, NotShown};
+pub use film::{AT_ITS_TIME, Film, NotFilmed};
 pub use impacts::IMPACTS;
 pub use shoot::{Shot, shoot};
 pub use staging::{followed, staged};

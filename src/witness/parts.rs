@@ -81,13 +81,13 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
             }
             (_, PartKind::Range(range)) => {
                 let sides = [&range.claim.left, &range.claim.right].map(|side| (side, witness.evaluated(side)));
-                let at = |(side, seen): &(&momentous_expr::Expr, Option<super::simulation::Seen>)| {
+                let at = |(side, measurement): &(&momentous_expr::Expr, Option<super::simulation::Measurement>)| {
                     let said = || {
                         side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |number| number.value))
                     };
-                    seen.map_or_else(|| (said(), 0.0), |seen| (seen.value, seen.error))
+                    measurement.map_or_else(|| (said(), 0.0), |measurement| (measurement.value, measurement.error))
                 };
-                if sides.iter().any(|(_, seen)| seen.is_some()) {
+                if sides.iter().any(|(_, measurement)| measurement.is_some()) {
                     let [(left, one), (right, other)] = [at(&sides[0]), at(&sides[1])];
                     let boundary = Comparison { stated: 0.0, found: left - right, error: one + other, turns: false };
                     all.insert(format!("the boundary of {}", part.id), boundary);
@@ -126,11 +126,11 @@ pub(super) fn agrees(
             if choice.is_within_data(worked) {
                 return None;
             }
-            let found = match choice {
+            let option = match choice {
                 ChoicePart::Physical(symbol) => taken_root(worked, witness, *symbol),
                 _ => chosen(case, witness, ask, choice, tolerance),
             };
-            Some(found? == right)
+            Some(option? == right)
         }
         Answer::Number { symbol, ask: Ask::Count(count), .. } => {
             let put = case.replaced.iter().find(|(known, _)| known == symbol).map(|(_, value)| *value);

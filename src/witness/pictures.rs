@@ -40,10 +40,10 @@ fn fits(witness: &Witness<'_>, stage: usize, row: &Balance) -> Option<bool> {
     };
     let (before, after) = (momentum(stage + 1)?, momentum(stage + 2)?);
     let impulse: Vec<f64> = after.iter().zip(&before).map(|(after, before)| after - before).collect();
-    let found = [&before, &impulse, &after];
-    let largest = found.iter().flat_map(|arrow| arrow.iter()).fold(0.0, |largest: f64, part| largest.max(part.abs()));
-    let near = |(found, drawn): (&&Vec<f64>, &&Vec<f64>)| {
-        found.iter().zip(drawn.iter()).all(|(found, drawn)| (found - drawn).abs() <= OFF * largest)
+    let arrows = [&before, &impulse, &after];
+    let largest = arrows.iter().flat_map(|arrow| arrow.iter()).fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    let near = |(simulated, drawn): (&&Vec<f64>, &&Vec<f64>)| {
+        simulated.iter().zip(drawn.iter()).all(|(simulated, drawn)| (simulated - drawn).abs() <= OFF * largest)
     };
-    Some(found.iter().zip(&[&row.before, &row.impulse, &row.after]).all(near))
+    Some(arrows.iter().zip(&[&row.before, &row.impulse, &row.after]).all(near))
 }

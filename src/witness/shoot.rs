@@ -13,7 +13,7 @@ use momentous_simulate::scene::Component;
 use momentous_simulate::scene::Experiment;
 use momentous_simulate::scene::NothingToSimulate;
 
-use super::film::{AT_ITS_TIME, Film, NotShown, out_of_reach, refused};
+use super::film::{AT_ITS_TIME, Film, NotFilmed, out_of_reach, refused};
 use super::integrated::integrated;
 use super::staging::staged;
 
@@ -30,12 +30,12 @@ pub struct Shot {
 ///
 /// # Errors
 /// Nothing in the scene can be simulated, or not by that method within that accuracy and time.
-pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<Shot, NotShown> {
+pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<Shot, NotFilmed> {
     let scene = &problem.loaded().draft.scene;
     let mut shot = Shot { films: Vec::new(), nothing: Vec::new() };
-    for (place, found) in staged(problem, variant).into_iter().enumerate() {
+    for (place, stage_run) in staged(problem, variant).into_iter().enumerate() {
         let stage = place + 1;
-        match found {
+        match stage_run {
             Err(_) => match integrated(problem, variant, stage, request)? {
                 Ok(films) => shot.films.extend(films),
                 Err(reason) => shot.nothing.push((stage, reason.reason())),
@@ -59,7 +59,7 @@ pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<
     if shot.films.is_empty() {
         let reason = shot.nothing.first().map_or_else(|| NothingToSimulate::NoStage.reason(), |(_, why)| why);
         let help = "`momentous list` shows other problems; docs/methods.md says what can be simulated";
-        return Err(NotShown { what: format!("{}: {reason}", problem.id()), help });
+        return Err(NotFilmed { what: format!("{}: {reason}", problem.id()), help });
     }
     Ok(shot)
 }
@@ -80,14 +80,14 @@ fn filmed<const D: usize>(
     scene: &Scene,
     stage: usize,
     request: &Request,
-) -> Result<Film, NotShown> {
+) -> Result<Film, NotFilmed> {
     let other = "omit --method to use the cheapest suitable method";
-    let found = |refusal: momentous_simulate::Refusal| refused(stage, &refusal.to_string(), other);
+    let refused_by_method = |refusal: momentous_simulate::Refusal| refused(stage, &refusal.to_string(), other);
     let mut experiment = experiment.clone();
     if let Some(steps) = request.steps {
         experiment.budget.steps = experiment.budget.steps.min(steps);
     }
-    let shown = experiment.shown().map_err(found)?;
+    let shown = experiment.shown().map_err(refused_by_method)?;
     let kept = keep(&shown, request).map_err(|error| match error {
         NotKept::Choice(error) => out_of_reach(stage, &error),
         NotKept::Scene(_) | NotKept::Method { .. } => refused(stage, &error.to_string(), other),

@@ -71,7 +71,7 @@ impl Comparison {
 
 /// A value with the error that the simulation gives it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct Measurement {
     pub value: f64,
     pub error: f64,
 }
@@ -182,8 +182,8 @@ impl<'a> Witness<'a> {
 
     /// The value from which the simulation starts: the stated one, else what a stage before reached.
     pub(super) fn value(&self, name: &str) -> Option<f64> {
-        let found = || self.found_as(name).map(|reached| reached.value);
-        let value = self.started_from(name).or_else(found).or_else(|| self.component(&self.since(name)));
+        let reached = || self.found_as(name).map(|reached| reached.value);
+        let value = self.started_from(name).or_else(reached).or_else(|| self.component(&self.since(name)));
         if value.is_none() && self.nothing.is_none() {
             self.missing.borrow_mut().extend(self.symbol(&self.since(name)));
         }
@@ -226,20 +226,20 @@ impl<'a> Witness<'a> {
     }
 
     /// The value that the simulation finds of a quantity by name: itself, or measured on what it finds of the bodies.
-    pub(super) fn seen(&self, name: &str) -> Option<Seen> {
-        let found = self.found_as(name);
-        found
-            .map(|reached| Seen { value: reached.value, error: reached.error })
+    pub(super) fn seen(&self, name: &str) -> Option<Measurement> {
+        let exact = self.found_as(name);
+        exact
+            .map(|reached| Measurement { value: reached.value, error: reached.error })
             .or_else(|| self.measured(name))
             .or_else(|| self.magnitude(name))
             .or_else(|| self.exchanged(name))
     }
 
-    fn measured(&self, name: &str) -> Option<Seen> {
+    fn measured(&self, name: &str) -> Option<Measurement> {
         let entering = RefCell::new(BTreeMap::new());
         let value = |name: &str| {
-            let found = self.found_as(name).map(|reached| (reached.name.clone(), reached.error));
-            entering.borrow_mut().extend(found);
+            let entry = self.found_as(name).map(|reached| (reached.name.clone(), reached.error));
+            entering.borrow_mut().extend(entry);
             self.found_as(name).map(|reached| reached.value).or_else(|| self.value(name))
         };
         let measured_value = self.asked(name, &|asked, alive| {
@@ -249,22 +249,22 @@ impl<'a> Witness<'a> {
             let watched = || watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1);
             measured.or_else(|| watched().inspect(|_| self.watched.set(true)))
         });
-        let seen = self.as_seen(measured_value?);
+        let measurement = self.as_seen(measured_value?);
         let entered: Vec<(String, f64)> = entering.borrow().clone().into_iter().collect();
         let off = |(moved, error): &(String, f64)| {
             let value = |name: &str| {
-                let found = self.found_as(name)?;
-                Some(found.value + if found.name == *moved { *error } else { 0.0 })
+                let reached = self.found_as(name)?;
+                Some(reached.value + if reached.name == *moved { *error } else { 0.0 })
             };
             let value = |name: &str| value(name).or_else(|| self.value(name));
             let other = self.asked(name, &|asked, alive| measure(self.case.scene, alive, asked, &value));
-            other.map_or(0.0, |(other, _)| (other - seen.value).abs())
+            other.map_or(0.0, |(other, _)| (other - measurement.value).abs())
         };
-        Some(Seen { error: seen.error + entered.iter().map(off).sum::<f64>(), ..seen })
+        Some(Measurement { error: measurement.error + entered.iter().map(off).sum::<f64>(), ..measurement })
     }
 
     /// The value of a quantity at the start by what is told of the bodies: part of something that is found.
-    pub(super) fn started_with(&self, name: &str) -> Option<Seen> {
+    pub(super) fn started_with(&self, name: &str) -> Option<Measurement> {
         let value = |name: &str| self.value(name);
         let at_start = |asked: Asked<'_>, alive: &[&str]| {
             measure(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1)
@@ -272,8 +272,8 @@ impl<'a> Witness<'a> {
         self.asked(name, &at_start).map(|value| self.as_seen(value))
     }
 
-    fn as_seen(&self, (value, scale): (f64, f64)) -> Seen {
-        Seen { value, error: self.tolerance * value.abs().max(scale) }
+    fn as_seen(&self, (value, scale): (f64, f64)) -> Measurement {
+        Measurement { value, error: self.tolerance * value.abs().max(scale) }
     }
 
     /// A name taken apart, with who exists at its instant.
@@ -290,26 +290,26 @@ impl<'a> Witness<'a> {
     }
 
     /// The value of a term by what the simulation finds; `None` where it finds nothing in it.
-    pub(super) fn evaluated(&self, expr: &Expr) -> Option<Seen> {
+    pub(super) fn evaluated(&self, expr: &Expr) -> Option<Measurement> {
         let model = self.case.problem.model();
         let finds = |symbol: &Symbol| self.seen(&model.symbols.entry(*symbol).name).is_some();
         expr.symbols().iter().any(finds).then(|| self.worked_out(expr))
     }
 
     /// The value of a term by what the simulation finds, and otherwise by what is stated.
-    fn worked_out(&self, expr: &Expr) -> Seen {
+    fn worked_out(&self, expr: &Expr) -> Measurement {
         let of = |symbol| {
             let name = &self.case.problem.model().symbols.entry(symbol).name;
-            let said = || Seen { value: self.stated(symbol).unwrap_or(f64::NAN), error: self.error_of(symbol) };
+            let said = || Measurement { value: self.stated(symbol).unwrap_or(f64::NAN), error: self.error_of(symbol) };
             self.seen(name).or_else(|| self.started_with(name)).unwrap_or_else(said)
         };
-        let all: BTreeMap<Symbol, Seen> = expr.symbols().into_iter().map(|symbol| (symbol, of(symbol))).collect();
+        let all: BTreeMap<_, Measurement> = expr.symbols().into_iter().map(|symbol| (symbol, of(symbol))).collect();
         let value = |symbol| all.get(&symbol).map_or(f64::NAN, |known| known.value);
         let mut error = 0.0;
         expr.slopes(&value, 1.0, &mut |symbol, slope| {
             error += slope.abs() * all.get(&symbol).map_or(0.0, |known| known.error);
         });
-        Seen { value: expr.evaluate(&value), error }
+        Measurement { value: expr.evaluate(&value), error }
     }
 
     fn error_of(&self, symbol: Symbol) -> f64 {
@@ -321,16 +321,16 @@ impl<'a> Witness<'a> {
         let name = &self.case.problem.model().symbols.entry(symbol).name;
         // An expression that a question names is what its parts make of it.
         let expression = || self.case.problem.model().expressions.get(&symbol).map(|term| self.worked_out(term));
-        let seen = self.seen(name).or_else(expression)?;
-        Some(self.compared(symbol, self.stated(symbol)?, seen))
+        let measurement = self.seen(name).or_else(expression)?;
+        Some(self.compared(symbol, self.stated(symbol)?, measurement))
     }
 
-    fn compared(&self, symbol: Symbol, said: f64, seen: Seen) -> Comparison {
+    fn compared(&self, symbol: Symbol, said: f64, measurement: Measurement) -> Comparison {
         let turns = matches!(
             self.case.problem.model().name(symbol).kind,
             QuantityKind::Direction(_) | QuantityKind::CountedDirection(_) | QuantityKind::AngleBetween(_)
         );
-        Comparison { stated: said, found: seen.value, error: seen.error + self.error_of(symbol), turns }
+        Comparison { stated: said, found: measurement.value, error: measurement.error + self.error_of(symbol), turns }
     }
 
     /// A direction that is counted from somewhere.
@@ -342,8 +342,8 @@ impl<'a> Witness<'a> {
         let (x, y) = (part("x")?, part("y")?);
         let angle = angle_from(self.case.scene, from, [x.value, y.value, 0.0], &|name| self.value(name))?;
         let error = (x.error + y.error) / libm::hypot(x.value, y.value) + self.tolerance;
-        let seen = Seen { value: if clockwise { -angle } else { angle }, error };
-        Some(self.compared(symbol, self.stated(symbol)?, seen))
+        let measurement = Measurement { value: if clockwise { -angle } else { angle }, error };
+        Some(self.compared(symbol, self.stated(symbol)?, measurement))
     }
 
     /// Everything that is both said and found, under a name each.
@@ -354,8 +354,8 @@ impl<'a> Witness<'a> {
         }
         for reached in self.found.values() {
             if let Some((symbol, said)) = self.stated_by_name(&reached.name) {
-                let seen = Seen { value: reached.value, error: reached.error };
-                all.insert(reached.name.clone(), self.compared(symbol, said, seen));
+                let measurement = Measurement { value: reached.value, error: reached.error };
+                all.insert(reached.name.clone(), self.compared(symbol, said, measurement));
             }
         }
         for (bodies, sum) in &self.sums {

@@ -80,7 +80,7 @@ pub struct Portion {
     pub ways: BTreeSet<Procedure>,
     /// Why something was not simulated.
     pub reason: Option<NothingToSimulate>,
-    /// Where laws and simulation differ.
+    /// The difference between laws and simulation.
     pub broken: Option<String>,
 }
 
@@ -256,8 +256,8 @@ impl<'a> Trial<'a> {
         compared(self.worked, &witness).iter().any(differs) || answer.and_then(agrees) == Some(false)
     }
 
-    /// Where a question names an expression: what it is made of that neither the sheet tells nor the start shows, each with a
-    /// value that is not its own.
+    /// The parts of an expression that a question names: what it is made of that neither the sheet tells nor the start shows,
+    /// each with a value that is not its own.
     fn parts_of(&self, symbol: Symbol) -> impl Iterator<Item = (Symbol, f64)> {
         let (worked, model) = (self.worked, self.worked.problem.model());
         let parts = model.expressions.get(&symbol).map(Expr::symbols).unwrap_or_default();

@@ -103,7 +103,7 @@ fn square(vector: [f64; 3]) -> f64 {
     vector.iter().map(|part| part * part).sum()
 }
 
-/// Where a fixed point is.
+/// The place of a fixed point.
 fn place(scene: &Scene, witness: &Witness<'_>, point: &str) -> Option<[f64; 3]> {
     let mut place = [0.0; 3];
     let at = &scene.points.get(point)?.at;

@@ -45,10 +45,10 @@ pub(super) fn settle(case: &Case<'_>, sought: &str, tolerance: f64) -> Option<bo
     let told = &case.problem.forms().get(case.variant.form())?.on_sheet;
     let sheet = Sheet { case, told, tolerance };
     let open = sheet.open()?;
-    let seen = |witness: &Witness<'_>| witness.seen(sought).map(|measured| measured.value);
+    let sought_value = |witness: &Witness<'_>| witness.seen(sought).map(|measured| measured.value);
     let turns = 0..TRIALS.len() * MULTIPLES.len();
     let worlds = turns.filter_map(|turn| sheet.same_sheet(&open, sheet.trial(turn, &open)));
-    let values: Vec<f64> = worlds.filter_map(|world| sheet.simulated(&open, &world, seen)).collect();
+    let values: Vec<f64> = worlds.filter_map(|world| sheet.simulated(&open, &world, sought_value)).collect();
     if values.len() < ENOUGH && !open.is_empty() {
         return None;
     }

@@ -32,7 +32,7 @@ fn clash(line: &Written, meanings: &Meanings, symbols: &SymbolTable) -> Option<S
     let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
     line.statements().find_map(|statement| {
         let [left, right] = [&statement.left, &statement.right].map(|side| meanings.put_into(line, side));
-        let found = left.common_dimension(&right, symbols).err()?;
-        Some(found.sentence(symbols, &unit))
+        let clash = left.common_dimension(&right, symbols).err()?;
+        Some(clash.sentence(symbols, &unit))
     })
 }

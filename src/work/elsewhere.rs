@@ -9,7 +9,7 @@ use super::holds::{At, Holds};
 use super::meaning::Meanings;
 use super::written::{Statement, Written};
 
-/// Where a line would be true.
+/// The place in which a line would be true.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Elsewhere {
     /// At another instant.

@@ -7,7 +7,7 @@ use momentous_solve::Bounded;
 use super::bare_units::BareUnits;
 use super::clash::without_clash;
 use super::elsewhere::{Elsewhere, elsewhere};
-use super::found::Found;
+use super::found::LineFinding;
 use super::ground::Place;
 use super::holds::{At, Holds, is_identity};
 use super::judge::Judge;
@@ -16,24 +16,24 @@ use super::verdict::Verdict;
 use super::written::Written;
 use super::wrong::WrongSystems;
 
-/// Where between its limits a function is tried.
+/// The shares of the way between its limits at which a function is tried.
 const SHARES: [f64; 3] = [0.17, 0.48, 0.81];
 
 impl Judge<'_> {
     /// The verdict on a line that cannot be tried.
-    pub(crate) fn open(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Found {
+    pub(crate) fn open(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> LineFinding {
         let missing = line.quantities().into_iter().find(|symbol| place.value(*symbol).is_none());
         if let Some(verdict) = missing.and_then(|variable| self.of_function(line, place, sets, variable)) {
-            return Found::of(verdict);
+            return LineFinding::of(verdict);
         }
         if missing.is_none() && sets.iter().any(|set| set.is_general(line) && is_identity(line, set)) {
-            return Found::of(Verdict::Identity);
+            return LineFinding::of(Verdict::Identity);
         }
         let detail = missing.map_or_else(
             || "its numbers are too close to tell".to_owned(),
             |symbol| format!("{} does not follow from what is given", self.worked.problem.name_of(symbol)),
         );
-        Found::of(Verdict::Undecided).because(detail)
+        LineFinding::of(Verdict::Undecided).because(detail)
     }
 
     /// The verdict on a function of a variable over which the scene integrates, `F = F_0 e^(-t/T)`: it says what is given where it
@@ -67,7 +67,7 @@ impl Judge<'_> {
     }
 
     /// The finding on a line where its bare numbers count in the units of the sheet, with which it holds.
-    pub(crate) fn in_units_of_sheet(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Option<Found> {
+    pub(crate) fn in_units_of_sheet(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Option<LineFinding> {
         let units = BareUnits::of_sheet(self.worked).filter(|_| self.has_printed_number(line, self.units))?;
         let value = |symbol: Symbol| place.value(symbol);
         let at = At { value: &value, units, turned: &self.turned };
@@ -77,29 +77,29 @@ impl Judge<'_> {
     }
 
     /// Why a line does not hold.
-    pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> Found {
+    pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> LineFinding {
         if let Err(clash) = without_clash(line, sets)
             && !line.has_own
         {
-            return Found::of(Verdict::Dimensions).because(clash);
+            return LineFinding::of(Verdict::Dimensions).because(clash);
         }
         let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at);
         if !follows.is_empty() {
-            return Found { mistakes: follows, ..Found::of(Verdict::Mistake) };
+            return LineFinding { mistakes: follows, ..LineFinding::of(Verdict::Mistake) };
         }
         // Bare numbers in the units of the sheet: their results may be in any.
         let of_sheet = BareUnits::of_sheet(self.worked).is_some_and(|units| !self.has_printed_number(line, units));
         if self.has_printed_number(line, self.units) && !of_sheet && !line.is_in_symbols() {
-            return Found::of(Verdict::Undecided).because("write the units of its numbers".to_owned());
+            return LineFinding::of(Verdict::Undecided).because("write the units of its numbers".to_owned());
         }
         match elsewhere(self.worked, place, (line, sets), at) {
             Some((Elsewhere::Instant, symbol)) => {
-                Found::of(Verdict::OtherInstant).because(self.worked.problem.name_of(symbol))
+                LineFinding::of(Verdict::OtherInstant).because(self.worked.problem.name_of(symbol))
             }
             Some((Elsewhere::Body, symbol)) => {
-                Found::of(Verdict::OtherBody).because(self.worked.problem.name_of(symbol))
+                LineFinding::of(Verdict::OtherBody).because(self.worked.problem.name_of(symbol))
             }
-            None => Found::of(Verdict::DoesNotFollow),
+            None => LineFinding::of(Verdict::DoesNotFollow),
         }
     }
 }

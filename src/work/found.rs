@@ -21,7 +21,7 @@ pub(crate) struct Accepted {
 }
 
 /// The finding on one reading of a line.
-pub(crate) struct Found {
+pub(crate) struct LineFinding {
     pub(crate) verdict: Verdict,
     pub(crate) support: Support,
     pub(crate) mistakes: Vec<Follows>,
@@ -29,7 +29,7 @@ pub(crate) struct Found {
     pub(crate) accepted: Option<Accepted>,
 }
 
-impl Found {
+impl LineFinding {
     pub(crate) fn of(verdict: Verdict) -> Self {
         Self { verdict, support: Support::default(), mistakes: Vec::new(), detail: String::new(), accepted: None }
     }

@@ -30,7 +30,7 @@ const TRIES: u64 = 60;
 
 /// An equation of the scene.
 #[derive(Clone, Debug)]
-pub(crate) struct Stated {
+pub(crate) struct StatedEquation {
     /// Its position in the system.
     pub(crate) place: usize,
     /// Left side minus right side.
@@ -55,7 +55,7 @@ pub(crate) struct Ground {
     /// The values of the base in other variants.
     variants: Vec<Values>,
     /// The equations that compare two sides.
-    pub(crate) equations: Vec<Stated>,
+    pub(crate) equations: Vec<StatedEquation>,
     /// The ways to quantities that no answer needs, as far as a line has asked for them.
     ways: RwLock<BTreeMap<Symbol, Option<Arc<Way>>>>,
     /// The systems with a mistake in them.
@@ -111,7 +111,7 @@ impl Ground {
         let equations = leaf.system.equations.iter().enumerate().filter_map(|(place, equation)| {
             let Statement::Equal { left, right } = &equation.statement else { return None };
             let law = instances.get(equation.tag).map(|instance: &Instance| instance.law);
-            Some(Stated {
+            Some(StatedEquation {
                 place,
                 residual: Expr::sum([left.clone(), -right.clone()]),
                 tag: equation.tag,

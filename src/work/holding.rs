@@ -9,7 +9,7 @@ use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 use momentous_quantity::Unit;
 
-use super::found::{Accepted, Found};
+use super::found::{Accepted, LineFinding};
 use super::ground::Place;
 use super::holds::{At, Holds, is_identity};
 use super::judge::Judge;
@@ -20,14 +20,14 @@ use super::written::{Statement, Written};
 
 impl Judge<'_> {
     /// The finding on a line whose sides agree for this variant.
-    pub(crate) fn holding(&self, line: &Written, place: Place<'_>, sets: &[Meanings], here: &[Holds]) -> Found {
+    pub(crate) fn holding(&self, line: &Written, place: Place<'_>, sets: &[Meanings], here: &[Holds]) -> LineFinding {
         let everywhere = |set: &Meanings| {
             let holds = |place: Place<'_>| {
                 let value = |symbol: Symbol| place.value(symbol);
                 At { value: &value, units: self.units, turned: &self.turned }.line(line, set)
             };
-            let found: Vec<Holds> = self.ground.places().map(holds).collect();
-            found.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
+            let holds_there: Vec<Holds> = self.ground.places().map(holds).collect();
+            holds_there.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
         };
         let exactly = sets.iter().zip(here).filter(|(set, holds)| **holds == Holds::Yes && set.is_general(line));
         let mut is_general_here = false;
@@ -49,8 +49,8 @@ impl Judge<'_> {
                 // A number that counts was written as an exponent, which other variants have otherwise.
                 self.classed(line, place, &sets[0], false)
             }
-            _ if is_general_here => Found::of(Verdict::Coincidence),
-            _ => Found::of(Verdict::Undecided),
+            _ if is_general_here => LineFinding::of(Verdict::Coincidence),
+            _ => LineFinding::of(Verdict::Undecided),
         }
     }
 
@@ -65,9 +65,9 @@ impl Judge<'_> {
     }
 
     /// Which kind of true line it is.
-    fn classed(&self, line: &Written, place: Place<'_>, set: &Meanings, is_general: bool) -> Found {
+    fn classed(&self, line: &Written, place: Place<'_>, set: &Meanings, is_general: bool) -> LineFinding {
         if is_general && is_identity(line, set) {
-            return Found::of(Verdict::Identity);
+            return LineFinding::of(Verdict::Identity);
         }
         let statements: Vec<_> = line.statements().cloned().collect();
         let residuals: Vec<Expr> =
@@ -75,7 +75,7 @@ impl Judge<'_> {
         let unknown: BTreeSet<Symbol> =
             residuals.iter().flat_map(Expr::symbols).filter(|symbol| !self.ground.told.contains(symbol)).collect();
         if unknown.is_empty() {
-            return Found { accepted: None, ..Found::of(Verdict::Restates) };
+            return LineFinding { accepted: None, ..LineFinding::of(Verdict::Restates) };
         }
         let slopes = Slopes::new(&self.ground, place, &unknown);
         let mut support = Support::default();
@@ -115,7 +115,7 @@ impl Judge<'_> {
                     && [&statement.left, &statement.right].iter().any(|side| line.letter_alone(side).is_some())
             });
         let accepted = Accepted { residuals, support: support.clone(), answers, shows_laws };
-        Found { support, accepted: Some(accepted), ..Found::of(verdict) }
+        LineFinding { support, accepted: Some(accepted), ..LineFinding::of(verdict) }
     }
 
     /// Whether a side holds nothing but numbers, what is given and the letters in which a formula is asked.

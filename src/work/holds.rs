@@ -54,7 +54,7 @@ impl Difference {
     }
 }
 
-/// Where the values of a line come from.
+/// The sources of the values of a line.
 pub(crate) struct At<'a> {
     /// The value of a quantity in SI units.
     pub(crate) value: &'a dyn Fn(Symbol) -> Option<Bounded>,
@@ -139,17 +139,17 @@ impl At<'_> {
 
     fn of(&self, line: &Written, symbol: Symbol, meanings: &Meanings) -> Bounded {
         let measured = |symbol: Symbol| {
-            let found = (self.value)(symbol).unwrap_or_else(Bounded::not_real);
-            let found = if self.turned.contains(&symbol) { found.neg() } else { found };
-            self.in_units(found, line.symbols.entry(symbol).dimension)
+            let value = (self.value)(symbol).unwrap_or_else(Bounded::not_real);
+            let value = if self.turned.contains(&symbol) { value.neg() } else { value };
+            self.in_units(value, line.symbols.entry(symbol).dimension)
         };
         let Some(number) = line.number(symbol) else { return measured(symbol) };
         match meanings.of(symbol) {
             Meaning::Given { symbol, reversed } => {
                 // The number of a given is written as the sheet prints it, whatever the student counts as positive.
-                let found = (self.value)(symbol).unwrap_or_else(Bounded::not_real);
-                let found = self.in_units(found, line.symbols.entry(symbol).dimension);
-                if reversed { found.neg() } else { found }
+                let value = (self.value)(symbol).unwrap_or_else(Bounded::not_real);
+                let value = self.in_units(value, line.symbols.entry(symbol).dimension);
+                if reversed { value.neg() } else { value }
             }
             Meaning::Constant | Meaning::Computed => {
                 let size = number.value.to_f64().value() * self.unit_of(number.unit.as_ref());

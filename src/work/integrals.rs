@@ -71,8 +71,7 @@ impl IntegralFault {
 /// The first integral of a side; nothing where there is none.
 pub(crate) fn first(side: &str) -> Option<Result<WrittenIntegral, IntegralFault>> {
     let side = UPRIGHT.iter().fold(side.to_owned(), |side, upright| side.replace(upright, "d"));
-    let (at, sign) =
-        SIGNS.iter().filter_map(|sign| Some((sign_at(&side, sign)?, *sign))).min_by_key(|found| found.0)?;
+    let (at, sign) = SIGNS.iter().filter_map(|sign| Some((sign_at(&side, sign)?, *sign))).min_by_key(|sign| sign.0)?;
     let (before, rest) = (&side[..at], &side[at + sign.len()..]);
     let (limits, rest) = match limits(rest) {
         Ok(parts) => parts,

@@ -11,7 +11,7 @@ use super::aliases::Aliases;
 use super::alphabet::alphabet;
 use super::bare_units::BareUnits;
 use super::clash::without_clash;
-use super::found::{Accepted, Found};
+use super::found::{Accepted, LineFinding};
 use super::ground::Ground;
 use super::holds::{At, Holds, results};
 use super::meaning::meanings;
@@ -118,9 +118,9 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn found(&mut self, text: &str) -> Found {
+    fn found(&mut self, text: &str) -> LineFinding {
         if self.turn(text) {
-            return Found::of(Verdict::Convention);
+            return LineFinding::of(Verdict::Convention);
         }
         let parts: Vec<String> = statements(text).into_iter().filter(|part| sides(part).is_some()).collect();
         if parts.len() < 2 {
@@ -129,7 +129,7 @@ impl<'a> Judge<'a> {
         // Where one is a sentence that cannot be read, the others are judged.
         let (mut left_out, mut is_read) = (None, false);
         // Of several statements the worst is told, and each may show what it shows.
-        let mut worst: Option<Found> = None;
+        let mut worst: Option<LineFinding> = None;
         for part in &parts {
             let found = self.stated(part);
             if found.verdict == Verdict::Unreadable && prose::is_sentence(part) {
@@ -146,11 +146,11 @@ impl<'a> Judge<'a> {
             }
         }
         let rest = left_out.filter(|_| !is_read);
-        rest.or(worst).unwrap_or_else(|| Found::of(Verdict::Remark))
+        rest.or(worst).unwrap_or_else(|| LineFinding::of(Verdict::Remark))
     }
 
     /// The finding on one statement, or on the equation in it where it is a sentence that cannot be read as a whole.
-    pub(crate) fn stated(&mut self, text: &str) -> Found {
+    pub(crate) fn stated(&mut self, text: &str) -> LineFinding {
         let found = self.plainly_stated(text);
         if found.verdict != Verdict::Unreadable {
             return found;
@@ -174,7 +174,7 @@ impl<'a> Judge<'a> {
 
     /// The finding on one statement. The sheet does not tell the sense of the axis across the line of impact: a line may count it
     /// the other way round.
-    pub(crate) fn plainly_stated(&mut self, text: &str) -> Found {
+    pub(crate) fn plainly_stated(&mut self, text: &str) -> LineFinding {
         if let Some(found) = self.own_letter(text) {
             return found;
         }
@@ -208,7 +208,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn read(&mut self, text: &str) -> Found {
+    fn read(&mut self, text: &str) -> LineFinding {
         let (found, reading) = self.tried(text);
         let Some(reading) = reading else { return found };
         self.take(found, reading)
@@ -216,7 +216,7 @@ impl<'a> Judge<'a> {
 
     /// The finding on one statement, and the reading in which it is found. Where it does not hold, its short names are tried with
     /// whatever else they may mean.
-    pub(crate) fn tried(&self, text: &str) -> (Found, Option<Written>) {
+    pub(crate) fn tried(&self, text: &str) -> (LineFinding, Option<Written>) {
         let (found, reading) = match self.tried_as(text, &[], Search::Mistakes) {
             Ok(first) => first,
             Err(found) => return (*found, None),
@@ -239,9 +239,10 @@ impl<'a> Judge<'a> {
     }
 
     /// A short name that may stand for too much.
-    fn asked_back(&self, short: Symbol) -> Found {
+    fn asked_back(&self, short: Symbol) -> LineFinding {
         let name = self.alphabet.symbols.entry(short).name.clone();
-        Found::of(Verdict::Unreadable).because(format!("say what `{name}` stands for: it may be several things here"))
+        LineFinding::of(Verdict::Unreadable)
+            .because(format!("say what `{name}` stands for: it may be several things here"))
     }
 
     /// The finding on the best reading of a statement.
@@ -250,16 +251,16 @@ impl<'a> Judge<'a> {
         text: &str,
         instead: &[(Symbol, Expr)],
         search: Search,
-    ) -> Result<(Found, Written), Box<Found>> {
-        let because = |detail: String| Box::new(Found::of(Verdict::Unreadable).because(detail));
+    ) -> Result<(LineFinding, Written), Box<LineFinding>> {
+        let because = |detail: String| Box::new(LineFinding::of(Verdict::Unreadable).because(detail));
         let readings = readings(text, &self.alphabet, self.before.as_ref(), self.mark, instead);
         let readings = readings.map_err(|fault| match fault {
-            NoLine::NoStatement => Box::new(Found::of(Verdict::Remark)),
+            NoLine::NoStatement => Box::new(LineFinding::of(Verdict::Remark)),
             NoLine::NothingBefore => because("it begins with a sign, and no line stands before it".to_owned()),
             NoLine::Integral(fault) => because(fault.said().to_owned()),
             NoLine::Unreadable(fault) => because(said(&fault, &self.printed_names())),
         })?;
-        let mut best: Option<(Found, Written)> = None;
+        let mut best: Option<(LineFinding, Written)> = None;
         let in_units: Vec<Written> = readings.iter().filter_map(|written| self.in_unit_of_result(written)).collect();
         for mut reading in readings.into_iter().chain(in_units) {
             self.measure_results(&mut reading);
@@ -268,11 +269,11 @@ impl<'a> Judge<'a> {
                 best = Some((found, reading));
             }
         }
-        best.ok_or_else(|| Box::new(Found::of(Verdict::Remark)))
+        best.ok_or_else(|| Box::new(LineFinding::of(Verdict::Remark)))
     }
 
     /// Takes what is found of a reading.
-    pub(crate) fn take(&mut self, found: Found, reading: Written) -> Found {
+    pub(crate) fn take(&mut self, found: LineFinding, reading: Written) -> LineFinding {
         self.is_in_letters &= reading.is_in_letters();
         if found.verdict.is_wrong() {
             // Of several values of one quantity the last counts: a list of guesses is worth no more than one.
@@ -289,7 +290,7 @@ impl<'a> Judge<'a> {
         names.collect()
     }
 
-    fn judged(&self, line: &Written, search: Search) -> Found {
+    fn judged(&self, line: &Written, search: Search) -> LineFinding {
         let place = self.ground.place(&self.base);
         let value = |symbol: Symbol| place.value(symbol);
         let at = At { value: &value, units: self.units, turned: &self.turned };
@@ -301,7 +302,7 @@ impl<'a> Judge<'a> {
         let sets = match without_clash(line, &sets) {
             Ok(sets) => sets,
             Err(_) if has_given || line.has_own => sets,
-            Err(clash) => return Found::of(Verdict::Dimensions).because(clash),
+            Err(clash) => return LineFinding::of(Verdict::Dimensions).because(clash),
         };
         let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
         let best = here.iter().copied().min().unwrap_or(Holds::Open);
@@ -312,7 +313,7 @@ impl<'a> Judge<'a> {
                 let holds = self.in_units_of_sheet(line, place, &sets);
                 holds.unwrap_or_else(|| match search {
                     Search::Mistakes => self.failing(line, place, &sets, &at),
-                    Search::Truth => Found::of(Verdict::DoesNotFollow),
+                    Search::Truth => LineFinding::of(Verdict::DoesNotFollow),
                 })
             }
         }

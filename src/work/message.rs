@@ -1,12 +1,12 @@
 //! The words for what is found of a line.
 
-use super::found::Found;
+use super::found::LineFinding;
 use super::judge::Judge;
 use super::verdict::{Verdict, list};
 
 impl Judge<'_> {
     /// The message to the student about a line.
-    pub(crate) fn message(&self, found: &Found, laws: &[&str]) -> String {
+    pub(crate) fn message(&self, found: &LineFinding, laws: &[&str]) -> String {
         let by =
             |before: &str| if laws.is_empty() { before.to_owned() } else { format!("{before}, by {}", list(laws)) };
         match found.verdict {
@@ -36,7 +36,7 @@ impl Judge<'_> {
         }
     }
 
-    fn mistaken(&self, found: &Found) -> String {
+    fn mistaken(&self, found: &LineFinding) -> String {
         let earlier =
             found.mistakes.iter().find_map(|mistake| self.mistakes.iter().find(|(id, _)| *id == mistake.of.id));
         if let Some((_, line)) = earlier {

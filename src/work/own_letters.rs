@@ -8,7 +8,7 @@ use momentous_grade::Unreadable;
 use momentous_grade::UnreadableKind;
 use momentous_quantity::Rational;
 
-use super::found::Found;
+use super::found::LineFinding;
 use super::holds::coherent_value;
 use super::judge::{Judge, Search};
 use super::meaning::meanings;
@@ -27,7 +27,7 @@ const LONGEST_LETTER: usize = 3;
 impl Judge<'_> {
     /// Takes a line that begins with a letter that the problem does not have, as what that letter stands for; where the line goes on,
     /// the rest is judged.
-    pub(crate) fn own_letter(&mut self, text: &str) -> Option<Found> {
+    pub(crate) fn own_letter(&mut self, text: &str) -> Option<LineFinding> {
         let sides = sides(text)?;
         let [alternatives] = sides.as_slice() else { return None };
         let [chain] = alternatives.as_slice() else { return None };
@@ -60,7 +60,7 @@ impl Judge<'_> {
         let read =
             read.filter(|reading| !reading.as_ref().is_err_and(is_unknown_name)).collect::<Result<Vec<_>, _>>().ok()?;
         let is_whole = read.len() == rest.len() && rest.len() > 1;
-        let found = if is_whole { self.stated(&rest.join(" = ")) } else { Found::of(Verdict::Definition) };
+        let found = if is_whole { self.stated(&rest.join(" = ")) } else { LineFinding::of(Verdict::Definition) };
         let is_in_letters =
             |(sum, line): &&(Expr, Written)| sum.symbols().iter().any(|symbol| line.number(*symbol).is_none());
         // Where a short name in it may stand for several quantities, it stands for that with which the rest of the line holds.
@@ -82,7 +82,7 @@ impl Judge<'_> {
             }
         }
         let wrong = found.verdict.is_wrong();
-        Some(if wrong { found } else { Found { detail: name.to_owned(), ..Found::of(Verdict::OwnLetter) } })
+        Some(if wrong { found } else { LineFinding { detail: name.to_owned(), ..LineFinding::of(Verdict::OwnLetter) } })
     }
 
     /// The number that several sides are: the first, where the last is as it was rounded.
@@ -98,7 +98,7 @@ impl Judge<'_> {
     }
 
     /// The finding on a chain without those of its sides in which a letter is not known; `None` where no two are left.
-    pub(crate) fn with_readable_sides(&mut self, text: &str) -> Option<Found> {
+    pub(crate) fn with_readable_sides(&mut self, text: &str) -> Option<LineFinding> {
         let sides = sides(text)?;
         let [alternatives] = sides.as_slice() else { return None };
         let [chain] = alternatives.as_slice() else { return None };
@@ -117,7 +117,7 @@ impl Judge<'_> {
 
     /// The finding on a statement with one letter that the problem does not have, where it holds if that letter is one quantity
     /// of the scene, and for no other.
-    pub(crate) fn with_letter_guessed(&mut self, text: &str) -> Option<Found> {
+    pub(crate) fn with_letter_guessed(&mut self, text: &str) -> Option<LineFinding> {
         let fault = readings(text, &self.alphabet, self.before.as_ref(), self.mark, &[]).err()?;
         let NoLine::Unreadable(Unreadable { kind: UnreadableKind::UnknownName { name: unknown, .. }, .. }) = fault
         else {
@@ -127,7 +127,7 @@ impl Judge<'_> {
             return None;
         }
         let known = self.alphabet.clone();
-        let mut holding: Vec<(Alphabet, Found, Written)> = Vec::new();
+        let mut holding: Vec<(Alphabet, LineFinding, Written)> = Vec::new();
         let told = self.ground.told.clone();
         let sought: BTreeSet<Symbol> = self.ground.used_symbols().difference(&told).copied().collect();
         for symbol in told.iter().chain(&sought) {

@@ -125,7 +125,7 @@ pub(crate) fn is_sentence(text: &str) -> bool {
     words(text).windows(2).any(|pair| pair.iter().all(is_word))
 }
 
-/// Where the equation begins, behind the last word that leads up to one.
+/// The beginning of the equation, behind the last word that leads up to one.
 fn before(text: &str) -> usize {
     let words = words(text);
     let leads = |word: &str| {
@@ -152,7 +152,7 @@ fn before(text: &str) -> usize {
     if is_left_out && lead + 1 < words.len() { start + word.len() } else { 0 }
 }
 
-/// Where the equation ends, before a remark behind it.
+/// The end of the equation, before a remark behind it.
 fn behind(text: &str, sign: usize) -> usize {
     let words = words(&text[sign..]);
     let is_word = |word: &str| {

@@ -26,8 +26,8 @@ pub(crate) fn named(line: &str, is_name: &dyn Fn(&str) -> bool) -> String {
 /// The next rate of a text from some place on: where it starts and ends, and of what it is one.
 fn next(text: &str, from: usize) -> Option<(usize, usize, String)> {
     let rest = text.get(from..)?;
-    let found = [quotient(rest), fraction(rest), dotted(rest)];
-    let (start, end, of) = found.into_iter().flatten().min_by_key(|place| place.0)?;
+    let rates = [quotient(rest), fraction(rest), dotted(rest)];
+    let (start, end, of) = rates.into_iter().flatten().min_by_key(|place| place.0)?;
     Some((from + start, from + end, bare(of)))
 }
 

@@ -154,8 +154,8 @@ impl WrongSystems {
                 let here = holds(&way, place, (line, set, at));
                 let elsewhere = || {
                     let places = ground.places().take(VARIANTS);
-                    let found: Vec<Holds> = places.map(|place| holds(&way, place, (line, set, at))).collect();
-                    found.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
+                    let holds_there: Vec<Holds> = places.map(|place| holds(&way, place, (line, set, at))).collect();
+                    holds_there.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
                 };
                 match here {
                     Holds::Yes if set.is_general(line) => elsewhere(),
@@ -202,7 +202,7 @@ fn differences<'g>(
     at: &At<'_>,
 ) -> Vec<Vec<(Place<'g>, Difference)>> {
     let places: Vec<Place<'g>> = std::iter::once(place).chain(ground.places()).collect();
-    let mut found = Vec::new();
+    let mut combinations = Vec::new();
     for set in meanings.iter().filter(|set| set.is_general(line)) {
         for statement in line.statements() {
             let each = places.iter().map(|place| {
@@ -210,8 +210,8 @@ fn differences<'g>(
                 let at = At { value: &value, units: at.units, turned: at.turned };
                 Some((*place, at.difference(line, statement, set)?))
             });
-            found.extend(each.collect::<Option<Vec<_>>>());
+            combinations.extend(each.collect::<Option<Vec<_>>>());
         }
     }
-    found
+    combinations
 }

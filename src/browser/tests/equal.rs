@@ -45,7 +45,7 @@ fn call(name: &str, request: &Value) -> Value {
     json!({ "call": { "name": name, "request": request } })
 }
 
-/// What a page would ask of every problem: its sheets and solutions, and marks for typed answers.
+/// Requests of a page for every problem: its sheets and solutions, and marks for typed answers.
 fn requests(desk: &mut Desk) -> Vec<String> {
     let bank = Bank::built_in();
     let files = bank.sources().map(|source| json!({ "name": *source.name, "text": *source.text }));

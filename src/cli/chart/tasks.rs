@@ -21,7 +21,7 @@ fn names() -> impl Iterator<Item = &'static str> {
     all.filter(|name| *name != CONTACT)
 }
 
-/// What happens in a task.
+/// The description of a task.
 pub(super) fn about(name: &str) -> Option<&'static str> {
     let line = ON_A_LINE.iter().map(|task| (task.name, task.about));
     let plane = IN_THE_PLANE.iter().map(|task| (task.name, task.about));

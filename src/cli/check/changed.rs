@@ -9,7 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::pages::templates;
 use crate::fault::Source;
 
-/// Of these files those that differ from a revision, or whose course settings or templates do.
+/// Selects the files that differ from a revision, or whose course settings or templates do.
 pub(super) fn since(revision: &str, sources: Vec<Source>) -> Result<Vec<Source>, Failure> {
     let top = PathBuf::from(git(&["rev-parse", "--show-toplevel"])?.trim_end());
     // What is not known to git yet has changed, too.

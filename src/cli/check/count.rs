@@ -1,6 +1,6 @@
 //! Numbers of things in words.
 
-/// So many of something: `1 problem`, `2 problems`.
+/// A number of something: `1 problem`, `2 problems`.
 pub(super) fn count(number: usize, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }

@@ -1,4 +1,4 @@
-//! What fails, for the end of a log, for the page of a change, and for the page of a CI job.
+//! Failures for the end of a log, for the page of a change, and for the page of a CI job.
 
 use std::io::Write;
 use std::path::Path;

@@ -9,7 +9,7 @@ use crate::fault::{Faults, Source};
 
 use super::count::count;
 
-/// What was found of the files of homework.
+/// Findings on the files of homework.
 #[derive(Debug, Default)]
 pub(super) struct Homeworks {
     /// Those that are in order, each in a line.

@@ -232,8 +232,8 @@ fn write_form(output: &mut Output, form: &FormAudit, style: Style) -> Result<(),
     }
     witnessed::write_form(output, &form.simulation)?;
     let with_outcome = |wanted: &str| -> Vec<&str> {
-        let found = form.promises.iter().filter(|finding| finding.outcome.name() == wanted);
-        found.map(|finding| finding.promise.name()).collect()
+        let findings = form.promises.iter().filter(|finding| finding.outcome.name() == wanted);
+        findings.map(|finding| finding.promise.name()).collect()
     };
     for finding in &form.promises {
         match &finding.outcome {
@@ -285,7 +285,7 @@ fn spread_table(answers: &[AnswerSpread]) -> Vec<String> {
     [table, choices].concat()
 }
 
-/// So many phrases are listed one by one: every order of four quantities.
+/// The number of phrases that are listed one by one: every order of four quantities.
 const MOST_PHRASES: usize = 24;
 
 /// The right phrases; where they differ from seed to seed, how often each.

@@ -5,7 +5,7 @@ use crate::render::Page;
 use crate::render::Sheet;
 use crate::render::SheetPlace;
 
-/// What heads them.
+/// The heading over them.
 const TITLE: &str = "Problems";
 
 /// Sheets in the order in which they come, until those of the next student.
@@ -54,7 +54,7 @@ mod tests {
         let mut pages: Vec<Page> =
             ["Ann", "Ann", "Ben", "Ben"].into_iter().flat_map(|name| bound.add(sheet(name))).collect();
         pages.extend(bound.finish());
-        let seen = pages.iter().map(|page| match page {
+        let shown = pages.iter().map(|page| match page {
             Page::Sheet(sheet) => {
                 (sheet.place.as_ref().map(|place| (place.number, place.heading.is_some())), sheet.student.as_deref())
             }
@@ -66,6 +66,6 @@ mod tests {
             (Some((1, true)), Some("Ben")),
             (Some((2, false)), None),
         ];
-        assert!(seen.eq(expected));
+        assert!(shown.eq(expected));
     }
 }

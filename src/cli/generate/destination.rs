@@ -1,4 +1,4 @@
-//! Where documents go.
+//! Destinations of documents.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::cli::output::is_device;
 /// The file that says who has which seed.
 pub(in crate::cli) const SEEDS: &str = "seeds.csv";
 
-/// Where documents go.
+/// The destination of documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Destination {
     /// To standard output, as one document.

@@ -1,4 +1,4 @@
-//! What an earlier run left at the same place: nothing of it is lost, and what no run will write again is named.
+//! Remains of an earlier run at the same place: nothing of it is lost, and what no run will write again is named.
 
 use std::collections::BTreeSet;
 use std::path::Path;

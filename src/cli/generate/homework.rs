@@ -14,7 +14,7 @@ use super::job::Wanted;
 /// The table into which answers are written.
 const ANSWERS: &str = "answers.csv";
 
-/// What is on each sheet: the problems of the homework where one is named, else one problem, in the form of that name.
+/// The questions on each sheet: the problems of the homework where one is named, else one problem, in the form of that name.
 pub(super) fn wanted(names: &[String], form: Option<&str>, secret: Option<&[u8]>) -> Result<Wanted, Failure> {
     let Some((source, homework)) = open::homework(names, secret)? else {
         let problems = open::problems(names, secret)?;

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::bank::Homework;
 use crate::cli::failure::Failure;
-use crate::cli::pages::Shown;
+use crate::cli::pages::SolutionOptions;
 use crate::exercise::Drawer;
 use crate::exercise::Exercise;
 use crate::exercise::SeedSource;
@@ -23,7 +23,7 @@ use super::asked::Asked;
 use super::asked::said;
 use super::roster::Sitter;
 
-/// What is on each sheet.
+/// Questions on each sheet.
 #[derive(Clone, Debug)]
 pub(super) enum Wanted {
     /// One problem: each has sheets of its own.
@@ -38,7 +38,7 @@ pub(super) struct Job {
     /// Its problems, each with its seed.
     questions: Vec<(Asked, u64)>,
     homework: Option<Arc<Homework>>,
-    /// What stands for the seeds in the name of its files.
+    /// The number that stands for the seeds in the name of its files.
     number: u64,
     scheme: Scheme,
     sitter: Option<Sitter>,
@@ -160,7 +160,7 @@ impl Job {
     }
 
     /// The worked solutions.
-    pub(super) fn solutions(&self, exercises: &[Exercise], shown: Shown) -> Vec<Page> {
+    pub(super) fn solutions(&self, exercises: &[Exercise], shown: SolutionOptions) -> Vec<Page> {
         let page = |(exercise, (asked, _)): (&Exercise, &(Asked, u64))| {
             let mut solution = shown.solution(exercise);
             if let Some((number, _)) = &asked.slot {
@@ -182,7 +182,7 @@ impl Job {
     }
 
     /// The data, with the student; of a homework one object with its problems.
-    pub(super) fn record(&self, shown: Option<Shown>, renderer: &Renderer) -> Result<Value, Failure> {
+    pub(super) fn record(&self, shown: Option<SolutionOptions>, renderer: &Renderer) -> Result<Value, Failure> {
         let mut records = Vec::new();
         for (exercise, (asked, _)) in self.exercises()?.iter().zip(&self.questions) {
             let solution = shown.map(|shown| shown.markdown(renderer, exercise)).transpose()?;
@@ -213,7 +213,7 @@ impl Job {
         }
     }
 
-    /// What it is, in a message.
+    /// The name in a message.
     pub(super) fn said(&self) -> String {
         let asked = match (&self.homework, self.questions.first()) {
             (Some(homework), _) => homework.title.clone(),

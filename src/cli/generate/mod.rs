@@ -34,8 +34,8 @@ use super::open;
 use super::open::Secret;
 use super::output;
 use super::output::Output;
-use super::pages::Held;
-use super::pages::Shown;
+use super::pages::HtmlOptions;
+use super::pages::SolutionOptions;
 use super::printer::Printer;
 
 use bound::Bound;
@@ -61,7 +61,7 @@ Examples:
 A roster is a CSV file with a column `id`, or `name`, or both. Each student gets individual numbers, and seeds.csv says who has which seed. The name of a folder after -o ends with a slash, unless the folder exists. The key and seeds.csv are written next to it, into a separate folder for the teacher: sheets-teacher/. With --roster or --secret so do solutions and
 JSON, which hold answers, too. The same problem, seed and form give the same numbers on every computer.";
 
-/// What the name of a solution has behind that of its sheet.
+/// The ending by which the name of a solution differs from that of its sheet.
 const SOLUTION: &str = "-solution";
 
 /// Make problem sheets, with solutions and a key if wanted
@@ -102,9 +102,9 @@ pub(super) struct Generate {
     #[arg(short, long, value_name = "FILE|FOLDER")]
     output: Option<PathBuf>,
     #[command(flatten)]
-    shown: Shown,
+    shown: SolutionOptions,
     #[command(flatten)]
-    held: Held,
+    held: HtmlOptions,
     #[command(flatten)]
     secret: Secret,
 }

@@ -25,7 +25,7 @@ pub(super) fn distinct(texts: &[String]) -> Vec<String> {
     texts.iter().map(name).collect()
 }
 
-/// What two names have in common that some file system may take for one: capitals count as small letters, and a letter beyond
+/// Folds a name into the form that some file system may take for the same: capitals count as small letters, and a letter beyond
 /// ASCII as any other, because it may be written in several ways.
 fn folded(name: &str) -> String {
     let mut folded = String::new();

@@ -65,7 +65,7 @@ impl Changes {
         let old = table::open(path)?;
         let mut columns = [0; READ.len()];
         for (index, heading) in READ.iter().enumerate() {
-            let column = old.column(heading).map_err(|message| table::of(path, &message))?;
+            let column = old.column(heading).map_err(|message| table::failure(path, &message))?;
             columns[index] = column.ok_or_else(|| {
                 let help = "give the file that an earlier `momentous grade -o` wrote";
                 Failure::unusable(format!("{} has no column `{heading}`\nhelp: {help}", path.display()))
@@ -135,7 +135,7 @@ impl Changes {
         Ok(self.next.clone())
     }
 
-    /// What a row of the earlier marks is about, and the mark.
+    /// Reads the subject of a row of the earlier marks, and the mark.
     fn read(&self, row: &Row) -> ([String; KEYS], Mark) {
         let cell = |place: usize| row.cell(self.columns[place]).to_owned();
         (std::array::from_fn(cell), std::array::from_fn(|place| cell(KEYS + place)))

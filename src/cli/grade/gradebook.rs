@@ -41,7 +41,7 @@ pub(super) enum Attempts {
 impl Attempts {
     /// The points that count of those of the attempts, the earliest first.
     fn counted(self, attempts: &[Rational]) -> Rational {
-        let found = match self {
+        let points = match self {
             Self::Best => attempts.iter().max().cloned(),
             Self::Last => attempts.last().cloned(),
             Self::First => attempts.first().cloned(),
@@ -50,7 +50,7 @@ impl Attempts {
                 (!attempts.is_empty()).then(|| sum / Rational::from(attempts.len()))
             }
         };
-        found.unwrap_or(Rational::ZERO)
+        points.unwrap_or(Rational::ZERO)
     }
 }
 

@@ -39,10 +39,10 @@ pub(super) struct Answers {
     pub(super) title: String,
 }
 
-/// What a table of seeds says of the sheets of a homework.
+/// The sheets of a homework in a table of seeds.
 pub(super) fn drawn(path: &Path, homework: &Homework) -> Result<Drawn, Failure> {
     let mut seeds = table::whole(path)?;
-    let failed = |message: String| table::of(path, &message);
+    let failed = |message: String| table::failure(path, &message);
     let needed = |column: Result<Option<usize>, String>, heading: &str| {
         let help = "give the seeds.csv that `momentous generate` wrote for this homework";
         column.and_then(|column| column.ok_or_else(|| format!("there is no column `{heading}`\nhelp: {help}")))
@@ -102,16 +102,16 @@ pub(super) fn derived(
 /// Reads a table of answers. All problems of a homework are marked, those without an answer, too.
 pub(super) fn answers(path: &Path, homework: &Homework, drawn: &Drawn) -> Result<Answers, Failure> {
     let mut table = table::whole(path)?;
-    let failed = |message: String| table::of(path, &message);
+    let failed = |message: String| table::failure(path, &message);
     let columns = columns(table.headings(), homework).map_err(failed)?;
     let mut firsts: BTreeMap<String, u64> = BTreeMap::new();
-    let mut found: Vec<((u64, usize, u64), Next)> = Vec::new();
+    let mut rows: Vec<((u64, usize, u64), Next)> = Vec::new();
     let mut worths = Worths::new();
     while let Some((line, row)) = table.next_row() {
         let cells: Vec<String> = match row {
             Ok(row) => (0..columns.len()).map(|column| row.cell(column).to_owned()).collect(),
             Err(message) => {
-                found.push(((line, 0, line), Err((Place::Line(line), message))));
+                rows.push(((line, 0, line), Err((Place::Line(line), message))));
                 continue;
             }
         };
@@ -123,7 +123,7 @@ pub(super) fn answers(path: &Path, homework: &Homework, drawn: &Drawn) -> Result
         let first = *firsts.entry(student.to_owned()).or_insert(line);
         if !drawn.keys().any(|(sitter, _)| sitter == student) {
             let message = format!("no sheet of this homework was made for `{}`", excerpt(student));
-            found.push(((first, 0, line), Err((Place::Line(line), message))));
+            rows.push(((first, 0, line), Err((Place::Line(line), message))));
             continue;
         }
         for (slot, number) in homework.slots.iter().zip(1..) {
@@ -142,21 +142,21 @@ pub(super) fn answers(path: &Path, homework: &Homework, drawn: &Drawn) -> Result
                 }
             }
             let next = Submission::of_row(Place::Line(line), &named, texts.into_iter());
-            found.push(((first, number, line), next.map_err(|message| (Place::Line(line), message))));
+            rows.push(((first, number, line), next.map_err(|message| (Place::Line(line), message))));
         }
     }
     // Attempts at one problem stand together.
-    found.sort_by_key(|(place, _)| *place);
-    let submissions = found.into_iter().map(|((.., line), next)| (line, next)).collect();
+    rows.sort_by_key(|(place, _)| *place);
+    let submissions = rows.into_iter().map(|((.., line), next)| (line, next)).collect();
     Ok(Answers { submissions, worths, title: homework.title.clone() })
 }
 
-/// What stands under a heading.
+/// Headings of tables, and what stands under each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Heading {
     Student,
     Attempt,
-    /// What is for people.
+    /// A column for people.
     Nothing,
     /// The number of the problem, and the name of its part.
     Part(usize, String),

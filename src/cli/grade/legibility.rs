@@ -31,7 +31,7 @@ impl Legibility {
         }
     }
 
-    /// What there is to say where most answers could not be read, with this mark.
+    /// The remark where most answers could not be read, with this mark.
     pub(super) fn told(&self, mark: Mark) -> Option<String> {
         let Self { answered, unread, of_marks } = *self;
         if unread * 2 <= answered {

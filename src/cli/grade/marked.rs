@@ -14,14 +14,14 @@ use crate::grade::RowCounts;
 
 use super::legibility::Legibility;
 use super::portion_marker::PortionMarker;
-use super::problems::Met;
+use super::problems::OpenProblem;
 use super::register::{Entered, Entry, Question};
 use super::sink::{MarksFormat, Rows};
 
 /// Submissions that one core marks in one go: few enough to stay in its cache, for they are not marked in their order.
 const PORTION: usize = 1024;
 
-/// What was found about a submission.
+/// A submission with its marks, or the reason why it has none.
 pub(super) enum Marked {
     /// Its report, for those who want to read it.
     Report(Box<(Entry, Report)>),
@@ -31,11 +31,11 @@ pub(super) enum Marked {
     Refused(Place, String),
 }
 
-/// What became of a portion.
+/// The result of a portion.
 pub(super) struct Portion {
     /// The rows of the result.
     pub rows: Vec<u8>,
-    /// What is to be told, in the order of the submissions.
+    /// The messages, in the order of the submissions.
     pub marked: Vec<Marked>,
     /// Whether everything that counts is right.
     pub is_right: bool,
@@ -48,7 +48,7 @@ pub(super) struct Portion {
 /// Marks a chunk. It has all attempts of a student at a question, or none.
 pub(super) fn marked(
     chunk: Vec<Entered>,
-    problems: &[Arc<Met>],
+    problems: &[Arc<OpenProblem>],
     format: MarksFormat,
     keep: bool,
 ) -> Result<Vec<Portion>, Failure> {
@@ -110,7 +110,7 @@ fn at_one_desk(
     Ok(portion)
 }
 
-/// What became of one group of attempts: its place in the portion, and its rows among those that were written.
+/// The result of one group of attempts: its place in the portion, and its rows among those that were written.
 struct Done {
     place: usize,
     rows: Range<usize>,
@@ -249,7 +249,7 @@ mod tests {
         format!("student,problem,seed,form,attempt,fastest\n{}", rows.collect::<String>())
     }
 
-    /// What becomes of the rows of a file.
+    /// Counts the rows of a file by what becomes of them.
     fn counted(path: &Path, problems: Problems) -> RowCounts {
         let mut reader = Reader::new(Source::open(path).unwrap(), Register::new(problems, None, Scheme::default()));
         let mut counts = RowCounts::default();

@@ -8,7 +8,7 @@ use super::source::Source;
 /// The rows of a file in the order in which they are marked: those of one student at one sheet where the first of them stands.
 pub(super) struct Order(std::vec::IntoIter<Stand>);
 
-/// Where a row stands.
+/// The position of a row.
 struct Stand {
     /// The first row, counted from 0, of the same student at the same sheet.
     first: u64,

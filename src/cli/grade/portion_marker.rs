@@ -10,13 +10,13 @@ use crate::exercise::Try;
 use crate::grade::Report;
 use crate::grade::Seen;
 
-use super::problems::Met;
+use super::problems::OpenProblem;
 use super::register::{Entry, Question};
 
-/// What marks the submissions of a portion.
+/// The marker of a portion's submissions.
 pub(super) struct PortionMarker<'p> {
     /// The problems, by their positions.
-    problems: &'p [Arc<Met>],
+    problems: &'p [Arc<OpenProblem>],
     forms: Vec<Form<'p>>,
     /// The position of the form that was asked for last: submissions to the same one often stand together.
     last: usize,
@@ -32,7 +32,7 @@ struct Form<'p> {
 }
 
 impl<'p> PortionMarker<'p> {
-    pub(super) fn new(problems: &'p [Arc<Met>]) -> Self {
+    pub(super) fn new(problems: &'p [Arc<OpenProblem>]) -> Self {
         Self { problems, forms: Vec::new(), last: 0 }
     }
 
@@ -47,7 +47,7 @@ impl<'p> PortionMarker<'p> {
         let mut order: Vec<(usize, &Entry)> = attempts.iter().enumerate().collect();
         order.sort_by_key(|(_, attempt)| attempt.facts.attempt);
         let before = order.first().and_then(|(_, attempt)| attempt.facts.attempt).map_or(0, |number| number - 1);
-        let tries: Vec<Try<'_>> = order.iter().map(|(_, attempt)| of(attempt)).collect();
+        let tries: Vec<Try<'_>> = order.iter().map(|(_, attempt)| attempt_of(attempt)).collect();
         let marked = marker.mark_attempts(exercise.worked(), &tries, before);
         let mut reports: Vec<(usize, Report)> =
             order.iter().zip(marked).map(|((place, _), report)| (*place, report)).collect();
@@ -72,10 +72,10 @@ impl<'p> PortionMarker<'p> {
 }
 
 impl<'p> Form<'p> {
-    fn new(problems: &'p [Arc<Met>], question: Question) -> Option<Self> {
-        let met = problems.get(question.problem)?;
-        let marker = met.markers.get(question.form)?.clone();
-        let drawer = Drawer::new(&met.problem, question.form).ok()?;
+    fn new(problems: &'p [Arc<OpenProblem>], question: Question) -> Option<Self> {
+        let opened = problems.get(question.problem)?;
+        let marker = opened.markers.get(question.form)?.clone();
+        let drawer = Drawer::new(&opened.problem, question.form).ok()?;
         Some(Self { asked: [question.problem, question.form], marker, drawer, last: None })
     }
 
@@ -98,12 +98,12 @@ impl<'p> Form<'p> {
 }
 
 /// The answers of a submission, and the hints that were seen.
-fn of(entry: &Entry) -> Try<'_> {
+fn attempt_of(entry: &Entry) -> Try<'_> {
     let answers: Vec<(&str, &str)> = entry.submission.answers().collect();
     let Seen { hints, further } = entry.facts.seen;
     let further_hints = match further {
         0 => Vec::new(),
-        seen => answers.iter().map(|(part, _)| (*part, seen)).collect(),
+        hints => answers.iter().map(|(part, _)| (*part, hints)).collect(),
     };
     Try { answers, hints, further_hints, ..Try::default() }
 }

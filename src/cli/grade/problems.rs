@@ -22,14 +22,14 @@ pub(super) struct Problems {
     secret: Option<Vec<u8>>,
     mark: DecimalMark,
     /// The problems that are open, in the order in which they were met.
-    open: Vec<Arc<Met>>,
+    open: Vec<Arc<OpenProblem>>,
     /// The same by identity, or why there is none.
-    met: BTreeMap<String, Result<Arc<Met>, String>>,
+    by_id: BTreeMap<String, Result<Arc<OpenProblem>, String>>,
     suggestions: u32,
 }
 
 /// A problem with a marker for each of its forms.
-pub(super) struct Met {
+pub(super) struct OpenProblem {
     /// Its position among those that are open.
     pub(super) place: usize,
     pub(super) problem: Arc<Problem>,
@@ -45,18 +45,18 @@ impl Problems {
             secret,
             mark,
             open: Vec::new(),
-            met: BTreeMap::new(),
+            by_id: BTreeMap::new(),
             suggestions: MOST_SUGGESTIONS,
         };
         let named = if named.is_empty() { Vec::new() } else { open::problems(named, problems.secret.as_deref())? };
         for problem in named {
             let id = problem.id().to_owned();
             let before = problem.drawn_as().to_owned();
-            let met = problems.add(problem);
+            let opened = problems.add(problem);
             if before != id {
-                problems.met.entry(before).or_insert_with(|| Ok(Arc::clone(&met)));
+                problems.by_id.entry(before).or_insert_with(|| Ok(Arc::clone(&opened)));
             }
-            if problems.met.insert(id.clone(), Ok(met)).is_some() {
+            if problems.by_id.insert(id.clone(), Ok(opened)).is_some() {
                 let message = format!("two of the problems named have the identity `{id}`");
                 return Err(Failure::unusable(format!("{message}\nhelp: give one of them another `id`")));
             }
@@ -65,47 +65,47 @@ impl Problems {
     }
 
     /// The problems that are open, by their positions.
-    pub(super) fn open(&self) -> &[Arc<Met>] {
+    pub(super) fn open(&self) -> &[Arc<OpenProblem>] {
         &self.open
     }
 
     /// Forgets what was told of names and files.
     pub(super) fn begin_again(&mut self) {
         self.suggestions = MOST_SUGGESTIONS;
-        self.met.retain(|_, met| met.is_ok());
+        self.by_id.retain(|_, opened| opened.is_ok());
     }
 
     /// The problem with that identity.
-    pub(super) fn find(&mut self, id: &str) -> Result<Arc<Met>, String> {
-        match self.met.get(id) {
-            Some(met) => return met.clone(),
+    pub(super) fn find(&mut self, id: &str) -> Result<Arc<OpenProblem>, String> {
+        match self.by_id.get(id) {
+            Some(opened) => return opened.clone(),
             None if self.bank.ids().any(|listed| listed == id) => {}
             None => {
                 let renamed = self.bank.renamed(id).map(str::to_owned).ok_or_else(|| self.unknown(id))?;
-                let met = self.find(&renamed)?;
-                self.met.insert(id.to_owned(), Ok(Arc::clone(&met)));
-                return Ok(met);
+                let opened = self.find(&renamed)?;
+                self.by_id.insert(id.to_owned(), Ok(Arc::clone(&opened)));
+                return Ok(opened);
             }
         }
         let source = self.bank.find(id).cloned().map_err(|faults| faults.to_string())?;
         let (kept, result) = match open::compiled(source, self.secret.as_deref()) {
             Ok(problem) => {
-                let met = self.add(problem);
-                (Ok(met.clone()), Ok(met))
+                let opened = self.add(problem);
+                (Ok(opened.clone()), Ok(opened))
             }
             // The faults of a file are told once, not with each row.
             Err(failure) => (Err(format!("{id} does not load; see the message above")), Err(failure.to_string())),
         };
-        self.met.insert(id.to_owned(), kept);
+        self.by_id.insert(id.to_owned(), kept);
         result
     }
 
-    fn add(&mut self, problem: Arc<Problem>) -> Arc<Met> {
+    fn add(&mut self, problem: Arc<Problem>) -> Arc<OpenProblem> {
         let forms = 0..problem.forms().len();
         let markers = forms.filter_map(|form| Marker::new(&problem, form, self.mark).ok()).collect();
-        let met = Arc::new(Met { place: self.open.len(), problem, markers });
-        self.open.push(met.clone());
-        met
+        let opened = Arc::new(OpenProblem { place: self.open.len(), problem, markers });
+        self.open.push(opened.clone());
+        opened
     }
 
     /// There is no such problem; for the first of these names the nearest known one is looked for.
@@ -118,7 +118,7 @@ impl Problems {
             return message;
         }
         self.suggestions -= 1;
-        let known = self.bank.ids().chain(self.met.keys().map(String::as_str));
+        let known = self.bank.ids().chain(self.by_id.keys().map(String::as_str));
         match did_you_mean(id, known) {
             Some(near) => format!("{message}\nhelp: did you mean `{near}`?"),
             None => format!(

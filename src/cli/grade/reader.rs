@@ -6,7 +6,7 @@ use crate::cli::failure::Failure;
 
 use super::marked::begins;
 use super::order::Order;
-use super::problems::Met;
+use super::problems::OpenProblem;
 use super::register::{Entered, Register};
 use super::source::Source;
 
@@ -48,7 +48,7 @@ impl Reader {
     }
 
     /// The problems that were met so far, by their positions.
-    pub(super) fn problems(&self) -> Vec<Arc<Met>> {
+    pub(super) fn problems(&self) -> Vec<Arc<OpenProblem>> {
         self.register.open().to_vec()
     }
 

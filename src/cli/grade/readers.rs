@@ -12,7 +12,7 @@ use super::changes::Changes;
 use super::gradebook::{Gradebook, Numbers, Students};
 use super::junit::Junit;
 use super::marked::Marked;
-use super::problems::Met;
+use super::problems::OpenProblem;
 use super::summary;
 
 /// Those that were asked for.
@@ -45,7 +45,7 @@ impl Readers {
     }
 
     /// Reads what was found about the next submission.
-    pub(super) fn read(&mut self, marked: &Marked, problems: &[Arc<Met>]) -> Result<(), Failure> {
+    pub(super) fn read(&mut self, marked: &Marked, problems: &[Arc<OpenProblem>]) -> Result<(), Failure> {
         let (entry, report) = match marked {
             Marked::Report(marked) => &**marked,
             Marked::NotIssued(..) => return Ok(()),
@@ -54,7 +54,9 @@ impl Readers {
             }
         };
         let question = entry.facts.question;
-        let Some(variant) = problems.get(question.problem).map(|met| met.variant(question)) else { return Ok(()) };
+        let Some(variant) = problems.get(question.problem).map(|opened| opened.variant(question)) else {
+            return Ok(());
+        };
         if let Some(gradebook) = &mut self.gradebook {
             gradebook.add(entry, report);
         }

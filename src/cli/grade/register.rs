@@ -1,4 +1,4 @@
-//! What is looked at before a submission is marked: the sheet that it answers, whose sheet that is, and which attempt it is.
+//! Checks before a submission is marked: the sheet that it answers, whose sheet that is, and which attempt it is.
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
@@ -24,13 +24,13 @@ use crate::grade::Seen;
 use crate::problem::Scheme;
 use crate::render::SeedWord;
 
-use super::problems::{Met, Problems};
+use super::problems::{OpenProblem, Problems};
 use super::worth::{Earned, Worth, Worths};
 
 /// A submission, or what is wrong where one should be.
 pub(super) type Next = Result<Submission, (Place, String)>;
 
-/// What was looked at.
+/// The entry of a submission, or its fault.
 pub(super) type Entered = Result<Entry, (Place, String)>;
 
 /// A submission that can be marked.
@@ -39,7 +39,7 @@ pub(super) struct Entry {
     pub facts: Facts,
 }
 
-/// What is known of a submission before it is marked.
+/// The facts about a submission before it is marked.
 #[derive(Clone, Debug)]
 pub(super) struct Facts {
     pub question: Question,
@@ -52,12 +52,12 @@ pub(super) struct Facts {
     pub attempt: Option<u32>,
     /// The hints that were seen.
     pub seen: Seen,
-    /// What the parts are worth in a homework.
+    /// The points of the parts in a homework.
     pub worth: Option<Arc<Worth>>,
 }
 
 impl Facts {
-    /// What a part earned.
+    /// The points that a part earned.
     pub(super) fn earned(&self, part: &PartReport) -> Earned {
         Earned::of(part, self.worth.as_deref())
     }
@@ -71,11 +71,11 @@ pub(super) struct Question {
     pub seed: u64,
 }
 
-/// What is known of the class so far.
+/// The facts about the class so far.
 pub(super) struct Register {
     problems: Problems,
     sheets: Option<Sheets>,
-    /// What sheets are worth in a homework.
+    /// The points of sheets in a homework.
     worths: Worths,
     /// Whether every row is an attempt at a quiz of another program, of which each begins anew.
     begins_anew: bool,
@@ -86,7 +86,7 @@ pub(super) struct Register {
     looked_at: u64,
     of_other_secrets: u64,
     other_secret: Option<String>,
-    /// Where the numbered attempts of the student stand whose sheet was looked at last.
+    /// The places of the numbered attempts of the student whose sheet was looked at last.
     numbered: BTreeMap<u32, u64>,
     /// Problems that were changed after their sheets were made, by their positions; each is told once.
     changed: BTreeSet<usize>,
@@ -133,7 +133,7 @@ impl Register {
     }
 
     /// The problems that are open, by their positions.
-    pub(super) fn open(&self) -> &[Arc<Met>] {
+    pub(super) fn open(&self) -> &[Arc<OpenProblem>] {
         self.problems.open()
     }
 
@@ -142,12 +142,12 @@ impl Register {
         self.together.part();
     }
 
-    /// What a student and a sheet are known by; nothing where the row names none.
+    /// The number of a student and a sheet; none where the row names none.
     pub(super) fn sheet(&mut self, submission: &Submission) -> Option<u64> {
         let student = submission.key(Key::Student);
-        let met = self.problems.find(submission.key(Key::Problem)).ok().filter(|_| !student.is_empty())?;
-        let question = met.question(submission).ok()?;
-        Some(Together::sheet(student, met.variant(question)))
+        let opened = self.problems.find(submission.key(Key::Problem)).ok().filter(|_| !student.is_empty())?;
+        let question = opened.question(submission).ok()?;
+        Some(Together::sheet(student, opened.variant(question)))
     }
 
     /// Forgets what was told, before the submissions are read once more.
@@ -165,32 +165,32 @@ impl Register {
     }
 
     fn facts(&mut self, submission: &Submission, number: u64, place: impl Fn(u64) -> Place) -> Result<Facts, String> {
-        let met = self.problems.find(submission.key(Key::Problem))?;
+        let opened = self.problems.find(submission.key(Key::Problem))?;
         self.looked_at += 1;
         // Where it is known whose sheet is whose, a number says enough.
         let drawn = if self.sheets.is_some() { SheetSeed::of } else { SheetSeed::of_a_sheet };
-        if let Some(Err(message)) = seed_of(submission).ok().map(|seed| drawn(&seed, &met.problem)) {
+        if let Some(Err(message)) = seed_of(submission).ok().map(|seed| drawn(&seed, &opened.problem)) {
             self.of_other_secrets += 1;
             self.other_secret = Some(message.clone());
             return Err(message);
         }
-        self.check_spoilt(submission, &met)?;
-        let question = met.question(submission)?;
+        self.check_spoilt(submission, &opened)?;
+        let question = opened.question(submission)?;
         let attempt = submission.number(Key::Attempt, 1)?;
         let [hints, further] = [submission.number(Key::Hints, 0)?, submission.number(Key::FurtherHints, 0)?];
         let seen = Seen { hints: hints.unwrap_or(0), further: further.unwrap_or(0) };
-        met.asks(submission, question)?;
-        let (student, variant) = (submission.key(Key::Student), met.variant(question));
+        opened.asks(submission, question)?;
+        let (student, variant) = (submission.key(Key::Student), opened.variant(question));
         let said = self.said(submission)?;
         let (handed_out, not_issued) = match &self.sheets {
             None => (said, None),
-            Some(sheets) => match handed_out(sheets, student, variant, &met, question.form == 0) {
+            Some(sheets) => match handed_out(sheets, student, variant, &opened, question.form == 0) {
                 Ok(listed) => (HandedOut { given: listed.given.or(said.given), ..listed }, None),
                 Err(reason) => (said, Some(reason)),
             },
         };
-        met.check_digest(submission, &handed_out)?;
-        self.note_a_change(&met);
+        opened.check_digest(submission, &handed_out)?;
+        self.note_a_change(&opened);
         let is_beside = match self.together.add(student, variant, number) {
             Standing::First => false,
             Standing::Beside => !self.begins_anew,
@@ -224,13 +224,13 @@ impl Register {
     }
 
     /// Whether a spreadsheet has left the whole seed.
-    fn check_spoilt(&self, submission: &Submission, met: &Met) -> Result<(), String> {
+    fn check_spoilt(&self, submission: &Submission, opened: &OpenProblem) -> Result<(), String> {
         let (student, cell) = (submission.key(Key::Student), submission.key(Key::Seed));
         let Some(spoilt) = SpoiltSeed::read(cell) else { return Ok(()) };
         let name = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
-        let form = open::form(&met.problem, name).ok().and_then(|place| met.problem.forms().get(place));
+        let form = open::form(&opened.problem, name).ok().and_then(|place| opened.problem.forms().get(place));
         let form = form.and_then(|form| form.question.name.as_deref()).unwrap_or_default();
-        let issued = self.sheets.as_ref().and_then(|sheets| sheets.seed(student, met.problem.id(), form));
+        let issued = self.sheets.as_ref().and_then(|sheets| sheets.seed(student, opened.problem.id(), form));
         if issued.is_some_and(|seed| seed.to_string() == cell) {
             return Ok(());
         }
@@ -260,14 +260,14 @@ impl Register {
     }
 
     /// Says where the sheets were drawn from another version of a problem, once for each.
-    fn note_a_change(&mut self, met: &Met) {
-        let id = met.problem.id();
+    fn note_a_change(&mut self, opened: &OpenProblem) {
+        let id = opened.problem.id();
         let Some(then) = self.sheets.as_ref().and_then(|sheets| sheets.digest(id)) else { return };
-        if !met.is_drawn_from(then) && self.changed.insert(met.place) {
+        if !opened.is_drawn_from(then) && self.changed.insert(opened.place) {
             tell(&format!(
                 "note: the sheets of {id} were made from another version of it, which may draw other numbers: its digest was {then}, \
                  and is {}; each sheet is marked by the numbers that `given` says",
-                met.problem.loaded().digests.draw
+                opened.problem.loaded().digests.draw
             ));
         }
     }
@@ -278,16 +278,16 @@ fn handed_out(
     sheets: &Sheets,
     student: &str,
     variant: VariantRef<'_>,
-    met: &Met,
+    opened: &OpenProblem,
     is_first: bool,
 ) -> Result<HandedOut, NotIssued> {
-    let before = VariantRef { problem: met.problem.drawn_as(), ..variant };
+    let before = VariantRef { problem: opened.problem.drawn_as(), ..variant };
     sheets.handed_out(student, variant, is_first).or_else(|reason| {
         if before.problem == variant.problem { Err(reason) } else { sheets.handed_out(student, before, is_first) }
     })
 }
 
-impl Met {
+impl OpenProblem {
     /// The variant that a submission says that it answers.
     fn question(&self, submission: &Submission) -> Result<Question, String> {
         let name = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
@@ -316,7 +316,7 @@ impl Met {
         ))
     }
 
-    /// What is answered, by its names.
+    /// The variant that is answered, by its names.
     pub(super) fn variant(&self, question: Question) -> VariantRef<'_> {
         let form = self.problem.forms().get(question.form).and_then(|form| form.question.name.as_deref());
         VariantRef { problem: self.problem.id(), form: form.unwrap_or_default(), seed: question.seed }

@@ -23,7 +23,7 @@ use super::register::Next;
 const LARGEST: u64 = 1 << 28;
 
 /// Submissions with the lines on which they stand.
-pub(super) struct Read {
+pub(super) struct ReadResponses {
     pub submissions: Vec<(u64, Next)>,
     /// How their students are known.
     pub students: Students,
@@ -31,15 +31,15 @@ pub(super) struct Read {
 }
 
 /// The submissions in a table of responses. Those of a student to the same variant stand together.
-pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<Read, Failure> {
+pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<ReadResponses, Failure> {
     let codes = self::codes(codes)?;
-    let failed = |message: String| table::of(path, &message);
+    let failed = |message: String| table::failure(path, &message);
     let input = table::input(path).map_err(|error| Failure::file(path, "read", &error))?;
     let mut rows = Rows::read(input).map_err(failed)?;
     let (_, row) = rows.next_row().ok_or_else(|| failed("it is empty, without even headings".to_owned()))?;
     let headings: Vec<String> = row.map_err(failed)?.cells().map(str::to_owned).collect();
     let responses = Responses::new(&codes, &headings, student).map_err(failed)?;
-    let mut found: Vec<(String, &str, u64, Next)> = Vec::new();
+    let mut read_rows: Vec<(String, &str, u64, Next)> = Vec::new();
     let mut numbers = Numbers::new();
     while let Some((line, row)) = rows.next_row() {
         match row {
@@ -51,17 +51,17 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
                         "nothing stands under `{}`, by which students are known\nhelp: fill it in, or name another column with --student",
                         responses.student()
                     );
-                    found.push((String::new(), "", line, Err((Place::Line(line), message))));
+                    read_rows.push((String::new(), "", line, Err((Place::Line(line), message))));
                 }
                 for response in responses.of_row(&cells) {
                     let (code, next) = (response.coded.code.as_str(), submission(line, &response));
-                    found.push((response.student, code, line, next));
+                    read_rows.push((response.student, code, line, next));
                 }
             }
-            Err(message) => found.push((String::new(), "", line, Err((Place::Line(line), message)))),
+            Err(message) => read_rows.push((String::new(), "", line, Err((Place::Line(line), message)))),
         }
     }
-    if found.is_empty() {
+    if read_rows.is_empty() {
         return Err(failed(
             "no code of an exported variant stands in it\n\
              help: let Moodle download the text of the questions, too; Canvas writes it into the headings"
@@ -69,20 +69,20 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
         ));
     }
     tell(&format!("note: students are known by `{}`", responses.student()));
-    found.sort_by(|left, right| (&left.0, left.1).cmp(&(&right.0, right.1)));
+    read_rows.sort_by(|left, right| (&left.0, left.1).cmp(&(&right.0, right.1)));
     let students =
         if responses.is_of_canvas() { Students::Canvas } else { Students::Column(responses.student().to_owned()) };
-    let submissions = found.into_iter().map(|(_, _, line, next)| (line, next)).collect();
-    Ok(Read { submissions, students, numbers })
+    let submissions = read_rows.into_iter().map(|(_, _, line, next)| (line, next)).collect();
+    Ok(ReadResponses { submissions, students, numbers })
 }
 
-/// What `momentous export --codes` wrote.
+/// Reads the file that `momentous export --codes` wrote.
 fn codes(path: &Path) -> Result<Vec<Coded>, Failure> {
     let text = Input::open(path).and_then(|input| input.text(LARGEST));
     let text = text.map_err(|error| Failure::file(path, "read", &error))?;
     let lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
     let coded = |(line, number): (&str, u64)| {
-        serde_json::from_str(line).map_err(|error| table::of(path, &format!("line {number}: {error}")))
+        serde_json::from_str(line).map_err(|error| table::failure(path, &format!("line {number}: {error}")))
     };
     lines.map(coded).collect()
 }

@@ -1,4 +1,4 @@
-//! Where the marks go: a table, or JSON lines. Rows are written by every core into memory of its own, and joined in order.
+//! Sinks for the marks: a table, or JSON lines. Rows are written by every core into memory of its own, and joined in order.
 
 use std::io::Write;
 use std::path::Path;
@@ -45,7 +45,7 @@ pub(super) enum MarksFormat {
     Json,
 }
 
-/// Where the marks go.
+/// The sink of the marks.
 pub(super) struct Sink {
     output: Output,
     format: MarksFormat,

@@ -1,4 +1,4 @@
-//! Where submissions come from: a table, a file of JSON lines, or a folder of YAML files. One at a time, in order.
+//! Sources of submissions: a table, a file of JSON lines, or a folder of YAML files. One at a time, in order.
 
 use std::io;
 use std::io::BufReader;
@@ -27,7 +27,7 @@ pub(super) enum Source {
     Table(Box<Table<BufReader<Input>>>, Vec<Column>),
     Lines(Box<Lines<BufReader<Input>>>, Line),
     Folder(Vec<PathBuf>, usize),
-    /// What another program downloaded, and answers to a homework: read as a whole.
+    /// Downloads of another program, and answers to a homework: read as a whole.
     Responses(std::vec::IntoIter<(u64, Next)>),
 }
 
@@ -92,7 +92,7 @@ impl Source {
         }
     }
 
-    /// Where the submission with that number stands.
+    /// The place of the submission with that number.
     pub(super) fn place(&self, number: u64) -> Place {
         match self {
             Self::Table(..) | Self::Lines(..) | Self::Responses(..) => Place::Line(number),
@@ -106,7 +106,7 @@ impl Source {
 
 /// Whether a path is that of a file with an object on each line.
 pub(super) fn is_json(path: &Path) -> bool {
-    let ends = |ending: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending));
+    let ends = |ending: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending));
     ["jsonl", "ndjson", "json"].into_iter().any(ends)
 }
 

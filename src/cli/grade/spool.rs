@@ -8,7 +8,7 @@ use std::io::SeekFrom;
 use std::io::Write;
 use std::path::Path;
 
-/// What waits in memory before it goes to the file, in bytes.
+/// The bytes that wait in memory before they go to the file.
 const BLOCK: usize = 1 << 16;
 
 /// The file.
@@ -20,9 +20,9 @@ pub(super) struct Spool {
 /// One text that waits.
 #[derive(Default)]
 pub(super) struct WaitingText {
-    /// What is not in the file yet.
+    /// The bytes that are not in the file yet.
     pub(super) waiting: Vec<u8>,
-    /// Where its pieces begin in the file, and how long they are.
+    /// The beginnings of its pieces in the file, and their lengths.
     pieces: Vec<(u64, u64)>,
 }
 

@@ -74,16 +74,16 @@ impl Grade {
         let mut chunk = reader.chunk();
         reader.check_secret().map_err(|message| {
             let nothing = "help: nothing was marked; rows without a mark after the seed cannot be assigned to a secret";
-            table::of(path, &format!("in most rows, {message}\n{nothing}"))
+            table::failure(path, &format!("in most rows, {message}\n{nothing}"))
         })?;
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
         let mut readers = Readers::of(self, students, numbers, title)?;
         let (mut exit, mut counts, mut legibility) = (Exit::Fine, RowCounts::default(), Legibility::default());
         while !chunk.is_empty() {
             let (format, keep, problems) = (sink.format(), readers.are_there(), reader.problems());
-            let (found, next) = rayon::join(|| marked(chunk, &problems, format, keep), || reader.chunk());
+            let (portions, next) = rayon::join(|| marked(chunk, &problems, format, keep), || reader.chunk());
             chunk = next;
-            for portion in found? {
+            for portion in portions? {
                 sink.write(&portion.rows)?;
                 counts += portion.counts;
                 legibility += portion.legibility;
@@ -106,7 +106,7 @@ impl Grade {
         }
         counts.read = reader.read;
         if counts.read == 0 {
-            return Err(table::of(path, "it contains no submission"));
+            return Err(table::failure(path, "it contains no submission"));
         }
         sink.finish()?;
         let have_changed = readers.finish(self, counts)?;
@@ -185,9 +185,11 @@ impl Grade {
         if let Some(path) = listed {
             let listed = Listed::read(table::open(path)?);
             let failed =
-                |faults: Vec<String>| Failure::all(faults.iter().map(|fault| table::of(path, fault)).collect());
+                |faults: Vec<String>| Failure::all(faults.iter().map(|fault| table::failure(path, fault)).collect());
             let listed = listed.map_err(failed)?;
-            listed.check_secret(secret.map(secret_mark).as_deref()).map_err(|message| table::of(path, &message))?;
+            listed
+                .check_secret(secret.map(secret_mark).as_deref())
+                .map_err(|message| table::failure(path, &message))?;
             return Ok(Some(Sheets::Listed(listed)));
         }
         let Some(path) = &self.roster else { return Ok(None) };
@@ -197,7 +199,7 @@ impl Grade {
     }
 }
 
-/// Where a submission stands, for a message.
+/// The position of a submission, for a message.
 fn position(path: &Path, place: &Place) -> String {
     match place {
         Place::Line(line) => format!("{}:{line}", path.display()),

@@ -1,4 +1,4 @@
-//! What parts are worth in a homework, and what is earned of that.
+//! Points of parts in a homework, and what is earned of them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -6,13 +6,13 @@ use std::sync::Arc;
 use crate::grade::{PartReport, Points};
 use crate::quantity::Rational;
 
-/// What each part of a problem is worth in the homework, by the part's name.
+/// The points of each part of a problem in the homework, by the part's name.
 pub(super) type Worth = BTreeMap<String, Rational>;
 
-/// What sheets are worth, by the texts of a submission: student, problem, form and seed.
+/// The points of sheets, by the texts of a submission: student, problem, form and seed.
 pub(super) type Worths = BTreeMap<[String; 4], Arc<Worth>>;
 
-/// What a part earned, and what it could.
+/// The points that a part earned, and those that it could.
 pub(super) struct Earned {
     pub(super) points: Points,
     pub(super) out_of: Points,

@@ -5,7 +5,7 @@ use crate::figure::Ticks;
 /// An axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
-    /// What is measured, with its unit.
+    /// The measure, with its unit.
     pub label: String,
     scale: Scale,
     /// Values with a line across the plot, and what is written there, as SVG: nothing where it would touch its neighbour.
@@ -103,7 +103,7 @@ impl Axis {
         Self { label: super::escaped(label), scale: Scale::Logarithmic { low, high }, ticks }
     }
 
-    /// Where a value stands, from 0 at the start to 1 at the end; at the edge where it lies beyond.
+    /// The part of an axis at which a value stands, from 0 at the start to 1 at the end; at the edge where it lies beyond.
     pub(super) fn part(&self, value: f64) -> f64 {
         let (value, low, high) = match self.scale {
             Scale::Linear { low, high } => (value, low, high),

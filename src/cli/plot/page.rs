@@ -9,13 +9,13 @@ use super::table::Table;
 /// A page: rows of panels and tables, one below the other.
 #[derive(Clone, Debug)]
 pub(crate) struct Page {
-    /// What it shows, for screen readers.
+    /// Its title, for screen readers.
     pub title: String,
-    /// What stands on it, from the top, and in each row from the left.
+    /// The parts on it, from the top, and in each row from the left.
     pub rows: Vec<Vec<Part>>,
 }
 
-/// What can stand on a page.
+/// The parts of a page.
 #[derive(Clone, Debug)]
 pub(crate) enum Part {
     Panel(Panel),

@@ -9,7 +9,7 @@ use super::marks::{COLOURS, Mark};
 /// The width of a panel, in pixels.
 pub(super) const WIDTH: f64 = 820.0;
 
-/// Where the axes are: from the left, and their distance from the top and from the bottom.
+/// The place of the axes: from the left, and their distance from the top and from the bottom.
 const LEFT: f64 = 76.0;
 const RIGHT: f64 = 600.0;
 const HEAD: f64 = 46.0;
@@ -25,7 +25,7 @@ const NOTE: f64 = 16.0;
 /// A panel.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
-    /// What stands above it.
+    /// The title above it.
     pub title: String,
     /// Its height in pixels.
     pub height: f64,
@@ -42,7 +42,7 @@ pub(crate) struct Panel {
 /// A line through points.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
-    /// What it shows.
+    /// Its name.
     pub name: String,
     /// A line beneath its name.
     pub note: Option<String>,
@@ -102,7 +102,7 @@ impl Panel {
         self.bottom() - (self.bottom() - self.top()) * self.up.part(value)
     }
 
-    /// Where the crosses of failures stand.
+    /// The height of the crosses of failures.
     fn failed(&self) -> f64 {
         self.top() - 18.0
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::escaped;
 use super::panel::WIDTH;
 
-/// Where the table begins, and the height of a line.
+/// The left edge of the table, and the height of a line.
 const LEFT: f64 = 76.0;
 const LINE: f64 = 20.0;
 const TOP: f64 = 56.0;
@@ -16,7 +16,7 @@ const LETTERS: usize = 105;
 /// A table with notes above it.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
-    /// What stands above it.
+    /// The title above it.
     pub title: String,
     /// The headings.
     pub headings: Vec<&'static str>,

@@ -1,8 +1,9 @@
-//! Where readers reach the pages.
+//! Addresses by which readers reach the pages.
 
 use std::str::FromStr;
 
-/// Where readers reach the pages: the host where it was said, and the path of the first page without a slash at its end.
+/// The address by which readers reach the pages: the host where it was said, and the path of the first page without a slash at
+/// its end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct BaseUrl {
     pub(super) host: Option<String>,

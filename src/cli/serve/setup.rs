@@ -39,7 +39,7 @@ pub(super) struct Setup {
 }
 
 impl Setup {
-    /// What the server is told.
+    /// The settings of the server.
     pub(super) fn settings(&self) -> Settings {
         Settings {
             bind: self.bind,

@@ -1,4 +1,4 @@
-//! What is asked of the method, as it is typed.
+//! Requests to the method, as they are typed.
 
 use crate::quantity::Dimension;
 use crate::quantity::Quantity;

@@ -1,4 +1,4 @@
-//! What has changed in the snapshots of each problem, and in a line what kind of change it is.
+//! Changes in the snapshots of each problem, and in a line what kind of change it is.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -15,7 +15,7 @@ pub(super) type Files = BTreeMap<String, String>;
 pub(super) struct Change {
     /// The problem's identity.
     pub(super) problem: String,
-    /// What has changed, each with the text before and now.
+    /// The changed files, each with the text before and now.
     pub(super) files: Vec<Changed>,
 }
 
@@ -28,14 +28,14 @@ pub(super) struct Changed {
     pub(super) now: Option<String>,
 }
 
-/// What kind of change it is.
+/// The kind of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Character {
     /// The problem had no snapshots.
     New,
     /// No problem makes these snapshots any more.
     Gone,
-    /// So many of so many sheets have other numbers or answers.
+    /// The number of sheets with other numbers or answers, of so many.
     Numbers(usize, usize),
     /// Some typical answers earn something else.
     Marks(usize),
@@ -62,7 +62,7 @@ impl Change {
         changes.into_iter().map(of).collect()
     }
 
-    /// What kind of change it is: the weightiest of what has changed.
+    /// The kind of change: the weightiest of what has changed.
     pub(super) fn character(&self) -> Character {
         let Some(first) = self.files.first() else { return Character::Words };
         match (first.kind, &first.before, &first.now) {

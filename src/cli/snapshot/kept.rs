@@ -17,7 +17,7 @@ const LARGEST: u64 = 1 << 24;
 /// How deep folders may lie in each other.
 const DEEPEST: usize = 16;
 
-/// What is kept.
+/// Snapshots that are kept.
 #[derive(Debug)]
 pub(super) struct Kept {
     folder: PathBuf,

@@ -78,7 +78,7 @@ impl Snapshot {
         if failures.is_empty() { Ok(exit) } else { Err(Failure::all(failures)) }
     }
 
-    /// What is made of the problems, and of which nothing could be made.
+    /// Makes the snapshots of the problems, and lists those of which none could be made.
     fn now(&self) -> Result<(Files, Vec<Failure>), Failure> {
         let (bank, mut unusable) = Bank::gathered_here()?;
         let (sources, named) = bank.selected(&self.problems)?;
@@ -86,14 +86,14 @@ impl Snapshot {
             unusable = named;
         }
         let renderer = pages::renderer()?.figures(Figures::Beside(page::FIGURE.to_owned()));
-        let made: Vec<Result<Vec<(String, String)>, Failure>> = sources
+        let snapshots: Vec<Result<Vec<(String, String)>, Failure>> = sources
             .into_par_iter()
             .map(|source| open::compiled(source, None).and_then(|problem| page::snapshots(&problem, &renderer)))
             .collect();
         let mut failures: Vec<Failure> = unusable.into_iter().map(Failure::from).collect();
         let mut now = Files::new();
-        for made in made {
-            match made {
+        for snapshot in snapshots {
+            match snapshot {
                 Ok(files) => now.extend(files),
                 Err(failure) => failures.push(failure),
             }

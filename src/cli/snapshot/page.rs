@@ -1,11 +1,11 @@
-//! What is kept of one problem, by what a reviewer looks for: words, numbers, marks and figures.
+//! Snapshots of one problem, by what a reviewer looks for: words, numbers, marks and figures.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::sync::Arc;
 
 use crate::cli::failure::Failure;
-use crate::cli::pages::Shown;
+use crate::cli::pages::SolutionOptions;
 use crate::exercise::{Drawer, Exercise};
 use crate::grade::DecimalMark;
 use crate::problem::Problem;
@@ -20,12 +20,12 @@ const WHOLE: u64 = 1;
 /// The beginning of the names of figures, for the renderer of snapshots.
 pub(super) const FIGURE: &str = "figure";
 
-/// What a file of a snapshot holds. The order is that in which a change weighs.
+/// The content of a file of a snapshot. The order is that in which a change weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
     /// The numbers and answers of the first sheets.
     Numbers,
-    /// What typical answers earn.
+    /// The marks of typical answers.
     Marks,
     /// The sheet and the worked solution.
     Words,
@@ -42,7 +42,7 @@ impl Kind {
         (Self::Figures, ".figures.svg"),
     ];
 
-    /// What a file holds by its name, and of which problem; nothing where it is no snapshot.
+    /// The content of a file by its name, and its problem; none where it is no snapshot.
     pub(super) fn of(name: &str) -> Option<(Self, &str)> {
         Self::ENDINGS.iter().find_map(|(kind, ending)| Some((*kind, name.strip_suffix(ending)?)))
     }
@@ -79,11 +79,11 @@ pub(super) fn snapshots(problem: &Arc<Problem>, renderer: &Renderer) -> Result<V
             }
         }
     }
-    let mut made = vec![(Kind::Words, words), (Kind::Numbers, numbers.text()?), (Kind::Marks, marks.text()?)];
+    let mut texts = vec![(Kind::Words, words), (Kind::Numbers, numbers.text()?), (Kind::Marks, marks.text()?)];
     if !figures.is_empty() {
-        made.push((Kind::Figures, album(&figures)));
+        texts.push((Kind::Figures, album(&figures)));
     }
-    Ok(made.into_iter().map(|(kind, text)| (format!("{id}{}", kind.ending()), text)).collect())
+    Ok(texts.into_iter().map(|(kind, text)| (format!("{id}{}", kind.ending()), text)).collect())
 }
 
 /// Sheet and solution in Markdown, which refer to the figures beside it.
@@ -96,7 +96,7 @@ fn written(
     // A digest says that something has changed, and not what.
     let identity = Identity { digest: None, scheme: None, ..exercise.identity() };
     let sheet = Page::Sheet(Sheet { identity: identity.clone(), ..exercise.sheet() });
-    let solution = Page::Solution(Solution { identity, ..Shown::default().solution(exercise) });
+    let solution = Page::Solution(Solution { identity, ..SolutionOptions::default().solution(exercise) });
     let name = id.rsplit_once('/').map_or(id, |(_, name)| name);
     let form = if form.is_empty() { FIGURE.to_owned() } else { form.replace(' ', "-") };
     let document = renderer.render(&[sheet, solution], Format::Markdown)?;
@@ -148,8 +148,8 @@ fn album(figures: &[BesideFile]) -> String {
         width = width.max(own_width);
         height += own_height + MARGIN;
     }
-    let mut seen = BTreeSet::new();
-    rules.retain(|rule| seen.insert(*rule));
+    let mut kept = BTreeSet::new();
+    rules.retain(|rule| kept.insert(*rule));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.2}\" height=\"{height:.2}\" viewBox=\"0 0 {width:.2} {height:.2}\">\n\
          <style>\n{}\n</style>\n{views}{body}</svg>\n",

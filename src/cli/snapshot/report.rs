@@ -1,4 +1,4 @@
-//! What has changed, for the log of a job and as a page.
+//! Changes for the log of a job and as a page.
 
 use std::fmt::Write as _;
 use std::io::Write;

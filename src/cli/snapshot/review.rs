@@ -11,7 +11,7 @@ use super::change::{Change, summary};
 use super::kept::Kept;
 use super::report::write_change;
 
-/// What was decided about a change.
+/// The decision about a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Decision {
     /// The snapshots are written as they are now.
@@ -20,7 +20,7 @@ enum Decision {
     Reject,
     /// It is left for another time.
     Skip,
-    /// So are all others.
+    /// Leave this and all others.
     Quit,
 }
 

@@ -1,4 +1,4 @@
-//! What one student handed in at one item, attempt by attempt.
+//! Answers of one student at one item, attempt by attempt.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ struct AnswersPage {
     member: String,
     name: String,
     points: u32,
-    /// What the student has for it.
+    /// The standing of the student for it.
     standing: Option<Has>,
     /// When the student was given the problem: by opening it, on paper, or with points set by hand.
     seen: Option<String>,
@@ -91,7 +91,7 @@ struct ByHandShown {
     at: String,
 }
 
-/// What was typed into the forms of the page, and what is wrong with it.
+/// The fields typed into the forms of the page, and their faults.
 #[derive(Default, Serialize)]
 pub(super) struct Typed {
     pub(super) points: String,
@@ -111,7 +111,7 @@ pub(super) struct Place {
 
 impl Place {
     pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
-        let (whole, key) = items::of(visit, visit.key("item")?).await?;
+        let (whole, key) = items::item_of(visit, visit.key("item")?).await?;
         let missing = || NotShown::missing("there is no such problem in this course");
         let item = whole.items.iter().find(|item| item.key == key).cloned().ok_or_else(missing)?;
         let student = member(visit).await?;

@@ -1,4 +1,4 @@
-//! What an instructor decides about one student's answers: points set by hand, and answers taken out of the records.
+//! Decisions of an instructor about one student's answers: points set by hand, and answers taken out of the records.
 
 use momentous_course::{Override, OverrideRule, Redaction, points_by_hand, redacted};
 

@@ -16,15 +16,15 @@ use super::super::visit::Visit;
 
 /// The assignment of the address, which belongs to the course of the address.
 pub(super) async fn assignment(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
-    let found = visit.store().assignment(visit.key("assignment")?).await?;
+    let stored = visit.store().assignment(visit.key("assignment")?).await?;
     let course = visit.course()?.key;
-    let assignment = found.filter(|whole| whole.assignment.course == course);
+    let assignment = stored.filter(|whole| whole.assignment.course == course);
     let assignment = assignment.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))?;
     at_close::hand_in(visit, &assignment, None).await?;
     Ok(assignment)
 }
 
-/// What people call the items of an assignment: place and title of their problems.
+/// The titles of the items of an assignment: place and title of their problems.
 pub(super) async fn titles(
     visit: &Visit,
     whole: &AssignmentWithItems,
@@ -66,7 +66,7 @@ pub(super) fn people(students: &[Membership]) -> Vec<(&Member, &Person)> {
     students.iter().map(|membership| (&membership.member, &membership.person)).collect()
 }
 
-/// What was kept of attempts when they were marked.
+/// The stored reports of attempts that were marked.
 pub(super) fn reports(attempts: &[Attempt]) -> Result<Vec<StoredReport>, NotShown> {
     let all: Result<Vec<_>, _> = attempts.iter().map(StoredReport::of).collect();
     all.map_err(|error| NotShown::Store(StoreFault::Record(error)))

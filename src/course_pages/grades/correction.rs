@@ -16,7 +16,7 @@ pub(super) struct Corrected {
     pub(super) item: Item,
     /// The file as it is now.
     pub(super) file: ProblemFile,
-    /// What it says where it is no problem.
+    /// The fault where it is no problem.
     pub(super) fault: Option<String>,
     /// The sheets that count.
     pub(super) sheets: Arc<Vec<HandedInSheet>>,
@@ -46,7 +46,7 @@ pub(super) async fn corrected(
     whole: &AssignmentWithItems,
     decided: &[Correction],
 ) -> Result<Vec<Corrected>, NotShown> {
-    let mut found = Vec::new();
+    let mut corrections = Vec::new();
     let mut sheets = None;
     for item in whole.items.iter().filter(|item| !item.dropped) {
         let Some(digest) = &item.digest else { continue };
@@ -65,9 +65,9 @@ pub(super) async fn corrected(
             |handed_in: &HandedInSheet| handed_in.sheet.item == item.key && handed_in.sheet.issue == item.issue;
         let (handed_in, rest) = sheets.take().unwrap_or_default().into_iter().partition(is_own);
         sheets = Some(rest);
-        found.push(one(visit, whole, item.clone(), file, handed_in).await?);
+        corrections.push(one(visit, whole, item.clone(), file, handed_in).await?);
     }
-    Ok(found)
+    Ok(corrections)
 }
 
 async fn one(

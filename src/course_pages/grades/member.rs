@@ -1,4 +1,4 @@
-//! What is kept about one member of a course: shown, handed over, and erased.
+//! Data about one member of a course: shown, handed over, and erased.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What those who teach see of what students handed in, and what they decide about it.
+//! Pages for those who teach, of what students handed in, and their decisions about it.
 
 mod answers;
 mod by_hand;

@@ -51,7 +51,7 @@ const WAYS: [Way; 6] = [
     ),
 ];
 
-/// What stands in the field of the reason at first.
+/// The text in the field of the reason at first.
 const USUAL_REASON: &str = "The problem was corrected.";
 
 #[derive(Serialize)]
@@ -94,7 +94,7 @@ struct Change {
     after: Vec<String>,
 }
 
-/// What would change for whom.
+/// Shows what would change for whom.
 pub(crate) async fn regrade(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment(visit).await?;
     let decided = visit.store().corrections(whole.assignment.key).await?;
@@ -199,13 +199,13 @@ pub(crate) async fn regrade_apply(visit: &Visit) -> Result<Reply, NotShown> {
     let detail =
         format!("{} {} {}: {}. {}", corrected.item.problem, correction.from, correction.to, says, correction.reason);
     if visit.store().regrade(session::key(), &step, &visit.entry("correction applied", detail)).await? {
-        Ok(Reply::To(of(visit, &whole)?))
+        Ok(Reply::To(address(visit, &whole)?))
     } else {
         Err(changed())
     }
 }
 
-fn of(visit: &Visit, whole: &AssignmentWithItems) -> Result<String, NotShown> {
+fn address(visit: &Visit, whole: &AssignmentWithItems) -> Result<String, NotShown> {
     visit.in_course(&format!("/assignments/{}/gradebook", whole.assignment.key))
 }
 
@@ -232,7 +232,7 @@ fn after(corrected: &Corrected, choice: CorrectionChoice) -> Item {
     item
 }
 
-/// What students keep of their points, each as a record of its own.
+/// The points that students keep, each as a record of its own.
 fn kept(
     corrected: &Corrected,
     accounts: &Accounts<'_>,

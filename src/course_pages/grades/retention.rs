@@ -22,12 +22,12 @@ struct RetentionPage {
     fault: Option<&'static str>,
 }
 
-/// What the course keeps now.
+/// The data that the course keeps now.
 async fn retained(visit: &Visit) -> Result<Retained, NotShown> {
     Ok(Retained::of(visit.store(), visit.course()?.clone(), visit.now).await?)
 }
 
-/// What would be deleted, and when.
+/// Shows what would be deleted, and when.
 pub(crate) async fn retention(visit: &Visit) -> Result<Reply, NotShown> {
     page(visit, None).await
 }

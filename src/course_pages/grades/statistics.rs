@@ -1,4 +1,4 @@
-//! What the answers of a class say about the problems.
+//! Statistics of a class for the problems.
 
 use std::collections::BTreeMap;
 
@@ -116,14 +116,14 @@ fn percent(share: f64) -> String {
     format!("{:.0} %", share * 100.0)
 }
 
-fn shown(title: String, assignment: String, found: ClassStatistics, asked: &Asked) -> StatisticsPage {
-    let items = found.items.into_iter().map(|statistics| ItemShown {
+fn shown(title: String, assignment: String, class: ClassStatistics, asked: &Asked) -> StatisticsPage {
+    let items = class.items.into_iter().map(|statistics| ItemShown {
         heading: statistics.heading,
         students: statistics.students,
         mean: if statistics.students == 0 { "\u{2013}".to_owned() } else { Points(statistics.mean).to_string() },
         out_of: statistics.out_of,
     });
-    let parts = found.parts.items.into_iter().map(|statistics| PartShown {
+    let parts = class.parts.items.into_iter().map(|statistics| PartShown {
         problem: asked
             .problems
             .get(&statistics.item.problem)
@@ -133,7 +133,7 @@ fn shown(title: String, assignment: String, found: ClassStatistics, asked: &Aske
         form: asked.form(&statistics.item),
         answers: statistics.answers,
         facility: percent(statistics.facility),
-        discrimination: statistics.discrimination.map_or_else(|| "\u{2013}".to_owned(), |found| format!("{found:.2}")),
+        discrimination: statistics.discrimination.map_or_else(|| "\u{2013}".to_owned(), |value| format!("{value:.2}")),
         mistakes: statistics
             .mistakes
             .into_iter()
@@ -144,9 +144,9 @@ fn shown(title: String, assignment: String, found: ClassStatistics, asked: &Aske
     StatisticsPage {
         title,
         assignment,
-        answers: found.parts.answers,
-        students: found.students,
-        mean: found.mean.map(|mean| format!("{} %", Points(mean * Rational::from(100)))),
+        answers: class.parts.answers,
+        students: class.students,
+        mean: class.mean.map(|mean| format!("{} %", Points(mean * Rational::from(100)))),
         items: items.collect(),
         parts: parts.collect(),
     }

@@ -1,4 +1,4 @@
-//! Who did what in a course.
+//! The trail of a course: who did what.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map;
@@ -35,14 +35,14 @@ struct EntryShown {
     detail: String,
 }
 
-/// What was done in a course, the latest first.
+/// The trail of a course, the latest first.
 pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
     let course = visit.course()?;
     let members = visit.store().members(course.key).await?;
     let mut names: BTreeMap<_, _> =
         members.iter().map(|membership| (membership.person.key, membership.person.shown().to_owned())).collect();
-    let found = visit.store().trail(course.key, MOST + 1).await?;
-    for by in found.iter().filter_map(|entry| entry.by) {
+    let entries = visit.store().trail(course.key, MOST + 1).await?;
+    for by in entries.iter().filter_map(|entry| entry.by) {
         // Operators need not be members.
         if let btree_map::Entry::Vacant(unnamed) = names.entry(by) {
             let person = visit.store().person(by).await?;
@@ -50,7 +50,7 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
         }
     }
     let called = called(visit, &members).await?;
-    let is_cut = found.len() > MOST as usize;
+    let is_cut = entries.len() > MOST as usize;
     let (zone, titles) = (course.zone.clone(), Titles::of(visit).await?);
     let shown = visit.work(move |app| {
         let shown = |entry: Entry| {
@@ -61,7 +61,7 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
                 detail: said(&entry.detail, &called, &zone, |problem| titles.title(app, problem))?,
             })
         };
-        found.into_iter().take(MOST as usize).map(shown).collect()
+        entries.into_iter().take(MOST as usize).map(shown).collect()
     });
     let page = TrailPage { title: words::HISTORY, most: MOST, is_cut, entries: shown.await? };
     visit.page("courses/grades/trail", page).await

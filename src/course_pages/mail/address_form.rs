@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;
 
-/// What became of an address, by the word for it in the address of the page.
+/// The news about an address, by the word for it in the address of the page.
 const NEWS: [(&str, &str); 2] = [
     ("sent", "A letter is on its way. Open its link in this browser within 15 minutes; the address is saved then."),
     ("removed", "The address is removed."),
@@ -16,7 +16,7 @@ const NEWS: [(&str, &str); 2] = [
 pub(crate) struct AddressForm {
     /// The address that is saved.
     address: Option<String>,
-    /// What stands in the field.
+    /// The text in the field.
     typed: String,
     needs_old: bool,
     fault: Option<String>,

@@ -13,7 +13,7 @@ pub(super) struct Linked {
     pub(super) link: MailedLink,
 }
 
-/// What the database knows of a link: it depends on the browser, so that nobody else can open it.
+/// The hash by which the database knows a link: it depends on the browser, so that nobody else can open it.
 pub(super) fn hash(token: &str, browser: &str) -> String {
     session::hash(&format!("{token} {browser}"))
 }
@@ -22,7 +22,7 @@ pub(super) fn hash(token: &str, browser: &str) -> String {
 pub(super) struct Writer {
     /// The address of links, without their token.
     links: String,
-    /// Where the link leads, as a part of an address.
+    /// The page to which the link leads, as a part of an address.
     onward: String,
     browser: String,
     expires: Moment,

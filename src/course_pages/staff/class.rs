@@ -1,4 +1,4 @@
-//! Who takes part in a course, and for whom its instructors may make links to sign in.
+//! Members of a course, and those for whom its instructors may make links to sign in.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! What is set of a course: its title, its time zone, how its students write decimals, and for how long answers are kept.
+//! Settings of a course: its title, its time zone, how its students write decimals, and for how long answers are kept.
 
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ const MOST_DAYS: u32 = 36_525;
 /// Its fields.
 pub(super) const FIELDS: [&str; 4] = ["title", "zone", "decimal", "retention"];
 
-/// What the fields say.
+/// The values of the fields.
 pub(super) struct CourseForm {
     pub(super) title: String,
     pub(super) zone: String,

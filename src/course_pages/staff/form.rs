@@ -1,4 +1,4 @@
-//! What was typed into the fields of a form, and what is wrong with it.
+//! Fields of a form as they were typed, and their faults.
 
 use std::collections::BTreeMap;
 
@@ -43,7 +43,7 @@ impl Form {
         self.0.entry(name.to_owned()).or_default().value = value;
     }
 
-    /// What is in a field, without spaces around it.
+    /// The value of a field, without spaces around it.
     pub(crate) fn value(&self, name: &str) -> &str {
         self.0.get(name).map_or("", |entry| entry.value.trim())
     }

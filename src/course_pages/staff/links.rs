@@ -13,7 +13,7 @@ use super::super::visit::Visit;
 /// The page that shows a link.
 #[derive(Serialize)]
 pub(super) struct LinkPage {
-    /// What was done.
+    /// The title: what was done.
     pub(super) title: &'static str,
     /// For whom or what.
     pub(super) name: String,
@@ -48,8 +48,8 @@ pub(super) async fn link(visit: &Visit, person: &Person) -> Result<String, NotSh
 pub(super) async fn links(visit: &Visit, people: &[Person]) -> Result<Vec<String>, NotShown> {
     let course = visit.place.as_ref().map(|place| place.course.key);
     let reach = course.map_or(Reach::Anew, Reach::Course);
-    let made = people.iter().map(|person| session::token(person.key, (TicketKind::Link, reach), visit.now));
-    let (tokens, tickets): (Vec<String>, Vec<_>) = made.unzip();
+    let links = people.iter().map(|person| session::token(person.key, (TicketKind::Link, reach), visit.now));
+    let (tokens, tickets): (Vec<String>, Vec<_>) = links.unzip();
     let mut entries = Vec::new();
     match course {
         None => {

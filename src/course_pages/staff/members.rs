@@ -61,8 +61,8 @@ pub(crate) async fn add_staff(visit: &Visit) -> Result<Reply, NotShown> {
 /// The member whom a button names.
 fn chosen<'c>(visit: &Visit, class: &'c Class) -> Result<&'c Membership, NotShown> {
     let key = visit.fields.get("member").and_then(|text| text.parse().ok());
-    let found = key.and_then(|key| class.member(key));
-    found.ok_or_else(|| NotShown::missing("there is no such member of this course"))
+    let membership = key.and_then(|key| class.member(key));
+    membership.ok_or_else(|| NotShown::missing("there is no such member of this course"))
 }
 
 /// Takes somebody out of the course. What was handed in stays.

@@ -1,4 +1,4 @@
-//! What operators and those who teach see and do.
+//! Pages for operators and those who teach.
 
 pub(super) mod assignment;
 mod class;

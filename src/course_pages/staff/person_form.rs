@@ -21,7 +21,7 @@ pub(super) struct Named {
     pub(super) is_new: bool,
 }
 
-/// What is wrong with the fields that name a person.
+/// The faults of the fields that name a person.
 pub(crate) fn faults(form: &Form) -> Vec<FieldFault> {
     let mut faults = Vec::new();
     if form.value("login").is_empty() {
@@ -34,7 +34,7 @@ pub(crate) fn faults(form: &Form) -> Vec<FieldFault> {
     faults
 }
 
-/// What is wrong with a short text that is shown in lists.
+/// The fault of a short text that is shown in lists.
 pub(super) fn text_fault(text: &str) -> Option<String> {
     if text.len() > LONGEST {
         Some(format!("this is longer than {LONGEST} bytes"))

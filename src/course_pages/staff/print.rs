@@ -38,7 +38,7 @@ struct PrintPage {
     pdf: bool,
 }
 
-/// What a document is written as.
+/// The format in which a document is written.
 #[derive(Clone, Copy)]
 enum Paper {
     Html,
@@ -47,7 +47,7 @@ enum Paper {
 }
 
 impl Paper {
-    /// What the address asks for.
+    /// Reads the request of the address.
     fn asked(visit: &Visit) -> Result<Self, NotShown> {
         match visit.fields.get("as") {
             None => Ok(Self::Html),
@@ -92,9 +92,9 @@ struct Printed {
     points: u32,
 }
 
-/// What can be printed.
+/// Shows the sheets that can be printed.
 pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
-    let whole = assignment::of(visit).await?;
+    let whole = assignment::assignment_of(visit).await?;
     let students = students(visit).await?.len();
     let page = PrintPage {
         title: words::PRINT,
@@ -126,7 +126,7 @@ pub(crate) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
             .map(move |row| KeyRow { student: Some(student.clone()), ..row })
             .collect::<Vec<_>>()
     };
-    let whole = assignment::of(visit).await?;
+    let whole = assignment::assignment_of(visit).await?;
     let withheld = Withheld::from_student(visit).await?;
     counted(&whole).try_for_each(|item| withheld.check(&item.problem))?;
     let title = whole.assignment.title;
@@ -166,7 +166,7 @@ async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown> {
 /// Every student's sheets, student by student. What is printed is handed out: from then on its problems are pinned, and students find
 /// the same numbers in their pages.
 async fn drawn(visit: &Visit, version: Version) -> Result<Vec<Printed>, NotShown> {
-    let whole = items::pinned_now(visit, assignment::of(visit).await?).await?;
+    let whole = items::pinned_now(visit, assignment::assignment_of(visit).await?).await?;
     let students = students(visit).await?;
     let mut problems: BTreeMap<Key<Item>, (Item, Arc<Problem>)> = BTreeMap::new();
     for item in counted(&whole) {

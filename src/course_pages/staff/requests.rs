@@ -1,4 +1,4 @@
-//! Who asks for a place in a course, and the code by which they ask.
+//! Requests for a place in a course, and the code by which they are made.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,7 +29,7 @@ pub(super) struct Requests {
 #[derive(Serialize)]
 struct ShownCode {
     code: String,
-    /// Where it is typed, as an address that others can open.
+    /// The page on which it is typed, as an address that others can open.
     page: String,
     until: String,
 }
@@ -41,7 +41,7 @@ struct Waiting {
     login: String,
     name: String,
     at: String,
-    /// What stands against a place, or is to be thought of.
+    /// The objection to a place, or a remark on it.
     note: &'static str,
     /// Whether the request can be confirmed.
     may: bool,
@@ -61,14 +61,14 @@ impl Requests {
 }
 
 /// A request, and the person whom it would bring into the course.
-struct Read {
+struct ReadRequest {
     request: PlaceRequest,
     /// Nobody where the person was erased meanwhile.
     person: Option<Person>,
     against: Against,
 }
 
-/// What stands against a request.
+/// The objection to a request.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Against {
     Nothing,
@@ -93,7 +93,7 @@ impl Against {
     }
 }
 
-impl Read {
+impl ReadRequest {
     fn shown(&self, zone: &str) -> Waiting {
         let (login, name) =
             self.person.as_ref().map_or(("", "(erased)"), |person| (person.login.as_str(), person.shown()));
@@ -109,7 +109,7 @@ impl Read {
 }
 
 /// The requests of the course. Everybody is read at once, however many ask.
-async fn read(visit: &Visit, class: &Class) -> Result<Vec<Read>, NotShown> {
+async fn read(visit: &Visit, class: &Class) -> Result<Vec<ReadRequest>, NotShown> {
     let requests = visit.store().place_requests(visit.course()?.key).await?;
     if requests.is_empty() {
         return Ok(Vec::new());
@@ -142,7 +142,7 @@ async fn read(visit: &Visit, class: &Class) -> Result<Vec<Read>, NotShown> {
                 (Some(Person { key: session::key(), login, name, operator: false, erased: None }), against)
             }
         };
-        Read { request: request.clone(), person, against }
+        ReadRequest { request: request.clone(), person, against }
     };
     Ok(requests.iter().map(read).collect())
 }
@@ -165,13 +165,13 @@ pub(crate) async fn end_code(visit: &Visit) -> Result<Reply, NotShown> {
 }
 
 /// The requests that a form names.
-async fn chosen(visit: &Visit, class: &Class) -> Result<Vec<Read>, NotShown> {
+async fn chosen(visit: &Visit, class: &Class) -> Result<Vec<ReadRequest>, NotShown> {
     let keys: BTreeSet<&str> = visit.fields.all("request").collect();
     if keys.is_empty() {
         return Err(NotShown::field("nobody was chosen; tick those whom you mean"));
     }
     let all = read(visit, class).await?;
-    let chosen: Vec<Read> =
+    let chosen: Vec<ReadRequest> =
         all.into_iter().filter(|request| keys.contains(request.request.key.to_string().as_str())).collect();
     if chosen.len() == keys.len() { Ok(chosen) } else { Err(settled_meanwhile()) }
 }

@@ -30,7 +30,7 @@ struct RosterPage {
     only_here: bool,
     /// The table that was sent.
     text: String,
-    /// What is wrong with it.
+    /// Its faults.
     faults: Vec<String>,
     /// The form that adds staff.
     staff: Form,
@@ -56,14 +56,14 @@ struct Listed {
 #[derive(Serialize)]
 struct PreviewPage {
     title: &'static str,
-    changes: Vec<Shown>,
+    changes: Vec<ShownChange>,
     text: String,
     shown: String,
 }
 
 /// A change as a row of a table.
 #[derive(Debug, PartialEq, Eq, Serialize)]
-struct Shown {
+struct ShownChange {
     kind: &'static str,
     login: String,
     name: String,
@@ -71,7 +71,7 @@ struct Shown {
     to: String,
 }
 
-/// Who takes part, and the forms that change it.
+/// Shows the members, and the forms that change them.
 pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
     let empty = no_staff();
     with(visit, &Class::of(visit).await?, (String::new(), Vec::new()), empty).await
@@ -123,7 +123,7 @@ impl Class {
         self.members.iter().filter(|membership| !self.has_password(membership) && self.may_link(membership).is_ok())
     }
 
-    /// What a table would change.
+    /// The changes that a table would make.
     fn changes(&self, text: &str) -> Result<Vec<RosterChange>, Vec<String>> {
         let said = |message: String| sentences(&message);
         let mut rows = RosterRow::all(text).map_err(|faults| faults.into_iter().map(said).collect::<Vec<_>>())?;
@@ -138,7 +138,7 @@ impl Class {
         })
     }
 
-    fn shown(&self, change: &RosterChange) -> Shown {
+    fn shown(&self, change: &RosterChange) -> ShownChange {
         let login = |key| self.member(key).map(|membership| membership.person.login.clone()).unwrap_or_default();
         let name = |key| self.member(key).map(|membership| membership.person.shown().to_owned()).unwrap_or_default();
         let (kind, login, name, from, to) = match change.clone() {
@@ -148,11 +148,11 @@ impl Class {
             RosterChange::Moved { member, from, to } => ("moved", login(member), name(member), from, to),
             RosterChange::Gone { member, name } => ("gone", login(member), name, String::new(), String::new()),
         };
-        Shown { kind, login, name, from, to }
+        ShownChange { kind, login, name, from, to }
     }
 }
 
-/// What stands for a table and the changes that it makes: where either differs from what was shown, so does this.
+/// A seal for a table and the changes that it makes: where either differs from what was shown, so does the seal.
 fn seal(text: &str, changes: &[RosterChange]) -> String {
     let changes = format!("{changes:?}");
     session::hash(&format!("{}\0{changes}\0{text}", changes.len()))
@@ -163,7 +163,7 @@ fn table(visit: &Visit) -> String {
     visit.fields.text("table").replace("\r\n", "\n")
 }
 
-/// What a table would change. Nothing is changed yet.
+/// Shows the changes that a table would make. Nothing is changed yet.
 pub(crate) async fn preview(visit: &Visit) -> Result<Reply, NotShown> {
     let (class, text) = (Class::of(visit).await?, table(visit));
     match class.changes(&text) {

@@ -104,7 +104,7 @@ struct OwnItem {
     out_of: u32,
     /// How often something was handed in.
     attempts: u32,
-    /// What one has for it, once verdicts are shown.
+    /// The standing for it, once verdicts are shown.
     has: Option<Has>,
 }
 

@@ -102,7 +102,7 @@ fn again(visit: &Visit, own_sheet: &OwnSheet, before: &Attempt) -> Result<Reply,
     Ok(Reply::To(format!("{}?again={}#marks", own_sheet.address(visit)?, before.number)))
 }
 
-/// What was typed, by part. It is kept for years, so there is not too much of it.
+/// The typed answers, by part. They are kept for years, so there is not too much of them.
 fn answers(visit: &Visit) -> Result<BTreeMap<String, String>, Refused> {
     let (answers, limits) = (visit.fields.behind(ANSWER), &visit.app.settings.limits);
     within(answers.len(), limits.values, "answers can be sent")?;

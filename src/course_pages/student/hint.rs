@@ -13,9 +13,9 @@ pub(crate) async fn hint(visit: &Visit) -> Result<Reply, NotShown> {
     let own_sheet = OwnSheet::of(visit).await?;
     open(visit, &own_sheet)?;
     keep_typed(visit, &own_sheet).await?;
-    let seen = own_sheet.hints.iter().filter(|hint| hint.part.is_none()).count();
-    if seen < own_sheet.exercise.student_sheet().hints.len() {
-        let number = u32::try_from(seen + 1).unwrap_or(u32::MAX);
+    let given = own_sheet.hints.iter().filter(|hint| hint.part.is_none()).count();
+    if given < own_sheet.exercise.student_sheet().hints.len() {
+        let number = u32::try_from(given + 1).unwrap_or(u32::MAX);
         let hint = HintShown { sheet: own_sheet.sheet.key, part: None, number, at: visit.now };
         visit.store().show_hint(&hint).await?;
     }
@@ -45,7 +45,7 @@ fn open(visit: &Visit, own_sheet: &OwnSheet) -> Result<(), NotShown> {
     }
 }
 
-/// What was typed goes along with the button, and is there when the page comes back.
+/// The typed answers go along with the button, and are there when the page comes back.
 async fn keep_typed(visit: &Visit, own_sheet: &OwnSheet) -> Result<(), NotShown> {
     let answers = visit.fields.behind(ANSWER);
     if !answers.is_empty() {

@@ -32,9 +32,9 @@ struct ItemPage {
     fields: Vec<FieldState>,
     /// The work beside the answers, where the problem takes any.
     work: Option<WorkState>,
-    /// What each attempt was: its number and when the server had it.
+    /// The receipt of each attempt: its number and when the server had it.
     receipts: Vec<Receipt>,
-    /// What one has for the item, once verdicts are shown.
+    /// The standing for the item, once verdicts are shown.
     has: Option<Has>,
     out_of: u32,
     phase: &'static str,
@@ -64,7 +64,7 @@ struct ItemPage {
 #[derive(Serialize)]
 struct FieldState {
     typed: String,
-    /// What was handed in last; other text in the field is new.
+    /// The text handed in last; other text in the field is new.
     handed_in: String,
     /// The share of its points that a new answer can earn, in per cent; nothing where none would be marked.
     worth: Option<String>,
@@ -87,7 +87,7 @@ struct Receipt {
     counts: bool,
     /// Whether it was handed in by itself, as it was saved.
     at_close: bool,
-    /// What was typed, each with the label of its part.
+    /// The typed answers, each with the label of its part.
     typed: Vec<(String, String)>,
 }
 
@@ -98,7 +98,7 @@ struct Neighbour {
     number: usize,
 }
 
-/// What stands in the fields after a form, in place of what was handed in.
+/// The text in the fields after a form, in place of what was handed in.
 #[derive(Default)]
 pub(super) struct After {
     pub(super) typed: Option<BTreeMap<String, String>>,
@@ -214,8 +214,9 @@ impl FieldState {
         // What could not be read does not stand, and yet was typed.
         let handed_in = own_sheet.unread(id).map_or_else(|| stands.clone(), str::to_owned);
         let kept = stored.and_then(|stored| stored.part(id));
-        let locked = part
-            .is_some_and(|part| part.entry == Entry::Locked || part.found.as_ref().is_some_and(|found| found.right));
+        let locked = part.is_some_and(|part| {
+            part.entry == Entry::Locked || part.found.as_ref().is_some_and(|finding| finding.right)
+        });
         let is_new = typed.is_some_and(|typed| typed.trim() != handed_in.trim());
         let reading = reading.filter(|_| is_new && !locked);
         let (read, unread) = match reading {

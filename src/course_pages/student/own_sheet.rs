@@ -23,9 +23,9 @@ pub(super) struct OwnSheet {
     pub(super) sheet: Sheet,
     /// The variant.
     pub(super) exercise: Arc<Exercise>,
-    /// What was handed in, in its order.
+    /// The attempts, in their order.
     pub(super) attempts: Vec<Attempt>,
-    /// What was kept of the last of these.
+    /// The stored report of the last of these.
     pub(super) last: Option<StoredReport>,
     /// The hints that were shown.
     pub(super) hints: Vec<HintShown>,
@@ -34,7 +34,7 @@ pub(super) struct OwnSheet {
 impl OwnSheet {
     /// The sheet of the item in the address, for whoever asks. It is drawn when it is first seen.
     pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
-        let (whole, item) = items::of(visit, visit.key("item")?).await?;
+        let (whole, item) = items::item_of(visit, visit.key("item")?).await?;
         let whole = items::pinned(visit, whole).await?;
         // Pinning has written the digest of its problem into the item.
         let item = whole.items.iter().find(|listed| listed.key == item).cloned().ok_or_else(no_item)?;
@@ -53,7 +53,7 @@ impl OwnSheet {
         Ok(Self { whole, item, window, sheet, exercise: Arc::new(exercise), attempts, last, hints })
     }
 
-    /// What was typed at a part in the last attempt and could not be read, where it was so.
+    /// The text typed at a part in the last attempt that could not be read, where there is one.
     pub(super) fn unread(&self, part: &str) -> Option<&str> {
         let is_unread = self.last.as_ref()?.part(part)?.entry == Entry::Unread;
         let last = self.attempts.last().filter(|last| is_unread && !is_redacted(last, part))?;

@@ -20,7 +20,7 @@ use momentous_pages::Withheld as _;
 struct SolutionPage {
     title: String,
     back: String,
-    /// What the reader should know of it.
+    /// The remark for the reader.
     note: Option<&'static str>,
     solved: SolveResponse,
 }
@@ -40,11 +40,11 @@ pub(crate) async fn solution(visit: &Visit) -> Result<Reply, NotShown> {
     visit.page("courses/solution", SolutionPage { title: solved.title.clone(), back, note, solved }).await
 }
 
-/// What is said where a corrected problem no longer draws the sheet that was handed out.
+/// The remark where a corrected problem no longer draws the sheet that was handed out.
 const DIFFERS: &str = "The problem was corrected after your sheet was handed out, and what it says or asks has changed. This is the \
     solution of the corrected problem, with the numbers that it has for you.";
 
-/// What is said where the file that took a problem's place is none.
+/// The message where the file that took a problem's place is none.
 const NO_PROBLEM: &str = "the problem was withdrawn, and there is no corrected one that could be solved";
 
 /// The variant that is solved: that of the corrected problem, where it was corrected, whatever became of the marks.

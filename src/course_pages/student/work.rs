@@ -22,7 +22,7 @@ pub(super) struct WorkState {
     handed_in: String,
     /// Whether other work is no longer taken.
     locked: bool,
-    /// What is found of each line that was handed in, as far as verdicts are shown.
+    /// The findings on the lines that were handed in, as far as verdicts are shown.
     lines: Vec<LineFound>,
     letters: Vec<Letter>,
 }

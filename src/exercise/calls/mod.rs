@@ -45,7 +45,7 @@ pub use solve::{SolveRequest, SolveResponse, SolvedPart};
 pub use variant::VariantRequest;
 pub use work::{WorkRequest, WorkResponse};
 
-/// Where an engine finds problems by their identities.
+/// A source in which an engine finds problems by their identities.
 pub trait Problems {
     /// The problem, compiled.
     ///
@@ -64,7 +64,7 @@ pub trait Problems {
 
 /// The engine behind every face.
 pub struct Engine<'a> {
-    /// Where problems are found.
+    /// The source of problems.
     pub problems: &'a dyn Problems,
     /// The renderer that turns solutions into pages.
     pub renderer: &'a Renderer,

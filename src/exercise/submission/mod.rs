@@ -55,7 +55,7 @@ impl Key {
     }
 }
 
-/// Where a submission stands.
+/// The place of a submission.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A line of the file.
@@ -127,7 +127,7 @@ impl Column {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Submission {
-    /// Where it stands.
+    /// Its place.
     pub place: Place,
     text: String,
     keys: [Span; KEYS.len()],
@@ -135,7 +135,7 @@ pub struct Submission {
     answers: Vec<[Span; 2]>,
 }
 
-/// Where a text begins and ends.
+/// The beginning and the end of a text.
 #[derive(Clone, Copy, Debug, Default)]
 struct Span(usize, usize);
 

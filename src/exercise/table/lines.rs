@@ -27,7 +27,7 @@ pub struct Lines<R> {
 pub struct Line {
     /// Its number, from 1.
     pub number: u64,
-    /// Where it begins, in bytes.
+    /// Its beginning, in bytes.
     pub place: u64,
     /// Its bytes.
     pub bytes: Vec<u8>,

@@ -62,14 +62,14 @@ impl<R: BufRead> Table<R> {
     /// # Errors
     /// Where two columns have it.
     pub fn column(&self, heading: &str) -> Result<Option<usize>, String> {
-        let mut found = self.headings.iter().enumerate().filter(|(_, listed)| listed.eq_ignore_ascii_case(heading));
-        match (found.next(), found.next()) {
+        let mut matching = self.headings.iter().enumerate().filter(|(_, listed)| listed.eq_ignore_ascii_case(heading));
+        match (matching.next(), matching.next()) {
             (Some((first, _)), Some((second, _))) => Err(twice(heading, first, second)),
             (first, _) => Ok(first.map(|(position, _)| position)),
         }
     }
 
-    /// Where the row begins that was read last, in bytes.
+    /// The beginning of the row that was read last, in bytes.
     #[must_use]
     pub fn last_place(&self) -> u64 {
         self.rows.last_place()

@@ -31,7 +31,7 @@ pub struct Rows<R> {
 pub struct Row {
     /// The cells, one after the other.
     text: String,
-    /// Where each of them ends.
+    /// The ends of them.
     ends: Vec<usize>,
 }
 
@@ -127,9 +127,9 @@ impl<R: BufRead> Rows<R> {
             let mut next = Line::default();
             self.row.text.push_str(more.last().unwrap_or(&self.line).end);
             let fits = more.len() + 1 < MOST_LINES && self.row.text.len() < LONGEST;
-            let found = fits && self.lines.read(&mut next).map_err(|error| error.to_string())?;
-            let read = found.then(|| text(&next).and_then(|text| cells(&mut self.row, text, self.delimiter, true)));
-            more.extend(found.then_some(next));
+            let has_more = fits && self.lines.read(&mut next).map_err(|error| error.to_string())?;
+            let read = has_more.then(|| text(&next).and_then(|text| cells(&mut self.row, text, self.delimiter, true)));
+            more.extend(has_more.then_some(next));
             // What does not fit on a later line says that the mark was never meant to go that far.
             let fits = |still: &bool| *still || self.width.is_none_or(|width| self.row.len() == width);
             let Some(still) = read.and_then(Result::ok).filter(fits) else {
@@ -141,7 +141,7 @@ impl<R: BufRead> Rows<R> {
         Ok(())
     }
 
-    /// Where the row begins that was read last, in bytes.
+    /// The beginning of the row that was read last, in bytes.
     #[must_use]
     pub fn last_place(&self) -> u64 {
         self.line.place
@@ -220,17 +220,17 @@ fn told_delimiter(line: &[u8]) -> Option<u8> {
 /// The separator of the cells of a table whose first line this is.
 fn delimiter_of(line: &[u8]) -> u8 {
     let mut quoted = false;
-    let mut found = b',';
+    let mut delimiter = b',';
     for byte in line {
         match byte {
             b'"' => quoted = !quoted,
             b',' if !quoted => return b',',
-            b';' if !quoted => found = b';',
-            b'\t' if !quoted && found == b',' => found = b'\t',
+            b';' if !quoted => delimiter = b';',
+            b'\t' if !quoted && delimiter == b',' => delimiter = b'\t',
             _ => {}
         }
     }
-    found
+    delimiter
 }
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ const ROUND: f64 = 1e-6;
 struct Place {
     radius: (Math, Option<f64>),
     velocity: Vec<(Math, Option<[f64; 2]>)>,
-    /// Where it is seen from the centre, in radians.
+    /// Its direction as seen from the centre, in radians.
     angle: f64,
 }
 

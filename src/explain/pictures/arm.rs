@@ -122,11 +122,11 @@ fn situation(
         })
     });
     let pushed: Vec<String> = pushed.collect();
-    let seen = format!("{names} about {centre}, seen along the axis");
+    let words = format!("{names} about {centre}, seen along the axis");
     let wording = Wording {
         title: capitalised(&format!("{names} and {centre}")),
-        description: sentences([seen.clone()].into_iter().chain(pushed).chain(arcs)),
-        caption: sentences([seen]),
+        description: sentences([words.clone()].into_iter().chain(pushed).chain(arcs)),
+        caption: sentences([words]),
     };
     let arm = Arm { centre: body_math(about), particles, disc: disc(quantities, all, rotor), turns };
     Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()

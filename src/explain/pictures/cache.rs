@@ -20,7 +20,7 @@ impl PictureCache {
         Self { compass: OnceLock::new(), diagrams: scene.stages.iter().map(|_| OnceLock::new()).collect() }
     }
 
-    /// Where the directions of the scene point on drawings.
+    /// The directions of the scene on drawings.
     pub(super) fn compass(&self, scene: &Scene) -> &Compass {
         self.compass.get_or_init(|| Compass::of(scene))
     }

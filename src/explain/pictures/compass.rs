@@ -1,4 +1,4 @@
-//! Where the directions of a scene point on the drawing.
+//! Directions of a scene on the drawing.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -166,7 +166,7 @@ mod tests {
     use momentous_scene::Plane;
     use momentous_scene::Sense;
 
-    /// Where x and y point, in degrees.
+    /// The directions of x and y, in degrees.
     fn angles(axes: &[(Axis, &str)]) -> [String; 2] {
         let axes = axes.iter().map(|(axis, words)| (*axis, Sense::Positive((*words).to_owned()))).collect();
         let compass = Compass::of(&Scene {

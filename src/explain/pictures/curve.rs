@@ -74,9 +74,9 @@ pub(super) fn velocity(quantities: &Quantities<'_>, index: usize, stage: &Motion
         }
     };
     let [Some(start), Some(end)] = ends else { return None };
-    let found = laws_used(quantities.worked)
+    let law = laws_used(quantities.worked)
         .find(|law| law.stage == Some(index) && law.law.id == motion::DISPLACEMENT.id && law.integral.is_some());
-    let area = found.filter(|_| place.is_none()).and_then(|law| defined(quantities, law));
+    let area = law.filter(|_| place.is_none()).and_then(|law| defined(quantities, law));
     let name = quantities.called(&stage.body);
     let over = if place.is_some() { "place" } else { "time" };
     let under = if area.is_some() { "; the shaded area is the displacement" } else { "" };

@@ -65,11 +65,11 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Mome
     vectors.extend(moments(quantities, components));
     let body = MovingBody { vectors, ..MovingBody::new(body).shaped(Form::Block) };
     let centre = quantities.centre(&stage.about);
-    let seen = format!("{names} with the angular momentum and the moment about {centre}");
+    let words = format!("{names} with the angular momentum and the moment about {centre}");
     let wording = Wording {
         title: capitalised(&names),
-        description: sentences([seen.clone(), list(&arrows(&body, false))]),
-        caption: sentences([seen, OBLIQUE.to_owned()]),
+        description: sentences([words.clone(), list(&arrows(&body, false))]),
+        caption: sentences([words, OBLIQUE.to_owned()]),
     };
     let line = Line { bodies: vec![body], ..Line::default() };
     Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()
@@ -142,7 +142,7 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
     let first = first.or_else(|| turning_of_arm(quantities, 1));
     let moment = given_moment(quantities, &stage.value, Some(&stage.during)).map(|moment| (moment, Role::Force));
     let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
-    let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));
+    let words = format!("the moment on {names} about {}", quantities.centre(&stage.about));
     let each = turns.iter().map(|(turn, role)| {
         let sense = if turn.value < 0.0 { "clockwise" } else { "counter-clockwise" };
         let what = if *role == Role::Velocity { "the angular velocity " } else { "" };
@@ -150,8 +150,8 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
     });
     let wording = Wording {
         title: capitalised(names),
-        description: sentences([seen.clone()].into_iter().chain(each)),
-        caption: sentences([seen]),
+        description: sentences([words.clone()].into_iter().chain(each)),
+        caption: sentences([words]),
     };
     let disc = quantities.timeline.alive(1).into_iter().any(|body| is_disc(quantities, body)).then_some(1.0);
     let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), disc, turns };

@@ -6,7 +6,7 @@ use momentous_scene::Senses;
 /// The direction on paper of an axis that points away from the reader, and by how much it is shortened.
 const AWAY: [f64; 2] = [0.46, 0.34];
 
-/// Where the three axes of a scene point on paper, each with the length of its unit.
+/// The directions of a scene's three axes on paper, each with the length of its unit.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Oblique {
     units: [[f64; 2]; 3],

@@ -67,7 +67,7 @@ pub(super) fn drawings(quantities: &Quantities<'_>, graph: &Graph, pictures: &[P
     let room = [[0.0, low], [last, high]].map(placed);
     let drawn = |(name, curve): (&str, &Curve)| {
         let pieces = curve.pieces.iter().map(|piece| piece.iter().copied().map(placed).collect());
-        let pieces = seen(pieces.collect(), value.extent);
+        let pieces = joined(pieces.collect(), value.extent);
         let name = capitalised(name);
         let description = sentences([course(&pieces, graph.plotted.noun(), [&time, &value])]);
         let plot = ForcePlot {
@@ -97,21 +97,21 @@ impl Measured {
 }
 
 /// The pieces of a curve as the eye sees them: one line where several go on straight, and no points between the ends of a line.
-fn seen(pieces: Vec<Vec<[f64; 2]>>, extent: f64) -> Vec<Vec<[f64; 2]>> {
-    let mut seen: Vec<Vec<[f64; 2]>> = Vec::new();
+fn joined(pieces: Vec<Vec<[f64; 2]>>, extent: f64) -> Vec<Vec<[f64; 2]>> {
+    let mut drawn_pieces: Vec<Vec<[f64; 2]>> = Vec::new();
     for piece in pieces {
-        let both = seen.last().map(|before| [&before[..], &piece].concat());
-        match (both, seen.last_mut()) {
+        let both = drawn_pieces.last().map(|before| [&before[..], &piece].concat());
+        match (both, drawn_pieces.last_mut()) {
             (Some(both), Some(before)) if is_straight(&both, extent) => *before = both,
-            _ => seen.push(piece),
+            _ => drawn_pieces.push(piece),
         }
     }
-    for piece in &mut seen {
+    for piece in &mut drawn_pieces {
         if let ([first, .., last], true) = (&piece[..], is_straight(piece, extent)) {
             *piece = vec![*first, *last];
         }
     }
-    seen
+    drawn_pieces
 }
 
 /// Whether all points lie on the line from the first to the last.

@@ -21,8 +21,8 @@ use momentous_solve::Equation;
 use momentous_solve::Statement;
 
 use super::super::terms::display::Display;
-use super::super::terms::display::Shown;
-use super::super::terms::manner::Manners;
+use super::super::terms::display::PrintedTerms;
+use super::super::terms::manner::MannerCache;
 use super::cache::PictureCache;
 use super::compass::Compass;
 use super::oblique::Oblique;
@@ -40,7 +40,7 @@ pub(crate) enum Scope {
 #[derive(Clone)]
 pub(crate) struct Quantities<'a> {
     pub(super) worked: Worked<'a>,
-    manners: &'a Manners,
+    manners: &'a MannerCache,
     pub(super) pictures: &'a PictureCache,
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<Axis>,
@@ -68,13 +68,13 @@ impl Names for Known<'_> {
 }
 
 impl<'a> Quantities<'a> {
-    pub(crate) fn new(worked: Worked<'a>, scope: Scope, manners: &'a Manners, pictures: &'a PictureCache) -> Self {
+    pub(crate) fn new(worked: Worked<'a>, scope: Scope, manners: &'a MannerCache, pictures: &'a PictureCache) -> Self {
         let scene = &worked.problem.loaded().draft.scene;
         let axes = scene.axes.rectangular().into_iter().map(|(axis, _)| axis).collect();
         Self { worked, manners, pictures, timeline: Timeline::new(scene), axes, scope, assumed: Vec::new() }
     }
 
-    /// Where the directions of the scene point on drawings.
+    /// The directions of the scene on drawings.
     pub(super) fn compass(&self) -> &'a Compass {
         self.pictures.compass(self.scene())
     }
@@ -199,7 +199,7 @@ impl<'a> Quantities<'a> {
 
     /// A term in symbols.
     pub(super) fn symbolic(&self, expr: &Expr) -> Math {
-        Display { worked: self.worked, manners: self.manners, shown: &Shown::default() }.symbolic(expr)
+        Display { worked: self.worked, manners: self.manners, shown: &PrintedTerms::default() }.symbolic(expr)
     }
 
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.

@@ -61,12 +61,12 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
     let (name, centre) = (quantities.called(body), quantities.point(first));
     let what = if quantities.scope() == Scope::Given { "velocity" } else { "momentum" };
     let shown = if vectors.is_empty() { name.clone() } else { format!("the {what} of {name}") };
-    let seen = format!("{shown}, relative to {centre}");
+    let words = format!("{shown}, relative to {centre}");
     let body = MovingBody { vectors, ..MovingBody::new(body_math(body)) };
     let wording = Wording {
         title: capitalised(&format!("{name} and {centre}")),
-        description: sentences([seen.clone(), list(&arrows(&body, false))]),
-        caption: sentences([seen, OBLIQUE.to_owned()]),
+        description: sentences([words.clone(), list(&arrows(&body, false))]),
+        caption: sentences([words, OBLIQUE.to_owned()]),
     };
     let space = Space { centre: body_math(first), legs, points, body };
     Some(Situation { wording, layout: Layout::Space(space), axes: compass.marks() }.drawing())

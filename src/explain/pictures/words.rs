@@ -201,7 +201,7 @@ pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
 const KINDS: &[(Role, &str)] =
     &[(Role::Velocity, "velocity"), (Role::Force, "force"), (Role::Impulse, "impulse"), (Role::Momentum, "momentum")];
 
-/// Where an arrow points on the drawing.
+/// The direction of an arrow on the drawing, in words.
 fn on_paper([x, y]: [f64; 2]) -> String {
     let part = |value: f64, names: [&str; 2]| {
         let relevant = value.abs() > 1e-9 * size([x, y]);

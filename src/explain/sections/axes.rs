@@ -60,7 +60,7 @@ fn renamed(display: Display<'_>) -> impl Iterator<Item = Vec<Inline>> {
     renamed.map(move |(symbol, given)| vec![Inline::Math(display.equation(&symbol.into(), given))])
 }
 
-/// Where the axes of the scene and those of its contacts point.
+/// The directions of the axes of the scene and of those of its contacts.
 fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
     let scene = &display.worked.problem.loaded().draft.scene;
     let axes = scene.axes.rectangular();
@@ -90,7 +90,7 @@ fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
     sentences
 }
 
-/// Where n points at the contact of an impact, and t.
+/// The directions of n and t at the contact of an impact.
 fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) -> Option<Vec<Inline>> {
     let Stage::Impact(impact) = stage else { return None };
     let name = |body: &str| scene.called(body);

@@ -101,8 +101,8 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
     };
     let is_energy = |symbol| worked.problem.model().name(symbol).kind.is_kinetic_energy();
     let told_energy = worked.variant.all_given().iter().any(|(symbol, ..)| is_energy(*symbol));
-    let found = worked.form.parts.iter().filter(|part| !matches!(part.kind, PartKind::Choice(_)));
-    let on_energy = found.flat_map(|part| part.kind.wanted()).any(is_energy);
+    let asked = worked.form.parts.iter().filter(|part| !matches!(part.kind, PartKind::Choice(_)));
+    let on_energy = asked.flat_map(|part| part.kind.wanted()).any(is_energy);
     (!told_energy).then(|| {
         let afterwards = if on_energy { " The energy is worked out afterwards, from the velocities." } else { "" };
         Block::text(&format!(

@@ -22,7 +22,7 @@ use super::super::cache::WayCache;
 use super::super::computed;
 use super::super::reach::last_instant;
 use super::super::terms::display::Display;
-use super::super::terms::display::Shown;
+use super::super::terms::display::PrintedTerms;
 use super::super::wording::capitalised;
 use super::super::wording::list;
 use super::super::working::script::Script;
@@ -40,7 +40,7 @@ use super::stage_words::happening;
 #[must_use]
 pub fn solution(worked: Worked<'_>, audience: Audience, detail: Detail) -> Outline {
     let cache = SolutionCache::of(worked);
-    let shown = Shown::default();
+    let shown = PrintedTerms::default();
     let way = cache.way(worked);
     let display = Display { worked, manners: &way.manners, shown: &shown };
     shown.figures.get_or_init(|| computed::figures(display, way, detail));
@@ -119,8 +119,8 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
     if let [Stage::Stream(stream)] = &scene.stages[..]
         && !stream.stays
     {
-        let met = format!("{} where it meets {}.", stream.by, scene.called(&stream.body));
-        return vec![Block::text(&capitalised(&met))];
+        let words = format!("{} where it meets {}.", stream.by, scene.called(&stream.body));
+        return vec![Block::text(&capitalised(&words))];
     }
     let last = last_instant(worked);
     let who = capitalised(&list(&taking_part(worked, last)));

@@ -30,7 +30,7 @@ use super::ledger::Figures;
 use super::letters::Letters;
 use super::letters::Powers;
 use super::manner::Manner;
-use super::manner::Manners;
+use super::manner::MannerCache;
 use super::term::Measured;
 use super::term::Term;
 use super::term::suffix;
@@ -57,14 +57,14 @@ fn usual_unit(kind: &QuantityKind) -> Option<&'static str> {
 pub(crate) struct Display<'a> {
     pub worked: Worked<'a>,
     /// How quantities are shown, shared with the other variants that go its way.
-    pub manners: &'a Manners,
+    pub manners: &'a MannerCache,
     /// The terms shown before.
-    pub shown: &'a Shown,
+    pub shown: &'a PrintedTerms,
 }
 
 /// The quantities of a variant as they are printed, since a solution shows most of them many times.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Shown {
+pub(crate) struct PrintedTerms {
     pub leaves: RefCell<Vec<(Symbol, Leaf)>>,
     /// To how many figures, once all lines are known.
     pub figures: OnceCell<Figures>,

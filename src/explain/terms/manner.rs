@@ -12,7 +12,7 @@ use super::term::Measured;
 
 /// How the quantities of one way are shown.
 #[derive(Default)]
-pub(crate) struct Manners {
+pub(crate) struct MannerCache {
     letters: OnceLock<Letters>,
     /// One for each symbol of the model.
     each: Vec<OnceLock<Manner>>,
@@ -34,7 +34,7 @@ pub(crate) struct Manner {
     pub is_whole: bool,
 }
 
-impl Manners {
+impl MannerCache {
     pub(crate) fn new(worked: Worked<'_>) -> Self {
         let symbols = worked.problem.model().symbols.len();
         Self { letters: OnceLock::new(), each: (0..symbols).map(|_| OnceLock::new()).collect() }

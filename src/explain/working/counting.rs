@@ -16,8 +16,8 @@ use super::super::terms::ledger::Ledger;
 /// The number, and what the condition says of it and of the one before; nothing for a value that is not counted.
 pub(super) fn trials(display: Display<'_>, unknown: Symbol, closed: &Closed) -> Vec<Block> {
     let Some(trials) = tried(display, unknown, closed) else { return Vec::new() };
-    let Some((found, _)) = trials.last() else { return Vec::new() };
-    let answer = Math::relation(display.name(unknown), Operator::Equals, found.counted());
+    let Some((last, _)) = trials.last() else { return Vec::new() };
+    let answer = Math::relation(display.name(unknown), Operator::Equals, last.counted());
     let mut words = Vec::new();
     for (place, (trial, holds)) in trials.iter().enumerate() {
         words.extend((place > 0).then(|| Inline::Text("; ".into())));
@@ -47,13 +47,13 @@ pub(crate) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, 
 /// The number found and the one before it, each with whether the condition holds.
 fn tried<'a>(display: Display<'a>, unknown: Symbol, closed: &'a Closed) -> Option<Vec<(Trial<'a>, bool)>> {
     let Closed::FirstInteger { from, left, relation, right } = closed else { return None };
-    let found = display.worked.variant.value(unknown)?.value.round();
+    let solution = display.worked.variant.value(unknown)?.value.round();
     #[allow(clippy::cast_possible_truncation, reason = "counts are small")]
-    let found = found as i64;
+    let solution = solution as i64;
     let sides = [left, right];
     let trial = |number: i64| Trial { display, unknown, number, sides, relation: *relation };
-    let before = (found > *from).then(|| (trial(found - 1), false));
-    Some(before.into_iter().chain([(trial(found), true)]).collect())
+    let before = (solution > *from).then(|| (trial(solution - 1), false));
+    Some(before.into_iter().chain([(trial(solution), true)]).collect())
 }
 
 /// One whole number put into the condition.

@@ -246,7 +246,7 @@ impl Derivation {
             Move::Polar { equations, magnitude, angle, x, y } => {
                 let both = equations.map(|equation| self.latest(equation));
                 let parts = [(Function::Cos, x, both[0]), (Function::Sin, y, both[1])];
-                let found = parts.map(|(function, value, line)| {
+                let lines = parts.map(|(function, value, line)| {
                     let part = Expr::from(*magnitude) * Expr::apply(function, Expr::from(*angle));
                     let is_stated = self.lines.get(line).is_some_and(|line| {
                         line.left == part && line.right == *value || line.right == part && line.left == *value
@@ -257,7 +257,7 @@ impl Derivation {
                         self.push(&part, value, Origin::Component(both))
                     }
                 });
-                self.sources.extend([*magnitude, *angle].map(|unknown| (unknown, found.to_vec())));
+                self.sources.extend([*magnitude, *angle].map(|unknown| (unknown, lines.to_vec())));
             }
             Move::Count { .. } | Move::Numeric { .. } => {}
         }
@@ -348,9 +348,9 @@ fn decided(system: &System, term: &Expr) -> Expr {
         Some(at.clone()? <= value(until)?)
     };
     // An open bound before the piece that holds leaves all of it open.
-    let found =
+    let holding =
         piecewise.pieces.iter().map(|(until, piece)| (holds(until), piece)).find(|(holds, _)| *holds != Some(false));
-    match found {
+    match holding {
         Some((Some(true), piece)) => decided(system, piece),
         _ => term.clone(),
     }

@@ -14,50 +14,50 @@ use super::derivation::Line;
 pub(crate) fn of_solution(lines: &[&Line], unknown: Symbol, value: &Expr) -> Vec<Expr> {
     let mut before = Vec::new();
     lines.iter().flat_map(|line| [&line.left, &line.right]).for_each(|side| add_denominators(side, &mut before));
-    let mut found = of_term(value);
-    found.retain(|factor| !before.contains(factor));
+    let mut factors = of_term(value);
+    factors.retain(|factor| !before.contains(factor));
     if let [line] = lines
         && let Some((coefficients, _)) = (line.left.clone() - line.right.clone()).linear_coefficients(&[unknown])
         && let Some(coefficient) = coefficients.into_iter().next()
     {
-        let cancelled = (coefficient / Expr::product(found.iter().cloned())).simplify();
-        add_factors(&cancelled, &mut found);
+        let cancelled = (coefficient / Expr::product(factors.iter().cloned())).simplify();
+        add_factors(&cancelled, &mut factors);
     }
-    found
+    factors
 }
 
 /// The factors of a coefficient by which an equation is divided.
 pub(crate) fn of_coefficient(coefficient: &Expr) -> Vec<Expr> {
-    let mut found = Vec::new();
-    add_factors(coefficient, &mut found);
-    found
+    let mut factors = Vec::new();
+    add_factors(coefficient, &mut factors);
+    factors
 }
 
 /// The factors that stand below a bar in a term.
 pub(crate) fn of_term(term: &Expr) -> Vec<Expr> {
-    let mut found = Vec::new();
-    add_denominators(term, &mut found);
-    found
+    let mut factors = Vec::new();
+    add_denominators(term, &mut factors);
+    factors
 }
 
-fn add_denominators(term: &Expr, found: &mut Vec<Expr>) {
+fn add_denominators(term: &Expr, factors: &mut Vec<Expr>) {
     if let Expr::Power(pair) = term
         && pair.1.as_number().is_some_and(|power| *power < Rational::ZERO)
     {
-        add_factors(&pair.0, found);
+        add_factors(&pair.0, factors);
     }
-    term.children().for_each(|part| add_denominators(part, found));
+    term.children().for_each(|part| add_denominators(part, factors));
 }
 
 /// The factors of a term above the bar, pure numbers left out.
-fn add_factors(term: &Expr, found: &mut Vec<Expr>) {
+fn add_factors(term: &Expr, divisors: &mut Vec<Expr>) {
     match term {
         Expr::Number(_) | Expr::Pi => {}
-        Expr::Product(factors) => factors.iter().for_each(|factor| add_factors(factor, found)),
+        Expr::Product(factors) => factors.iter().for_each(|factor| add_factors(factor, divisors)),
         Expr::Power(pair) if pair.1.as_number().is_some_and(|power| *power < Rational::ZERO) => {}
-        Expr::Power(pair) => add_factors(&pair.0, found),
-        other if found.contains(other) => {}
-        other => found.push(other.clone()),
+        Expr::Power(pair) => add_factors(&pair.0, divisors),
+        other if divisors.contains(other) => {}
+        other => divisors.push(other.clone()),
     }
 }
 

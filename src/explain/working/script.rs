@@ -50,7 +50,7 @@ pub(crate) struct Script {
     /// Laws, and how their equations are solved.
     pub opening: Vec<Opening>,
     /// For each root what is found.
-    pub roots: Vec<Vec<Found>>,
+    pub roots: Vec<Vec<SolvedUnknown>>,
 }
 
 impl Script {
@@ -58,16 +58,16 @@ impl Script {
     pub(crate) fn printed<'s>(
         &'s self,
         (place, root): (usize, &'s Root),
-    ) -> impl Iterator<Item = (Symbol, &'s Closed, &'s Found)> {
+    ) -> impl Iterator<Item = (Symbol, &'s Closed, &'s SolvedUnknown)> {
         let values = root.values.iter().zip(self.roots.get(place).into_iter().flatten());
-        let printed = values.filter(|(_, found)| found.is_printed);
-        printed.map(|((unknown, closed), found)| (*unknown, closed, found))
+        let printed = values.filter(|(_, answer)| answer.is_printed);
+        printed.map(|((unknown, closed), answer)| (*unknown, closed, answer))
     }
 }
 
 /// How an unknown is found.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct SolvedUnknown {
     /// From which equations, and what must not be zero for that.
     pub words: Option<Block>,
     /// The formula that it equals.
@@ -146,12 +146,13 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        let found = |((unknown, closed), is_printed): (&(Symbol, Closed), bool)| Found {
+        let printed_answer = |((unknown, closed), is_printed): (&(Symbol, Closed), bool)| SolvedUnknown {
             is_printed: is_printed || solving == Solving::InSymbols,
-            ..self.found(step, &derivation, *unknown, closed)
+            ..self.solved(step, &derivation, *unknown, closed)
         };
         let printed = |root: &Root| needed::printed(root, later);
-        let roots = step.roots.iter().map(|root| root.values.iter().zip(printed(root)).map(found).collect()).collect();
+        let roots =
+            step.roots.iter().map(|root| root.values.iter().zip(printed(root)).map(printed_answer).collect()).collect();
         Script { is_given, solving, derivation, opening, roots }
     }
 
@@ -167,14 +168,14 @@ impl Writer<'_> {
         }
     }
 
-    fn found(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> Found {
+    fn solved(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> SolvedUnknown {
         let formula = self.formula(step, unknown, closed);
         let value = match &formula {
             Formula::Fixed(Some(term)) => Some(&term.expr),
             Formula::Fixed(None) | Formula::Varies => None,
         };
         let words = value.and_then(|value| sentence::before_result(self.display, derivation, unknown, value));
-        Found { words, formula, is_printed: true }
+        SolvedUnknown { words, formula, is_printed: true }
     }
 
     fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Formula {

@@ -114,9 +114,9 @@ impl<'a> ShortSteps<'a> {
             None => blocks.extend(from.map(|from| Block::text(&format!("{from}:")))),
         }
         let solved = quadratic.map(|(unknown, _)| unknown);
-        for (unknown, closed, found) in script.printed(root) {
+        for (unknown, closed, answer) in script.printed(root) {
             if solved != Some(unknown) {
-                self.result(&mut blocks, (step, script), (unknown, closed), &found.formula);
+                self.result(&mut blocks, (step, script), (unknown, closed), &answer.formula);
             }
         }
         blocks.extend(self.rejected(position, step));
@@ -267,10 +267,10 @@ impl<'a> ShortSteps<'a> {
         &mut self,
         blocks: &mut Vec<Block>,
         (step, script): (&Step, &Script),
-        found: (Symbol, &Closed),
+        root: (Symbol, &Closed),
         formula: &Formula,
     ) {
-        let (unknown, closed) = found;
+        let (unknown, closed) = root;
         let trials = counting::trials(self.display, unknown, closed);
         if !trials.is_empty() {
             blocks.extend(trials);

@@ -79,9 +79,9 @@ impl<'a> Steps<'a> {
                 Opening::Move(place) => match step.moves.get(*place) {
                     Some(Move::Numeric { unknown }) => {
                         let formula = formula_of_equation(self.display, step, *unknown);
-                        let found =
+                        let block =
                             formula.is_none().then(|| bracket::found(self.display, &script.derivation, *unknown));
-                        blocks.extend(found);
+                        blocks.extend(block);
                     }
                     Some(Move::Quadratic { unknown, a, b, c, .. }) => {
                         let shown = quadratic::solution(self.display, *unknown, [a, b, c]);
@@ -95,10 +95,10 @@ impl<'a> Steps<'a> {
             }
         }
         if let Some(root) = taken(self.display, position, step) {
-            for (unknown, closed, found) in script.printed(root) {
+            for (unknown, closed, answer) in script.printed(root) {
                 if solved != Some(unknown) {
-                    blocks.extend(found.words.clone());
-                    self.result(&mut blocks, step, (unknown, closed), &found.formula);
+                    blocks.extend(answer.words.clone());
+                    self.result(&mut blocks, step, (unknown, closed), &answer.formula);
                 }
             }
         }
@@ -118,8 +118,8 @@ impl<'a> Steps<'a> {
     }
 
     /// The value of an unknown, and what must be said with it.
-    fn result(&mut self, blocks: &mut Vec<Block>, step: &Step, found: (Symbol, &Closed), formula: &Formula) {
-        let (unknown, closed) = found;
+    fn result(&mut self, blocks: &mut Vec<Block>, step: &Step, root: (Symbol, &Closed), formula: &Formula) {
+        let (unknown, closed) = root;
         let trials = counting::trials(self.display, unknown, closed);
         if !trials.is_empty() {
             blocks.extend(trials);

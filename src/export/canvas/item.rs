@@ -8,7 +8,7 @@ use super::super::element::{Element, element};
 use super::super::field::{Asked, Choice, Field};
 use super::super::question::{Asking, Pictures, Question, TypedUnit, said};
 
-/// Where pictures lie in the package.
+/// The folder of pictures in the package.
 pub(super) const FOLDER: &str = "pictures/";
 
 const MARKUP: Markup = Markup::Pictures;

@@ -76,7 +76,7 @@ pub struct PracticePage<'a> {
     pub templates: Option<&'a Path>,
 }
 
-/// Where the engine is.
+/// The place of the engine.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum EnginePlace {
     Inside,

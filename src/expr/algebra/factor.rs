@@ -9,25 +9,25 @@ const MAX_TERMS: usize = 40;
 
 /// Factors with their multiplicities; their product is `polynomial`, which no monomial may divide.
 pub(super) fn factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
-    let mut found = Vec::new();
-    split(polynomial, &mut found, &mut Work::default());
-    found
+    let mut factors = Vec::new();
+    split(polynomial, &mut factors, &mut Work::default());
+    factors
 }
 
-fn split(polynomial: &Polynomial, found: &mut Vec<(Polynomial, u32)>, work: &mut Work) {
+fn split(polynomial: &Polynomial, factors: &mut Vec<(Polynomial, u32)>, work: &mut Work) {
     if polynomial.as_constant().is_some_and(|value| value.is_one()) {
         return;
     }
     if (2..=MAX_TERMS).contains(&polynomial.len())
         && let Some((first, second)) = proper_divisor(polynomial, work)
     {
-        split(&first, found, work);
-        split(&second, found, work);
+        split(&first, factors, work);
+        split(&second, factors, work);
         return;
     }
-    match found.iter_mut().find(|(known, _)| known == polynomial) {
+    match factors.iter_mut().find(|(known, _)| known == polynomial) {
         Some((_, multiplicity)) => *multiplicity += 1,
-        None => found.push((polynomial.clone(), 1)),
+        None => factors.push((polynomial.clone(), 1)),
     }
 }
 

@@ -65,14 +65,14 @@ fn content(polynomial: &Polynomial, atom: &Atom, work: &mut Work) -> Option<Poly
     if parts.len() == 1 {
         return Some(normal(first));
     }
-    let mut found = first.clone();
+    let mut divisor = first.clone();
     for part in others {
-        found = search(&found, part, work)?;
-        if found.is_one() {
+        divisor = search(&divisor, part, work)?;
+        if divisor.is_one() {
             break;
         }
     }
-    Some(found)
+    Some(divisor)
 }
 
 /// `None` where the bounds were reached.

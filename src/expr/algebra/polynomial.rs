@@ -178,21 +178,21 @@ impl Polynomial {
 
     /// The coefficients of the powers of one atom; an empty map for zero.
     pub(crate) fn coefficients(&self, atom: &Atom) -> BTreeMap<i32, Self> {
-        let mut found: BTreeMap<i32, Self> = BTreeMap::new();
+        let mut coefficients: BTreeMap<i32, Self> = BTreeMap::new();
         for (monomial, coefficient) in self.terms() {
             let (_, rest) = monomial.partition(|base| base == atom);
-            found.entry(monomial.exponent(atom)).or_default().0.push((rest, coefficient.clone()));
+            coefficients.entry(monomial.exponent(atom)).or_default().0.push((rest, coefficient.clone()));
         }
-        found
+        coefficients
     }
 
     /// In how many terms each power of one atom stands.
     pub(crate) fn spread(&self, atom: &Atom) -> BTreeMap<i32, usize> {
-        let mut found = BTreeMap::new();
+        let mut counts = BTreeMap::new();
         for (monomial, _) in self.terms() {
-            *found.entry(monomial.exponent(atom)).or_default() += 1;
+            *counts.entry(monomial.exponent(atom)).or_default() += 1;
         }
-        found
+        counts
     }
 
     /// The derivative with respect to one atom, all others held.

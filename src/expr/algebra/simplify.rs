@@ -46,9 +46,9 @@ impl Expr {
         if form.numerator.atoms().into_iter().any(|atom| *atom != base && atom.contains(symbol)) {
             return None;
         }
-        let found = form.numerator.coefficients(&base);
-        let degree = found.last_key_value().map_or(0, |(power, _)| *power);
-        let read = |power| found.get(&power).map_or_else(Self::zero, |sum| Quotient::from(sum.clone()).to_expr());
+        let by_power = form.numerator.coefficients(&base);
+        let degree = by_power.last_key_value().map_or(0, |(power, _)| *power);
+        let read = |power| by_power.get(&power).map_or_else(Self::zero, |sum| Quotient::from(sum.clone()).to_expr());
         let coefficients = (0..=degree).map(read).collect();
         Some((coefficients, Quotient::from(form.denominator.clone()).to_expr()))
     }
@@ -106,8 +106,8 @@ fn as_written(expr: &Expr, symbols: &[Symbol]) -> Option<Linear> {
         Expr::Sum(terms) => {
             let mut rest = Vec::new();
             for term in terms.iter() {
-                let (found, left) = as_written(term, symbols)?;
-                parts.iter_mut().zip(found).for_each(|(part, found)| part.extend(found));
+                let (coefficients, left) = as_written(term, symbols)?;
+                parts.iter_mut().zip(coefficients).for_each(|(part, terms)| part.extend(terms));
                 rest.extend(left);
             }
             Some((parts, rest))
@@ -118,13 +118,13 @@ fn as_written(expr: &Expr, symbols: &[Symbol]) -> Option<Linear> {
             if places.next().is_some() {
                 return None;
             }
-            let (found, rest) = as_written(factor, symbols)?;
+            let (coefficients, rest) = as_written(factor, symbols)?;
             let with = |inner: Expr| {
                 let others = factors.iter().enumerate();
                 Expr::product(others.map(|(index, factor)| if index == place { inner.clone() } else { factor.clone() }))
             };
             let scale = |terms: Vec<Expr>| terms.into_iter().map(with).collect::<Vec<_>>();
-            Some((found.into_iter().map(scale).collect(), scale(rest)))
+            Some((coefficients.into_iter().map(scale).collect(), scale(rest)))
         }
         _ => None,
     }

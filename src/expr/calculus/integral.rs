@@ -47,8 +47,8 @@ pub(crate) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Optio
     };
     let all = all.into_iter().map(exponential_power);
     let (varying, fixed): (Vec<_>, Vec<_>) = all.partition(|factor| factor.contains(symbol));
-    let found = integrate_factors(&varying, symbol, steps)?;
-    Some(scaled(&found, &Expr::product(fixed)))
+    let antiderivative = integrate_factors(&varying, symbol, steps)?;
+    Some(scaled(&antiderivative, &Expr::product(fixed)))
 }
 
 /// `exp(n u)` for `exp(u)^n`, whose antiderivative is known.
@@ -108,8 +108,8 @@ fn integrate_factors(factors: &[Expr], symbol: Symbol, steps: &mut usize) -> Opt
 fn take(factors: &[Expr], test: impl Fn(&Expr) -> bool) -> Option<(Expr, Vec<Expr>)> {
     let place = factors.iter().position(test)?;
     let mut others = factors.to_vec();
-    let found = others.remove(place);
-    Some((found, others))
+    let factor = others.remove(place);
+    Some((factor, others))
 }
 
 /// A polynomial times one power, sine, cosine or exponential of a linear term.

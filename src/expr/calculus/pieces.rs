@@ -64,8 +64,8 @@ fn logarithm(term: &Expr) -> Option<(Expr, Expr)> {
         single => vec![single.clone()],
     };
     let is_logarithm = |factor: &Expr| matches!(factor, Expr::Apply(Function::Ln, _));
-    let (found, others): (Vec<_>, Vec<_>) = factors.into_iter().partition(is_logarithm);
-    match found.as_slice() {
+    let (logarithms, others): (Vec<_>, Vec<_>) = factors.into_iter().partition(is_logarithm);
+    match logarithms.as_slice() {
         [Expr::Apply(_, arguments)] => Some((Expr::product(others), arguments.first()?.clone())),
         _ => None,
     }

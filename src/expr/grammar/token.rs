@@ -39,7 +39,7 @@ pub(super) struct Token<'a> {
 
 /// The words of a text.
 pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ParseFault> {
-    let mut found = Vec::new();
+    let mut tokens = Vec::new();
     let (mut rest, mut start) = (text, 0);
     while let Some(first) = rest.chars().next() {
         let (kind, length) = match first {
@@ -68,10 +68,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ParseFault> {
         };
         let Some((written, behind)) = rest.split_at_checked(length) else { break };
         let end = start + length;
-        found.push(Token { kind, written, start, end });
+        tokens.push(Token { kind, written, start, end });
         (rest, start) = (behind, end);
     }
-    Ok(found)
+    Ok(tokens)
 }
 
 fn strange_help(other: char) -> Option<String> {

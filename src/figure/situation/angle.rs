@@ -32,7 +32,7 @@ pub struct AngleMark {
     pub label: Math,
 }
 
-/// Where an angle may be marked.
+/// A place where an angle may be marked.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vertex {
     pub at: Point,

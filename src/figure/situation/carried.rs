@@ -17,8 +17,8 @@ use super::swing::{CORD, draw_height, draw_path};
 /// Between what is shown of the start and of the end.
 const GAP: f64 = 30.0;
 const LONGEST: f64 = 46.0;
-/// Where the face of a wedge begins to rise, how high above the floor a body stands on it there, and the radius of the face, smaller
-/// where the face bends back to a brow.
+/// The point at which the face of a wedge begins to rise, how high above the floor a body stands on it there, and the radius of
+/// the face, smaller where the face bends back to a brow.
 const FOOT: f64 = 46.0;
 const STEP: f64 = 16.0;
 const RADIUS: [f64; 2] = [110.0, 56.0];

@@ -25,7 +25,7 @@ const SHORTER: f64 = 0.85;
 const ATTEMPTS: i32 = 7;
 /// A direction closer to the vertical has no path to the side.
 const UPRIGHT: f64 = 0.05;
-/// Where a path meets a wall, as a share of where it would be without weight; and its bounds.
+/// The height at which a path meets a wall, as a share of that without weight; and its bounds.
 const MET: f64 = 0.35;
 const MET_HIGHEST: f64 = 60.0;
 const PARTS: u32 = 32;
@@ -50,7 +50,7 @@ pub struct Launch {
 pub struct Resisted {
     /// The resistance divided by the speed, times the duration, divided by the mass.
     pub fading: f64,
-    /// Where it ends, seen from where it starts; none in a sketch.
+    /// Its end, seen from its start; none in a sketch.
     pub end: Option<[f64; 2]>,
 }
 

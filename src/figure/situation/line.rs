@@ -88,7 +88,7 @@ pub enum Tie {
     Firm,
 }
 
-/// Where a spring along a line lies.
+/// The place of a spring along a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineSpring {
     /// From the last body to a wall.

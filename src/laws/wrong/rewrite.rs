@@ -272,7 +272,7 @@ impl<'a> Graph<'a> {
         Expr::ratio(1, 2) * (low.clone() + high.clone())
     }
 
-    /// Where one piece ends and another begins.
+    /// The places at which one piece ends and another begins.
     fn corners(&self) -> Vec<Expr> {
         fn collect(term: &Expr, found: &mut Vec<Expr>) {
             if let Expr::Piecewise(own) = term {

@@ -134,7 +134,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Where a body is, seen from a fixed point or the centre of mass.
+    /// The place of a body, seen from a fixed point or the centre of mass.
     pub(crate) fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let from = |builder: &mut Self, axis: &Axis| match about {

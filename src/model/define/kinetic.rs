@@ -135,12 +135,12 @@ impl Builder<'_> {
     /// Matter that joins a body, leaves it or is thrown away carries kinetic energy that is no work and no loss.
     fn check_energy(&mut self, stage: usize, carries: impl Fn(&MassChange<'_>) -> bool) {
         let of = self.scene.stages.get(stage);
-        let found = if let Some(Stage::Push(push)) = of {
+        let joining = if let Some(Stage::Push(push)) = of {
             push.mass_change().filter(carries).map(|change| (change.name, "push", change.key()))
         } else {
             matches!(of, Some(Stage::Thrust(_))).then_some(("the exhaust", "thrust", "exhaust"))
         };
-        let Some((name, at, key)) = found else { return };
+        let Some((name, at, key)) = joining else { return };
         let message = format!("the kinetic energy that {name} carries with it is neither work nor loss");
         let help = "ask for the kinetic energies at both ends: `T_1`, `T_2`";
         let path = Path::root().key("scene").key("stages").index(stage).key(at).key(key);

@@ -169,9 +169,9 @@ impl Builder<'_> {
         let spelling = name.to_string();
         let is_meant =
             |name: &Name| name.stage.is_some() && Name { stage: None, ..name.clone() }.to_string() == spelling;
-        let mut found = self.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| is_meant(self.name(*symbol)));
-        let first = found.next()?;
-        found.next().is_none().then_some(first)
+        let mut matching = self.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| is_meant(self.name(*symbol)));
+        let first = matching.next()?;
+        matching.next().is_none().then_some(first)
     }
 
     pub(super) fn number(&self, name: &Name) -> Option<usize> {

@@ -111,8 +111,8 @@ impl Builder<'_> {
 
     /// Whether a body moves round a point before or after an instant.
     fn turns(&self, body: &str, instant: usize) -> bool {
-        let around = [instant.checked_sub(1), instant.checked_sub(2)].into_iter().flatten();
-        let stages = around.filter_map(|stage| self.scene.stages.get(stage));
+        let neighbours = [instant.checked_sub(1), instant.checked_sub(2)].into_iter().flatten();
+        let stages = neighbours.filter_map(|stage| self.scene.stages.get(stage));
         stages.map(|stage| Description::of(self.scene, stage)).any(|description| {
             description.about.is_some() && description.bodies.iter().any(|(named, _)| *named == body)
         })

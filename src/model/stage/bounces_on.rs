@@ -118,7 +118,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Where the n-th bounce is along the floor, how far it is to the next, and where all are over.
+    /// The place of the n-th bounce along the floor, the distance to the next, and the place where all are over.
     fn places_of_bounces(&mut self, body: &str, bounces: &Bouncing<'_>) {
         let Some(along) = &bounces.along else { return };
         let letter = along.axis.letter();

@@ -74,7 +74,7 @@ impl Builder<'_> {
         self.not_needed("the forces between the bodies", "within the system they cancel in pairs");
     }
 
-    /// Where the bodies get to together: their centre of mass keeps its velocity.
+    /// The places to which the bodies get together: their centre of mass keeps its velocity.
     fn displacements(&mut self, index: usize, stage: &Interact, bodies: &[&str], path: &Path) {
         let meaning = format!("the duration of {}", self.stage_phrase(index));
         let time = stage.during.as_ref().map(|term| {

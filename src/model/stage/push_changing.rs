@@ -168,7 +168,7 @@ impl Builder<'_> {
         self.integral_between(&variable_mass::LOSING, (changing.pushed.index, ends), because, sides, integral);
     }
 
-    /// Where the body is at the end, as far as there is a formula.
+    /// The place of the body at the end, as far as there is a formula.
     fn way_of_changing(&mut self, changing: &Changing<'_>, ends: &[usize]) {
         let Changing { pushed, force, flow, arrives, lasts, .. } = changing;
         let (index, clock) = (pushed.index, pushed.clock);

@@ -67,12 +67,12 @@ impl Builder<'_> {
 
         let leaves = self.direction(&stage.direction, &path.key("direction"));
         let [cos, sin] = leaves.cosine_and_sine();
-        let seen: Vec<Expr> = end[0].1.iter().zip(&end[1].1).map(|(one, other)| difference(one, other)).collect();
-        let across = dot(&seen, &[-sin.clone(), cos.clone()]);
+        let relative: Vec<Expr> = end[0].1.iter().zip(&end[1].1).map(|(one, other)| difference(one, other)).collect();
+        let across = dot(&relative, &[-sin.clone(), cos.clone()]);
         let because = format!("relative to {other}, {name} moves along its face at the end");
         self.law(&separation::ALONG_FACE, Some(index), because, (across, Expr::zero()));
         let reason = Reason::SlidesUp(name.clone(), other.clone());
-        self.require(dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
+        self.require(dot(&relative, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
         let weights = self.weight_and_guide(index, stage, &guide.by, &along);
         for influence in weights {
             self.acts(influence);

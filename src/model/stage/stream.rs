@@ -155,7 +155,7 @@ impl Builder<'_> {
         Some(flow)
     }
 
-    /// Where the stream goes after the body, and the share of its relative speed with which it comes straight back.
+    /// The direction of the stream after the body, and the share of its relative speed with which it comes straight back.
     fn stream_leaves(&mut self, stage: &Stream, direction: &Direction, path: &Path) -> (Option<Direction>, Expr) {
         match (&stage.turned, &stage.restitution, stage.stays) {
             (Some(term), None, false) => {
@@ -310,13 +310,13 @@ fn why(stage: &Stream, name: &str) -> String {
 /// The verb for what the body does with the stream.
 fn meets(stage: &Stream, name: &str) -> String {
     let by = &stage.by;
-    let seen = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
+    let frame = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
-        (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without a change of speed"),
+        (Some(_), ..) => format!("{name} is smooth and turns {by}{frame} without a change of speed"),
         (_, Some(_), _) => {
-            format!("{name} throws {by} back{seen} with the speed of arrival times the coefficient of restitution")
+            format!("{name} throws {by} back{frame} with the speed of arrival times the coefficient of restitution")
         }
         (_, _, true) => format!("{by} comes to rest relative to {name}"),
-        _ => format!("{name} lets {by} spread over it and leave{seen} at right angles to the original direction"),
+        _ => format!("{name} lets {by} spread over it and leave{frame} at right angles to the original direction"),
     }
 }

@@ -251,7 +251,7 @@ impl Builder<'_> {
         tells.then(|| self.quantity(name)).flatten().map(Expr::from)
     }
 
-    /// Where the pull at the end is given and the angle there is sought, the speed there is that which energy leaves: no block of the
+    /// Finds the angle at which the pull at the end is as given: the speed there is that which energy leaves, for no block of the
     /// equations has a formula otherwise.
     fn where_it_pulls_so(&mut self, index: usize, stage: &Swing, length: &Expr, ends: &[End; 2]) {
         let Some(pull) = self.told_pull(index, stage, &ends[1]).filter(|_| ends[0].is_lowest) else { return };
@@ -303,10 +303,10 @@ impl Builder<'_> {
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);
         let centre = ["the fixed end of the cord", "the centre of the track"][usize::from(on_track)];
-        let seen = carrier.map_or_else(String::new, |on| {
+        let frame = carrier.map_or_else(String::new, |on| {
             format!("relative to {on}, which is not accelerated while {holds} acts vertically, ")
         });
-        let because = format!("{seen}{} on a circle about {centre}", self.does(body, ["moves", "move"]));
+        let because = format!("{frame}{} on a circle about {centre}", self.does(body, ["moves", "move"]));
         self.law(law, None, because, sides);
     }
 }

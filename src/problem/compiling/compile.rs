@@ -74,7 +74,8 @@ pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults>
     }
 }
 
-/// Where every number is fixed, the problem has its one variant or none: what is given may say more than can be true.
+/// Finds contradictions where every number is fixed: the problem has its one variant or none, and what is given may say more than
+/// can be true.
 fn contradictions(problem: &Problem) -> Vec<Fault> {
     let trouble = |(position, form): (usize, &Form)| {
         if form.known.iter().any(|known| known.origin.is_drawn()) {
@@ -176,7 +177,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
                 let (free, printed) = (any::free(loaded, &model, &form), &form.printed - &by_formula);
                 forms.push(Form { printed, free, by_formula, ..form });
             }
-            Err(found) => faults.extend(found),
+            Err(more) => faults.extend(more),
         }
     }
     faults.extend(forms.iter().flat_map(|form| any::check(&model, form)));

@@ -137,7 +137,7 @@ impl Lacking<'_> {
         None
     }
 
-    /// Where no tactic closes some equations: a quantity that they leave open, with which the rest is found.
+    /// A quantity left open by equations that no tactic closes, with which the rest is found.
     fn open_scale(&self, planner: &mut Planner, equations: &[usize], unknowns: &[Symbol]) -> Option<Symbol> {
         let (system, known) = (self.system, &self.stuck.known);
         // These equations alone: others, such as that of the time along an orbit, have no derivative at its ends.
@@ -153,7 +153,7 @@ impl Lacking<'_> {
         unknowns.iter().rev().find(lets_find).copied()
     }
 
-    /// Where no tactic closes some equations: quantities that let the rest be found, each with a given whose place it has to take.
+    /// Quantities that let the rest be found where no tactic closes some equations, each with a given whose place it has to take.
     fn instead(&self, planner: &mut Planner, equations: &[usize], unknowns: &[Symbol]) -> Vec<(Symbol, Symbol)> {
         let (model, system, stuck) = (self.model, self.system, self.stuck);
         let within =

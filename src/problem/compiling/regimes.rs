@@ -150,17 +150,17 @@ fn judged(
     conditions: &[Condition],
 ) -> Audit {
     let audit = planner.audit(system, told, plan);
-    let found = |plan: &Plan| -> BTreeSet<Symbol> {
+    let unknowns = |plan: &Plan| -> BTreeSet<Symbol> {
         told.iter().copied().chain(plan.steps.iter().flat_map(|step| step.unknowns.iter().copied())).collect()
     };
     let compared = conditions.iter().flat_map(|condition| [&condition.left, &condition.right]).flat_map(Expr::symbols);
     let of_the_scene: BTreeSet<Symbol> = system.equations.iter().flat_map(Equation::symbols).collect();
-    let judged = found(&audit.plan);
+    let judged = unknowns(&audit.plan);
     let open: BTreeSet<Symbol> =
         compared.filter(|symbol| of_the_scene.contains(symbol) && !judged.contains(symbol)).collect();
     let mut whole = plan.clone();
     for symbol in open {
-        let known = found(&whole);
+        let known = unknowns(&whole);
         if !known.contains(&symbol)
             && let Ok(further) = planner.plan(system, &known, &[symbol])
         {

@@ -164,8 +164,9 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
     let mut ways: Vec<(Vec<usize>, Following)> = Vec::new();
     for aside in left_aside(problem.model(), leaf, from).into_iter().take(MOST_WAYS) {
         let kept = Restricted::new(&leaf.system, used.difference(&aside).copied());
-        let Ok(found) = plan(&kept.system, &known, &[asked]) else { continue };
-        let mut equations: Vec<usize> = found.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
+        let Ok(plan_kept) = plan(&kept.system, &known, &[asked]) else { continue };
+        let mut equations: Vec<usize> =
+            plan_kept.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
         equations.sort_unstable();
         let symbols: BTreeSet<Symbol> = equations
             .iter()
@@ -181,7 +182,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
             continue;
         };
         let by = laws(problem.model(), &leaf.system, &places, from);
-        let judge = judge(problem.model(), leaf, &kept, &aside, found, &known);
+        let judge = judge(problem.model(), leaf, &kept, &aside, plan_kept, &known);
         let backwards = !aside.is_subset(&finding_equations);
         ways.push((places, Following { by, backwards, solver, judge }));
     }
@@ -201,8 +202,8 @@ fn left_aside(model: &Model, leaf: &Leaf, from: &BTreeSet<Symbol>) -> Vec<BTreeS
                 .collect::<Vec<_>>()
         });
         sets = larger.collect();
-        let mut seen = BTreeSet::new();
-        sets.retain(|set| seen.insert(set.clone()));
+        let mut kept = BTreeSet::new();
+        sets.retain(|set| kept.insert(set.clone()));
         sets.truncate(4 * MOST_WAYS);
     }
     sets
@@ -212,16 +213,16 @@ fn left_aside(model: &Model, leaf: &Leaf, from: &BTreeSet<Symbol>) -> Vec<BTreeS
 /// student may have got wrong in one place and right in another.
 fn determining(model: &Model, leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
     let mut wanted = BTreeSet::from([symbol]);
-    let mut found = Vec::new();
+    let mut places = Vec::new();
     for step in leaf.answer_steps().iter().rev() {
         if !step.unknowns.iter().any(|unknown| wanted.contains(unknown)) {
             continue;
         }
-        found.extend(step.equations.iter().filter(|place| !is_weight(model, leaf, **place)));
+        places.extend(step.equations.iter().filter(|place| !is_weight(model, leaf, **place)));
         let equations = step.equations.iter().filter_map(|place| leaf.system.equations.get(*place));
         wanted.extend(equations.flat_map(Equation::symbols));
     }
-    found
+    places
 }
 
 fn is_weight(model: &Model, leaf: &Leaf, place: usize) -> bool {
@@ -262,13 +263,13 @@ fn judge(
     leaf: &Leaf,
     kept: &Restricted,
     aside: &BTreeSet<usize>,
-    mut found: Plan,
+    mut plan: Plan,
     known: &BTreeSet<Symbol>,
 ) -> Option<(Program, Vec<Reason>)> {
     // What was left aside is not true of the student's values: the rest of the scene does not follow from it.
     let rest =
         Restricted::new(&leaf.system, (0..leaf.system.equations.len()).filter(|equation| !aside.contains(equation)));
-    for step in &mut found.steps {
+    for step in &mut plan.steps {
         let place = |equation: &usize| rest.places.binary_search(kept.places.get(*equation)?).ok();
         step.equations = step.equations.iter().filter_map(place).collect();
         step.moves.clear();
@@ -300,7 +301,7 @@ fn judge(
     let reasons;
     (system.conditions, reasons) = judged.chain(lost).unzip();
     system.positive.clear();
-    let mut whole = audit(&system, known, &found);
+    let mut whole = audit(&system, known, &plan);
     whole.checks.clear();
     let inputs: Vec<Symbol> = known.iter().copied().collect();
     let program = Program::compile(&system, &whole, &inputs, &[], Verify::Redundant).ok()?;

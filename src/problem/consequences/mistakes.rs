@@ -75,7 +75,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
 /// Every unit that some given has and that is often overlooked: of all its givens, of each alone where that is told from
 /// other mistakes, and by how much.
 fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(Symbol, f64)>)> {
-    let mut found = Vec::new();
+    let mut readings = Vec::new();
     for row in MISREADINGS {
         let (Ok(given), Ok(taken)) = (Unit::parse(row.given), Unit::parse(row.taken)) else { continue };
         let factor = taken.in_terms_of(&given).to_f64();
@@ -83,13 +83,13 @@ fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(
             form.told.iter().filter(|symbol| problem.unit_told(form, **symbol).is_some_and(|unit| unit == given));
         let read: Vec<(Symbol, f64)> = told.map(|symbol| (*symbol, factor)).collect();
         if read.len() > 1 && row.alone {
-            found.extend(read.iter().map(|result| (row.of, vec![*result])));
+            readings.extend(read.iter().map(|result| (row.of, vec![*result])));
         }
         if !read.is_empty() {
-            found.push((row.of, read));
+            readings.push((row.of, read));
         }
     }
-    found
+    readings
 }
 
 impl Problem {

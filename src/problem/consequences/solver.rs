@@ -133,12 +133,12 @@ impl Solver {
             }
             let outcome = program.run(inputs, workspace);
             let all = outcome.value(symbol).into_iter().chain(outcome.other_values(symbol));
-            let mut found = false;
+            let mut has_values = false;
             for value in all.map(|number| number.value).filter(|value| value.is_finite()) {
-                found = true;
+                has_values = true;
                 add(value);
             }
-            found
+            has_values
         })
     }
 }

@@ -91,16 +91,16 @@ impl Sides {
         let at = |moment: &Expr| whole.substitute(&|symbol| (symbol == *clock).then(|| moment.clone()));
         // A law that is told for the stage alone has no value after it.
         let has_value = |term: &Expr| !term.evaluate(&|symbol| value_of(worked, symbol).value).is_nan();
-        let seen = moments.iter().map(at).filter(has_value);
-        seen.map(|term| close(worked, &term)).max().unwrap_or(Closeness::Apart)
+        let terms = moments.iter().map(at).filter(has_value);
+        terms.map(|term| close(worked, &term)).max().unwrap_or(Closeness::Apart)
     }
 }
 
 /// How close a difference is to zero.
 fn close(worked: &Worked<'_>, whole: &Expr) -> Closeness {
-    let found: Bounded = evaluate(whole, &|symbol| value_of(worked, symbol));
-    let size = found.value.abs();
-    if size <= found.error {
+    let sum: Bounded = evaluate(whole, &|symbol| value_of(worked, symbol));
+    let size = sum.value.abs();
+    if size <= sum.error {
         return Closeness::Exact;
     }
     // Where the difference is a good part of its terms, no datum of three figures makes up for it.

@@ -52,8 +52,8 @@ impl<'a> Composer<'a> {
         if let Some(known) = self.written.get(&symbol) {
             return Some(known.clone());
         }
-        let found = self.steps.iter().enumerate().find(|(_, step)| step.unknowns.contains(&symbol));
-        let Some((position, step)) = found else { return Some(symbol.into()) };
+        let found_step = self.steps.iter().enumerate().find(|(_, step)| step.unknowns.contains(&symbol));
+        let Some((position, step)) = found_step else { return Some(symbol.into()) };
         let root = step.roots.get(choice(position)).or(step.roots.first())?;
         let (_, closed) = root.values.iter().find(|(root_of, _)| *root_of == symbol)?;
         let Closed::Formula(formula) = closed else { return None };
@@ -134,11 +134,11 @@ pub(crate) fn check(
         }
         for leaf in form.solver.leaves() {
             let start = zeros(&form.known).chain(numbers(literals)).collect();
-            let found = Composer::new(leaf, start).composed(formula.symbol, &|_| 0);
+            let composed = Composer::new(leaf, start).composed(formula.symbol, &|_| 0);
             let strange = |symbol: &Symbol| literals.iter().any(|(literal, _)| literal == symbol);
-            let fault = match found {
+            let fault = match composed {
                 None => unwritten(leaf.answer_steps(), formula.symbol, &part.id, name),
-                Some(found) if found.symbols().iter().any(strange) => {
+                Some(formula) if formula.symbols().iter().any(strange) => {
                     let message = format!("the formula for `{}` contains a value that has no symbol", part.id);
                     Fault::new(Code::Value, message).help("give that value a name under `given`")
                 }
@@ -305,10 +305,10 @@ impl Worked<'_> {
         }
         let start = zeros(&self.form.known).chain(numbers(&self.problem.model().literals)).collect();
         let choice = |position: usize| roots.get(position).copied().unwrap_or(0);
-        let found = Composer::new(self.leaf(), start).composed(symbol, &choice);
+        let composed = Composer::new(self.leaf(), start).composed(symbol, &choice);
         if let Ok(mut known) = formulas.write() {
-            known.insert(key, found.clone());
+            known.insert(key, composed.clone());
         }
-        found
+        composed
     }
 }

@@ -33,7 +33,7 @@ pub struct Interval {
 /// An end of an interval, in the unit of the question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// Where it is.
+    /// Its place.
     pub value: Bounded,
     /// Whether it belongs to the interval.
     pub closed: bool,

@@ -68,9 +68,9 @@ impl Pictured {
     /// The pictures, in the order in which they are offered.
     #[must_use]
     pub fn pictures(&self, worked: &Worked<'_>) -> Vec<Picture> {
-        let found = self.found(worked);
-        let order = shuffled(worked, &self.stream, found.len());
-        let pictures = order.into_iter().filter_map(|place| found.get(place));
+        let shown = self.found(worked);
+        let order = shuffled(worked, &self.stream, shown.len());
+        let pictures = order.into_iter().filter_map(|place| shown.get(place));
         let named = pictures.zip('A'..='Z').map(|((mistake, shows), letter)| Picture {
             name: format!("{} {letter}", self.subject.noun()),
             shows: shows.clone(),
@@ -82,25 +82,25 @@ impl Pictured {
     /// The right picture, and wrong ones that look different from it and from each other.
     fn found(&self, worked: &Worked<'_>) -> Vec<(Option<&'static Misconception>, Shows)> {
         let [most, _] = OFFERED;
-        let mut found: Vec<(Option<&'static Misconception>, Shows)> = Vec::new();
+        let mut shown: Vec<(Option<&'static Misconception>, Shows)> = Vec::new();
         for (mistake, shows) in self.subject.drawn(worked) {
-            if found.len() < most && !found.iter().any(|(_, other)| shows.looks_like(other)) {
-                found.push((mistake, shows));
+            if shown.len() < most && !shown.iter().any(|(_, other)| shows.looks_like(other)) {
+                shown.push((mistake, shows));
             }
         }
-        found
+        shown
     }
 
     /// Why the pictures cannot be offered with the numbers of a variant.
     pub(crate) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
-        let found = self.found(worked);
+        let shown = self.found(worked);
         let [_, least] = OFFERED;
         let noun = self.subject.noun();
-        if found.is_empty() {
+        if shown.is_empty() {
             return Some(format!("the right {noun} does not fit what is solved"));
         }
-        let is_drawn = found.iter().all(|(_, shows)| shows.is_drawn());
-        (found.len() < least || !is_drawn).then(|| format!("the {noun}s of usual mistakes look like the right one"))
+        let is_drawn = shown.iter().all(|(_, shows)| shows.is_drawn());
+        (shown.len() < least || !is_drawn).then(|| format!("the {noun}s of usual mistakes look like the right one"))
     }
 
     pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {

@@ -53,8 +53,8 @@ impl Worked<'_> {
     #[must_use]
     pub fn every_root(&self, symbol: Symbol) -> Vec<Bounded> {
         let taken = self.variant.value(symbol);
-        let mut found: Vec<Bounded> = taken.into_iter().collect();
-        let Some((position, step)) = step_of(self.leaf(), symbol) else { return found };
+        let mut answers: Vec<Bounded> = taken.into_iter().collect();
+        let Some((position, step)) = step_of(self.leaf(), symbol) else { return answers };
         let chosen = self.variant.roots().get(position).copied().unwrap_or(0);
         for (_, root) in step.roots.iter().enumerate().filter(|(index, _)| *index != chosen) {
             let mut values: BTreeMap<Symbol, Bounded> = BTreeMap::new();
@@ -65,10 +65,10 @@ impl Worked<'_> {
                 values.insert(*unknown, value);
             }
             let other = values.get(&symbol).filter(|value| value.is_real());
-            found
+            answers
                 .extend(other.filter(|other| taken.is_none_or(|taken| other.value.to_bits() != taken.value.to_bits())));
         }
-        found
+        answers
     }
 
     /// Why a root is not a solution, as a clause.
@@ -97,12 +97,12 @@ impl Worked<'_> {
     /// Which quantity would not be positive, as it is called.
     fn not_positive(&self, dead: &Dead) -> String {
         let step = dead.step.and_then(|place| self.leaf().answer_steps().get(place));
-        let mut found = step.into_iter().flat_map(|step| step.unknowns.iter().zip(&dead.values));
+        let mut values = step.into_iter().flat_map(|step| step.unknowns.iter().zip(&dead.values));
         let is_it = |(unknown, value): &(&Symbol, &Bounded)| {
             self.leaf().system.positive.contains(unknown) && value.value <= 0.0
         };
         let meaning =
-            found.find(is_it).map(|(unknown, _)| self.problem.model().symbols.entry(*unknown).meaning.as_str());
+            values.find(is_it).map(|(unknown, _)| self.problem.model().symbols.entry(*unknown).meaning.as_str());
         let meaning = meaning.filter(|meaning| !meaning.is_empty()).unwrap_or("it");
         format!("{meaning} must be positive")
     }

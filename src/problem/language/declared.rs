@@ -21,12 +21,12 @@ pub(crate) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
     // One may be given by another that is given by a third.
     loop {
         let is_new = |name: &str| loaded.spoken.is_within_only(name) && known.iter().all(|(known, _)| known != name);
-        let found = loaded.given.iter().filter(|(name, _)| is_new(name));
-        let found: Vec<_> = found.filter_map(|pair| of_expression(pair, &known)).collect();
-        if found.is_empty() {
+        let expressions = loaded.given.iter().filter(|(name, _)| is_new(name));
+        let expressions: Vec<_> = expressions.filter_map(|pair| of_expression(pair, &known)).collect();
+        if expressions.is_empty() {
             return known;
         }
-        known.extend(found);
+        known.extend(expressions);
     }
 }
 

@@ -183,11 +183,11 @@ mod tests {
         let domain = grid("1", "6", "0.5").unwrap();
         assert_eq!((domain.pick(0), domain.pick(u64::MAX)), (0, 10));
         assert_eq!(grid("5", "5", "1").unwrap().pick(u64::MAX), 0);
-        let mut seen = std::collections::BTreeMap::new();
+        let mut counts = std::collections::BTreeMap::new();
         for word in 0..11_000_u64 {
-            *seen.entry(domain.pick(word * (u64::MAX / 11_000))).or_insert(0) += 1;
+            *counts.entry(domain.pick(word * (u64::MAX / 11_000))).or_insert(0) += 1;
         }
-        assert!(seen.len() == 11 && seen.values().all(|times| (999..=1001).contains(times)), "{seen:?}");
+        assert!(counts.len() == 11 && counts.values().all(|times| (999..=1001).contains(times)), "{counts:?}");
     }
 
     #[test]

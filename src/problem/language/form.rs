@@ -16,7 +16,7 @@ use super::text::Text;
 pub struct Question {
     /// The form's name; `None` where the file has one form without a name.
     pub name: Option<String>,
-    /// Where the form stands in the file: `forms.forward`, or the whole document.
+    /// The place of the form in the file: `forms.forward`, or the whole document.
     pub path: Path,
     /// The end of the text, after the story; empty where the form has none.
     pub text: Text,

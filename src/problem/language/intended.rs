@@ -35,7 +35,7 @@ impl Intended {
         }
     }
 
-    /// Where the condition is written, from the place of the whole.
+    /// The place of the condition, from that of the whole.
     pub(crate) fn place(&self, path: &Path) -> Path {
         match self {
             Self::Condition(_) => path.clone(),

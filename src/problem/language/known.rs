@@ -15,13 +15,13 @@ pub struct Known {
     pub symbol: Symbol,
     /// The unit in which it is drawn and printed.
     pub unit: Unit,
-    /// Where its value comes from.
+    /// The origin of its value.
     pub origin: Origin,
     /// The position of its random stream, where some form draws it.
     pub stream: Option<usize>,
 }
 
-/// Where a given's value comes from.
+/// The origin of a given's value.
 #[derive(Clone, Debug)]
 pub enum Origin {
     /// Each seed draws it.

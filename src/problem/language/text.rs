@@ -123,7 +123,7 @@ impl Text {
     pub fn read(text: &str) -> Result<Self, Vec<Fault>> {
         let mut pieces = Vec::new();
         let mut faults = Vec::new();
-        let find = |what: &str, from: usize| text[from..].find(what).map(|found| from + found);
+        let find = |what: &str, from: usize| text[from..].find(what).map(|place| from + place);
         let mut at = 0;
         // Where the next `}}` stands; looked for again only once it is passed, so that a text is read once however often it is opened.
         let mut close = find("}}", 0);

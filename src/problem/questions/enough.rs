@@ -137,8 +137,8 @@ pub(crate) fn answered(
             }
             ways.push(plan.map(|plan| laws(model, &system, &plan)));
         }
-        let found = ways.iter().find_map(|way| way.as_ref().ok());
-        let verdict = match (found, ways.iter().find_map(|way| way.as_ref().err())) {
+        let reason = ways.iter().find_map(|way| way.as_ref().ok());
+        let verdict = match (reason, ways.iter().find_map(|way| way.as_ref().err())) {
             (Some(laws), _) => {
                 answered.found.push(sought.symbol);
                 (true, format!("it follows from what is given by {laws}"))

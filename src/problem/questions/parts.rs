@@ -41,7 +41,7 @@ use super::vector;
 
 /// The result of reading the parts of a form.
 #[derive(Default)]
-pub(crate) struct Read {
+pub(crate) struct ReadParts {
     pub parts: Vec<Part>,
     /// The quantities to be solved.
     pub wanted: Vec<Symbol>,
@@ -54,8 +54,8 @@ pub(crate) struct Read {
 }
 
 /// Reads the parts of a form; faults are noted in the builder.
-pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
-    let mut read = Read::default();
+pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> ReadParts {
+    let mut read = ReadParts::default();
     for (index, ask) in question.ask.iter().enumerate() {
         let path = question.path.key("ask").index(index);
         let letter = part_letter(index);
@@ -113,7 +113,7 @@ pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
     read
 }
 
-/// Where two questions have the same words, each says in which stage its quantity is.
+/// Tells questions with the same words apart: each says in which stage its quantity is.
 fn tell_apart(parts: &mut [Part], builder: &Builder<'_>) {
     let phrase = |part: &Part| match part.kind.wanted()[..] {
         [only] if !matches!(part.kind, PartKind::Choice(_)) => builder.stage_phrase_of(only),
@@ -129,7 +129,7 @@ fn tell_apart(parts: &mut [Part], builder: &Builder<'_>) {
 }
 
 /// On the boundary of an interval other quantities have the values that belong to it, and no others can be asked.
-fn check_alone(read: &Read, question: &Question, builder: &mut Builder<'_>) {
+fn check_alone(read: &ReadParts, question: &Question, builder: &mut Builder<'_>) {
     let ranges = read.parts.iter().filter(|part| matches!(part.kind, PartKind::Range(_))).count();
     if ranges > 0 && read.wanted.len() > 1 {
         let fault =

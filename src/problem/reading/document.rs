@@ -69,7 +69,7 @@ pub struct Entry {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mapping {
     entries: Vec<Entry>,
-    /// Where among them each key stands.
+    /// The place of each key among them.
     places: BTreeMap<String, usize>,
 }
 
@@ -163,7 +163,7 @@ struct Reader<'a> {
     parser: Parser<'a, StrInput<'a>>,
     text: &'a str,
     bytes: Offsets,
-    /// Where its lines end, once somebody has asked.
+    /// The ends of its lines, once somebody has asked.
     line_ends: Option<Vec<usize>>,
     faults: Vec<Fault>,
 }

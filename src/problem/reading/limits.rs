@@ -32,13 +32,13 @@ pub(super) fn counts(value: &Value) -> Vec<Fault> {
     let scene = root.key("scene");
     let mut faults = Vec::new();
     let mut count = |value: Option<&Value>, at: &Path, key: &str, most: usize, what: &str, way_out: &str| {
-        let found = match value.and_then(|value| value.get(key)) {
+        let count = match value.and_then(|value| value.get(key)) {
             Some(Value::Mapping(mapping)) => mapping.len(),
             Some(Value::Sequence(sequence)) => sequence.len(),
             _ => 0,
         };
-        if found > most {
-            let fault = Fault::new(Code::Range, format!("these are {found} {what}, and there may be at most {most}"));
+        if count > most {
+            let fault = Fault::new(Code::Range, format!("these are {count} {what}, and there may be at most {most}"));
             faults.push(fault.help(way_out).at_path(at.name(key)));
         }
     };

@@ -190,7 +190,7 @@ fn givens<'e>(
     let mut faults = Vec::new();
     let read = |(name, entry): (&str, _)| {
         let given = Given::read(Borrow::borrow(&entry), &at.key("given").key(name));
-        given.map(|given| (name.to_owned(), given)).map_err(|found| faults.extend(found)).ok()
+        given.map(|given| (name.to_owned(), given)).map_err(|more| faults.extend(more)).ok()
     };
     let given = entries.filter_map(read).collect();
     (given, faults)

@@ -10,8 +10,8 @@ use super::super::sampling::say;
 use super::super::sampling::variant::Variant;
 
 impl Variant {
-    /// Where a part of its text was written: the path of the text, and the bytes in it. What a placeholder says was written
-    /// as that placeholder.
+    /// The place at which a part of its text was written: the path of the text, and the bytes in it. What a placeholder says was
+    /// written as that placeholder.
     #[must_use]
     pub fn origin_in_text(&self, problem: &Problem, place: Span) -> (Path, Span) {
         let story = &problem.loaded().draft.text;

@@ -109,11 +109,11 @@ impl Index {
     }
 }
 
-/// Where the bytes of a scalar's text stand in the text as written.
+/// The way from the bytes of a scalar's text to the text as written.
 struct Way {
     /// For each character its byte in the text and in the text as written, as far as no escape is in the way.
     steps: Vec<(usize, usize)>,
-    /// Where the text ends, if it was gone through to its end.
+    /// The end of the text, if it was gone through to its end.
     end: Option<usize>,
 }
 
@@ -140,17 +140,17 @@ impl Way {
                 at += here.chars().next().filter(|next| next.is_whitespace()).map_or(0, char::len_utf8);
                 continue;
             }
-            let found = written.get(at..)?.chars().next()?;
-            if found != wanted || (found == '\\' && quote == Some('"')) {
+            let sign = written.get(at..)?.chars().next()?;
+            if sign != wanted || (sign == '\\' && quote == Some('"')) {
                 return None;
             }
-            let doubled = found == '\'' && quote == Some('\'');
-            at += found.len_utf8() * if doubled { 2 } else { 1 };
+            let doubled = sign == '\'' && quote == Some('\'');
+            at += sign.len_utf8() * if doubled { 2 } else { 1 };
         }
         Some(at.min(written.len()))
     }
 
-    /// Where the byte `target` of the text stands; `None` where an escape is in the way.
+    /// The place of the byte `target` of the text; `None` where an escape is in the way.
     fn at(&self, target: usize) -> Option<usize> {
         let next = self.steps.partition_point(|(byte, _)| *byte < target);
         self.steps.get(next).map(|(_, at)| *at).or(self.end)

@@ -28,11 +28,11 @@ pub(crate) fn weighed(
     let terms = model.weights.iter().flat_map(ContactWeight::squares);
     let sought: BTreeSet<Symbol> =
         terms.flat_map(|term| term.symbols()).filter(|symbol| !told.contains(symbol)).collect();
-    let found = |leaf: &Leaf| {
+    let solves = |leaf: &Leaf| {
         let steps = &leaf.audit.plan.steps;
         sought.iter().all(|symbol| steps.iter().any(|step| step.unknowns.contains(symbol)))
     };
-    if solver.leaves().iter().all(found) {
+    if solver.leaves().iter().all(solves) {
         return None;
     }
     let wanted: Vec<Symbol> = sought.iter().copied().collect();

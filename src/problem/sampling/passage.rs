@@ -59,10 +59,10 @@ impl Sampler<'_> {
         }
         let inner = within(PARTS);
         let shares: Vec<f64> = [0.0, EDGE].into_iter().chain(inner).chain([1.0 - EDGE, 1.0]).collect();
-        let seen: Vec<(f64, f64)> = shares.into_iter().map(|share| (share, energy(share))).collect();
-        let largest = seen.iter().map(|(_, energy)| energy.abs()).fold(0.0, f64::max);
+        let energies: Vec<(f64, f64)> = shares.into_iter().map(|share| (share, energy(share))).collect();
+        let largest = energies.iter().map(|(_, energy)| energy.abs()).fold(0.0, f64::max);
         let mut highest = 0.0_f64;
-        seen.windows(3).any(|three| {
+        energies.windows(3).any(|three| {
             let [(low, before), (_, middle), (high, after)] = three else { return false };
             highest = highest.max(*before);
             if !middle.is_finite() {

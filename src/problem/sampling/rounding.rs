@@ -29,7 +29,7 @@ pub struct Judged {
     pub scale: f64,
 }
 
-/// Where a value in 77 digits lies so near to nothing, beside what cancels in it, it is nothing.
+/// The share of what cancels in a value of 77 digits below which it is nothing.
 const NOTHING: f64 = 1e-40;
 
 impl Worked<'_> {
@@ -41,12 +41,12 @@ impl Worked<'_> {
             AskedUnit::InTermsOf(symbol, _) => self.value(*symbol).abs() * number.size,
         };
         let figures = number.figures;
-        let found = self.allowance(number.symbol, figures) / unit;
+        let allowance = self.allowance(number.symbol, figures) / unit;
         // Whoever converts the result rounds it once more; a decimal multiple leaves its figures as they are.
         let is_decimal = (unit - unit_of_place(first_place(unit))).abs() < 1e-9 * unit;
         let written = half_unit(NEXT_DECADE * self.value(number.symbol) / unit, figures);
         let scale = if self.is_nothing(number.symbol) { self.cancelling(number.symbol) / unit } else { 0.0 };
-        Judged { allowance: if is_decimal { found } else { found + written }, scale }
+        Judged { allowance: if is_decimal { allowance } else { allowance + written }, scale }
     }
 
     /// Whether honest rounding may move the answer to a part by more than a few tolerances, or by half of it: with such numbers
@@ -125,13 +125,13 @@ impl Worked<'_> {
             let sizes = symbols.iter().filter(|(symbol, entry)| entry.dimension == wanted && *symbol != asked);
             sizes.map(|(symbol, _)| self.value(symbol).abs()).fold(0.0, f64::max)
         };
-        let made = match dimension {
+        let terms = match dimension {
             Dimension::MOMENTUM => largest(Dimension::MASS) * largest(Dimension::VELOCITY),
             Dimension::ENERGY => largest(Dimension::MASS) * largest(Dimension::VELOCITY).powi(2) / 2.0,
             _ => 0.0,
         };
         let approach = if dimension == Dimension::VELOCITY { self.approach() } else { 0.0 };
-        if approach > 0.0 { approach } else { largest(dimension).max(made) }
+        if approach > 0.0 { approach } else { largest(dimension).max(terms) }
     }
 
     /// The speed of approach of the first impact, where velocities along one line tell it.

@@ -23,11 +23,11 @@ impl Worked<'_> {
         if let Some(known) = samples.read().ok().and_then(|known| known.get(&key).cloned()) {
             return known;
         }
-        let found = self.drawn(givens);
+        let drawn = self.drawn(givens);
         if let Ok(mut known) = samples.write() {
-            known.insert(key, Arc::clone(&found));
+            known.insert(key, Arc::clone(&drawn));
         }
-        found
+        drawn
     }
 
     fn drawn(&self, givens: &[Symbol]) -> Arc<[Sample]> {

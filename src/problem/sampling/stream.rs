@@ -110,14 +110,14 @@ impl Streams {
     /// A maker of words; each thread takes its own.
     #[must_use]
     pub fn words(&self) -> Words {
-        let made = |id: &u64| Made {
+        let block = |id: &u64| WordBlock {
             id: *id,
             generator: ChaCha8Rng::from_seed(self.key),
             place: None,
             next: None,
             words: [0; BLOCK],
         };
-        Words { made: self.ids.iter().map(made).collect() }
+        Words { blocks: self.ids.iter().map(block).collect() }
     }
 }
 
@@ -125,12 +125,12 @@ impl Streams {
 /// order is cheapest.
 #[derive(Debug)]
 pub struct Words {
-    made: Vec<Made>,
+    blocks: Vec<WordBlock>,
 }
 
 /// The words of one stream that were made last.
 #[derive(Debug)]
-struct Made {
+struct WordBlock {
     id: u64,
     generator: ChaCha8Rng,
     /// The words that are there.
@@ -140,14 +140,14 @@ struct Made {
     words: [u64; BLOCK],
 }
 
-/// Where words are in a stream: by the block of attempts, and by the seed.
+/// The place of words in a stream: by the block of attempts, and by the seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Place {
     attempts: u64,
     seed: u64,
 }
 
-impl Made {
+impl WordBlock {
     fn go_to(&mut self, place: Place) {
         if self.next != Some(place) {
             self.generator.set_stream(self.id.wrapping_add(place.attempts));
@@ -162,14 +162,14 @@ impl Made {
 impl Words {
     /// The random word of the `index`-th name for a seed and an attempt, both from 0; nought where there is no such name.
     pub fn word(&mut self, index: usize, seed: u64, attempt: u64) -> u64 {
-        let Some(made) = self.made.get_mut(index) else { return 0 };
+        let Some(block) = self.blocks.get_mut(index) else { return 0 };
         let place = Place { attempts: attempt / BLOCK as u64, seed };
-        if made.place != Some(place) {
-            made.go_to(place);
+        if block.place != Some(place) {
+            block.go_to(place);
         }
         // The remainder is small, so the word is within the block.
         let word = attempt % BLOCK as u64;
-        usize::try_from(word).ok().and_then(|word| made.words.get(word)).copied().unwrap_or_default()
+        usize::try_from(word).ok().and_then(|word| block.words.get(word)).copied().unwrap_or_default()
     }
 }
 

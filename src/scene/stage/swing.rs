@@ -62,7 +62,7 @@ pub enum UpOrDown {
     Down,
 }
 
-/// Where an end of a swing lies.
+/// An end of a swing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place<'a> {
     /// At the lowest point.
@@ -84,7 +84,7 @@ impl Swing {
         if self.radius.is_some() { "the track" } else { "the cord" }
     }
 
-    /// Where the swing starts and ends.
+    /// The start and the end of the swing.
     #[must_use]
     pub fn places(&self) -> [Place<'_>; 2] {
         match (&self.from, &self.to, self.way) {

@@ -92,15 +92,15 @@ fn roots(coefficients: &[f64], horizon: f64) -> Vec<f64> {
         let root = -constant / slope;
         return if root > 0.0 && root < horizon { vec![root] } else { Vec::new() };
     }
-    let mut found = Vec::new();
+    let mut brackets = Vec::new();
     let mut left = 0.0;
     for right in roots(&derivative(coefficients), horizon).into_iter().chain([horizon]) {
         if (value(coefficients, left) > 0.0) != (value(coefficients, right) > 0.0) {
-            found.push(bracketed(coefficients, left, right));
+            brackets.push(bracketed(coefficients, left, right));
         }
         left = right;
     }
-    found
+    brackets
 }
 
 /// The root between two places of different sign: Newton's step where it stays inside, halves elsewhere.

@@ -41,7 +41,7 @@ pub fn measure_costs(repetitions: usize) -> Vec<Cost> {
 
 fn is_of<const D: usize>(task: &Task<D>, class: Class) -> bool {
     let case = (task.jittered)(0.0);
-    classify(&case.world, &case.budget).is_ok_and(|found| found.class == class)
+    classify(&case.world, &case.budget).is_ok_and(|classified| classified.class == class)
 }
 
 /// Tolerances by decades, and steps by halves of a decade.

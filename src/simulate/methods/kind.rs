@@ -84,8 +84,8 @@ impl MethodKind {
     /// What is meant, or which methods there are.
     pub fn named(text: &str) -> Result<Self, String> {
         let wanted = text.trim().to_lowercase().replace([' ', '_'], "-");
-        if let Some(found) = Self::ALL.iter().find(|method| method.typed() == wanted) {
-            return Ok(*found);
+        if let Some(method) = Self::ALL.iter().find(|method| method.typed() == wanted) {
+            return Ok(*method);
         }
         let names: Vec<String> = Self::ALL.iter().map(|method| method.typed()).collect();
         Err(match did_you_mean(&wanted, names.iter().map(String::as_str)) {

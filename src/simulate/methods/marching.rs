@@ -73,15 +73,15 @@ pub(super) fn march<const D: usize>(
 
 /// The contacts whose gap is closed.
 pub(super) fn closed<const D: usize>(world: &World<D>, contacts: &[Contact], state: &State<D>) -> Vec<Struck<D>> {
-    let mut found = Vec::new();
+    let mut struck = Vec::new();
     for &contact in contacts {
         let geometry = world.geometry(contact, state);
         if geometry.gap <= 0.0 {
             let rate = world.rate(contact, &geometry.normal, &state.velocities);
-            found.push(Struck { contact, normal: geometry.normal, rate });
+            struck.push(Struck { contact, normal: geometry.normal, rate });
         }
     }
-    found
+    struck
 }
 
 /// Newton's law at each closed contact that approaches, one after another, once.

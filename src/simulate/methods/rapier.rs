@@ -130,14 +130,14 @@ impl<const D: usize> Engine<D> {
     /// The contacts that pushed in the last step, each with the impulse on its second party.
     fn pushes(&self) -> Vec<(Contact, Pair)> {
         let mut all = Vec::new();
-        for found in self.inner.narrow_phase.contact_pairs() {
-            if found.total_impulse_magnitude() <= 0.0 {
+        for pair in self.inner.narrow_phase.contact_pairs() {
+            if pair.total_impulse_magnitude() <= 0.0 {
                 continue;
             }
             let place = |collider: ColliderHandle| self.colliders.get(&collider.into_raw_parts()).copied();
             // The engine's impulse acts on the second collider.
-            let impulse = found.total_impulse();
-            all.extend(match (place(found.collider1), place(found.collider2)) {
+            let impulse = pair.total_impulse();
+            all.extend(match (place(pair.collider1), place(pair.collider2)) {
                 (Some(Place::Body(first)), Some(Place::Body(second))) if first < second => {
                     Some((Contact::Bodies(first, second), impulse))
                 }

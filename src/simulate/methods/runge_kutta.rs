@@ -123,7 +123,7 @@ impl<const D: usize> Run<'_, D> {
 
     /// The contact that closes first within a step, and the part of the step until then.
     fn first_event(&self, length: f64) -> Option<(Contact, f64)> {
-        let mut found: Option<(Contact, f64)> = None;
+        let mut earliest_contact: Option<(Contact, f64)> = None;
         for &contact in &self.contacts {
             let (first, second) = self.world.parties(contact);
             if D > 1 && matches!(contact, Contact::Bodies(..)) && self.world.reach(contact) == 0.0 {
@@ -137,12 +137,12 @@ impl<const D: usize> Run<'_, D> {
             }
             let gap = gap_polynomial(self.world, contact, &self.result.last, &relative, length);
             if let Some(part) = first_fall(&gap, 1.0)
-                && found.is_none_or(|(_, earliest)| part < earliest)
+                && earliest_contact.is_none_or(|(_, earliest)| part < earliest)
             {
-                found = Some((contact, part));
+                earliest_contact = Some((contact, part));
             }
         }
-        found
+        earliest_contact
     }
 
     fn accept(&mut self, length: f64) {

@@ -19,7 +19,7 @@ const DROP: &str = "h_0";
 pub(super) struct Bounce {
     /// When, in s.
     pub time: f64,
-    /// Where along the floor, where the scene has two axes.
+    /// The place along the floor, where the scene has two axes.
     pub along: Option<f64>,
     /// How fast the body leaves the floor.
     pub leaves: f64,

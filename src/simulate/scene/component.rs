@@ -33,9 +33,9 @@ pub struct Component {
     pub letter: &'static str,
     /// Whether it is the height.
     pub vertical: bool,
-    /// Where it is positive, in words; none where the motion has axes of its own.
+    /// Its positive direction, in words; none where the motion has axes of its own.
     pub positive: Option<String>,
-    /// Where its unit points on a page: to the right, and upwards.
+    /// The direction of its unit on a page: to the right, and upwards.
     pub on_page: [f64; 2],
 }
 
@@ -124,7 +124,7 @@ impl Values<'_> {
     }
 }
 
-/// Where axes with these positive directions point on a page.
+/// The directions on a page of axes with these positive directions.
 fn on_page(words: &[&str]) -> Vec<[f64; 2]> {
     if let [_, _, _] = words {
         return in_space(words);

@@ -112,8 +112,8 @@ impl StageRun<'_> {
     /// Runs something while nobody watches.
     pub(super) fn unwatched<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
         let motions = self.motions.take();
-        let found = run(self);
+        let result = run(self);
         self.motions = motions;
-        found
+        result
     }
 }

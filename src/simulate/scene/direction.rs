@@ -42,7 +42,7 @@ impl Values<'_> {
         Ok(turned([1.0, 0.0, 0.0], self.number(text)?))
     }
 
-    /// Where something acts that may say so: along the first axis where it does not.
+    /// The direction in which something acts that may say so: along the first axis where it does not.
     pub(super) fn towards(&self, direction: Option<&Term>) -> Result<Vector, NothingToSimulate> {
         match direction {
             Some(term) => self.direction(&term.0),

@@ -5,7 +5,7 @@ use crate::record::{GAUSS, Moment, Pivot, Record, Recorded, Tie};
 use super::component::Component;
 use super::integrate::{Integrator, Slope};
 use super::nothing::NothingToSimulate;
-use super::recorded_motion::{Look, RecordedMotion, Seen};
+use super::recorded_motion::{Look, RecordedMotion, SeenBody};
 use super::stage_run::StageRun;
 
 /// The evenly spaced instants of a motion.
@@ -180,10 +180,10 @@ impl Given {
 fn moment(time: f64, look: Look, given: &Given) -> Moment {
     let outside = &given.outside;
     let total: f64 = look.bodies.iter().map(|body| body.mass).sum();
-    let added = |value: &dyn Fn(&Seen, usize) -> f64| -> Vec<f64> {
+    let added = |value: &dyn Fn(&SeenBody, usize) -> f64| -> Vec<f64> {
         (0..outside.len()).map(|part| look.bodies.iter().map(|body| body.mass * value(body, part)).sum()).collect()
     };
-    let squares = |body: &Seen| body.velocity.iter().map(|part| part * part).sum::<f64>();
+    let squares = |body: &SeenBody| body.velocity.iter().map(|part| part * part).sum::<f64>();
     Moment {
         time,
         centre: added(&|body, part| body.place[part] / total),

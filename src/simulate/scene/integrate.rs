@@ -31,7 +31,7 @@ pub(super) struct Integrator {
     pub longest: f64,
 }
 
-/// Where a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct End<const N: usize> {
     pub time: f64,
@@ -154,7 +154,7 @@ fn step<const N: usize>(
     Step { next, error: worst, last: slopes[6] }
 }
 
-/// Where a function of a part of the step crosses zero: false position with halved ends (the Illinois method).
+/// Finds where a function of a part of the step crosses zero: false position with halved ends (the Illinois method).
 fn located(function: &dyn Fn(f64) -> f64, whole: f64, ends: [f64; 2]) -> f64 {
     let ([mut low, mut high], [mut before, mut after]) = ([0.0, whole], ends);
     for _ in 0..MOST_TRIALS {

@@ -71,7 +71,7 @@ pub fn measure(
     }
 }
 
-/// Where the centre of mass is, or how fast it goes where the bodies move so.
+/// The place of the centre of mass, or its velocity where the bodies move so.
 pub(super) fn of_centre(
     values: &Values<'_>,
     bodies: &[&str],
@@ -94,7 +94,7 @@ pub(super) fn turning(values: &Values<'_>, asked: Asked<'_>, moment: Vector) -> 
     }
 }
 
-/// Where a point of the scene is, or the centre of mass of bodies.
+/// The place of a point of the scene, or of the centre of mass of bodies.
 pub(super) fn centre(
     values: &Values<'_>,
     bodies: &[&str],
@@ -129,7 +129,7 @@ pub(super) fn velocity(values: &Values<'_>, body: &str) -> Result<Vector, Nothin
     })
 }
 
-/// Where a body is.
+/// The place of a body.
 pub(super) fn place(values: &Values<'_>, body: &str) -> Result<Vector, NothingToSimulate> {
     if values.axes().is_empty() {
         return Err(NothingToSimulate::Unread);

@@ -172,12 +172,12 @@ impl Constraint {
         match self {
             Self::Length(lines) => (Cow::Borrowed(lines), 0.0),
             Self::Surface(surface) => {
-                let seen = |of: fn(&[f64], usize) -> Vector| {
+                let relative = |of: fn(&[f64], usize) -> Vector| {
                     surface
                         .carrier
                         .map_or(of(state, surface.on), |carrier| less(of(state, surface.on), of(state, carrier)))
                 };
-                let (normal, moving) = (surface.weighed(less(seen(place), surface.centre)), seen(velocity));
+                let (normal, moving) = (surface.weighed(less(relative(place), surface.centre)), relative(velocity));
                 let back = surface.carrier.map(|carrier| (carrier, times(-1.0, normal)));
                 let lines = [(surface.on, normal)].into_iter().chain(back).collect();
                 (Cow::Owned(lines), surface.changes - dot(moving, surface.weighed(moving)))

@@ -16,7 +16,7 @@ pub struct RecordedMotion {
 }
 
 /// A body as it is seen at an instant.
-pub(super) struct Seen {
+pub(super) struct SeenBody {
     pub mass: f64,
     pub place: Vec<f64>,
     pub velocity: Vec<f64>,
@@ -25,7 +25,7 @@ pub(super) struct Seen {
 /// The view of a motion at an instant.
 #[derive(Default)]
 pub(super) struct Look {
-    pub bodies: Vec<Seen>,
+    pub bodies: Vec<SeenBody>,
     /// The forces from outside, added up.
     pub outside: Vec<f64>,
     /// The energy that weight and springs can give back.

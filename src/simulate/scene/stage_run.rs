@@ -1,4 +1,4 @@
-//! Where a stage is simulated: its numbers, how finely, and what has been found.
+//! Benches on which a stage is simulated: its numbers, how finely, and what has been found.
 
 use core::cell::Cell;
 

@@ -1,4 +1,4 @@
-//! Where bodies are and how they move when a stage starts.
+//! Places and velocities of bodies when a stage starts.
 
 use momentous_scene::Axis;
 

@@ -3,7 +3,7 @@
 use super::component::Frame;
 use super::integrate::End;
 use super::particles::{Constraint, Force, Particle, SharedLines, Strength, place, velocity};
-use super::recorded_motion::{Look, Seen};
+use super::recorded_motion::{Look, SeenBody};
 use super::vector::{Vector, ZERO, add, dot, size, times};
 
 /// Particles, and all that acts on them. A state holds place and velocity of each particle, and behind them the impulses of the
@@ -161,7 +161,7 @@ impl Frame {
             outside = add(outside, add(force, times(mass, moving.let_through(moving.falls))));
             look.potential -= mass * dot(moving.falls, moving.place);
             look.power += power;
-            look.bodies.push(Seen { mass, place: self.split(moving.place), velocity: self.split(moving.velocity) });
+            look.bodies.push(SeenBody { mass, place: self.split(moving.place), velocity: self.split(moving.velocity) });
         }
         look.outside = self.split(outside);
         look

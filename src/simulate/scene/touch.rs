@@ -40,7 +40,7 @@ pub(super) struct Parted<'a> {
 /// Places and velocities of both, and the impulse of the spring.
 type State = [f64; 13];
 
-/// Where the impulse stands in a state.
+/// The place of the impulse in a state.
 const IMPULSE: usize = 12;
 
 impl<'a> Touch<'a> {

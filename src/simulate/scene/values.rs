@@ -37,7 +37,7 @@ struct Reader<'a> {
 }
 
 /// A term that was read: the places of its variables, and the values of its other names.
-struct Read {
+struct ReadTerm {
     expr: Expr,
     places: BTreeMap<Symbol, usize>,
     found: BTreeMap<Symbol, f64>,
@@ -105,7 +105,7 @@ impl Values<'_> {
 
     /// A term as the coefficients of 1, t, t², ... in the clock, up to a power; none where it is no such polynomial.
     pub(super) fn polynomial(&self, term: &Term, highest: usize) -> Option<Vec<f64>> {
-        let Read { mut expr, places, found } = self.read(&term.0, &[CLOCK.to_owned()]).ok()?;
+        let ReadTerm { mut expr, places, found } = self.read(&term.0, &[CLOCK.to_owned()]).ok()?;
         let clock = places.into_keys().next();
         let mut coefficients = Vec::new();
         let mut factorial = 1.0;
@@ -127,7 +127,7 @@ impl Values<'_> {
 
     /// A term in variables of these names.
     pub(super) fn of_several(&self, text: &str, variables: &[String]) -> Result<OfSeveral, NothingToSimulate> {
-        let Read { expr, places, found } = self.read(text, variables)?;
+        let ReadTerm { expr, places, found } = self.read(text, variables)?;
         Ok(Arc::new(move |values| {
             expr.evaluate(&|symbol| match places.get(&symbol) {
                 Some(place) => values.get(*place).copied().unwrap_or(f64::NAN),
@@ -136,7 +136,7 @@ impl Values<'_> {
         }))
     }
 
-    fn read(&self, text: &str, variables: &[String]) -> Result<Read, NothingToSimulate> {
+    fn read(&self, text: &str, variables: &[String]) -> Result<ReadTerm, NothingToSimulate> {
         let table = SymbolTable::default();
         let places = BTreeMap::new();
         let mut reader = Reader { known: self.value, variables, places, table, found: BTreeMap::new(), missing: false };
@@ -144,7 +144,7 @@ impl Values<'_> {
         let Reader { places, found, missing, .. } = reader;
         let expr =
             parsed.map_err(|_| if missing { NothingToSimulate::ValueMissing } else { NothingToSimulate::Unread })?;
-        Ok(Read { expr, places, found })
+        Ok(ReadTerm { expr, places, found })
     }
 
     /// The axes of the scene, in order.

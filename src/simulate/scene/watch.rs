@@ -60,18 +60,18 @@ struct Watched<'a> {
 }
 
 impl Watched<'_> {
-    /// Where a body is when it has gone on for a time, seen from a point. Where only velocities are used, all may start
-    /// at the same place.
+    /// The place of a body when it has gone on for a time, seen from a point. Where only velocities are used, all may start at
+    /// the same place.
     fn at(&self, body: &str, time: f64, from: Option<&str>) -> Option<Vector> {
         let velocity_of = |body: &str| {
             let start = place(self.values, body).unwrap_or(ZERO);
             Some(add(start, times(time, velocity(self.values, body).ok()?)))
         };
-        let seen = match from {
+        let point_of_view = match from {
             Some(point) => centre(self.values, self.bodies, point, &velocity_of)?,
             None => ZERO,
         };
-        Some(less(velocity_of(body)?, seen))
+        Some(less(velocity_of(body)?, point_of_view))
     }
 
     /// How far it goes in a unit of time.

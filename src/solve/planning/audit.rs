@@ -28,14 +28,14 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
 
 /// The same with a memory of what tactics made of blocks.
 pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, attempts: &mut Attempts) -> Audit {
-    let mut found = known.clone();
+    let mut known_by_then = known.clone();
     let mut used: BTreeSet<usize> = BTreeSet::new();
     for step in &plan.steps {
-        found.extend(&step.unknowns);
+        known_by_then.extend(&step.unknowns);
         used.extend(&step.equations);
     }
     let mut extended = plan.clone();
-    let mut open = Open::of(system, &found);
+    let mut open = Open::of(system, &known_by_then);
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|place| system.equations[*place].cost);
     // An equation with one unknown gives it or does not, whatever else is found.
@@ -44,7 +44,7 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
     loop {
         let mut progress = false;
         for place in &order {
-            let [unknown] = *open.without(&found, *place) else { continue };
+            let [unknown] = *open.without(&known_by_then, *place) else { continue };
             if !tried.insert(*place) {
                 continue;
             }
@@ -57,25 +57,25 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
                 postponed.push(step);
                 continue;
             }
-            found.insert(unknown);
+            known_by_then.insert(unknown);
             used.insert(*place);
             extended.steps.push(step);
             progress = true;
         }
         if !progress {
-            postponed.retain(|step| !step.unknowns.iter().any(|unknown| found.contains(unknown)));
+            postponed.retain(|step| !step.unknowns.iter().any(|unknown| known_by_then.contains(unknown)));
             // Two at once only where nothing follows alone: an impact of which neither velocity is known.
             let step = (!postponed.is_empty()).then(|| postponed.remove(0));
-            let step = step.or_else(|| pair(system, &order, &mut open, &found, &used, attempts));
+            let step = step.or_else(|| pair(system, &order, &mut open, &known_by_then, &used, attempts));
             let Some(step) = step else { break };
-            found.extend(&step.unknowns);
+            known_by_then.extend(&step.unknowns);
             used.extend(&step.equations);
             extended.steps.push(step);
         }
     }
     let mut is_check = |place: &usize| {
         let equal = matches!(system.equations[*place].statement, Statement::Equal { .. });
-        equal && !used.contains(place) && open.without(&found, *place).is_empty()
+        equal && !used.contains(place) && open.without(&known_by_then, *place).is_empty()
     };
     let checks = (0..system.equations.len()).filter(|place| is_check(place)).collect();
     Audit { plan: extended, answer_steps: plan.steps.len(), checks }
@@ -117,9 +117,9 @@ impl Open {
     }
 
     /// Reduces an equation to what it says beyond the symbols already found, which stay so.
-    fn without(&mut self, found: &BTreeSet<Symbol>, equation: usize) -> &[Symbol] {
+    fn without(&mut self, known: &BTreeSet<Symbol>, equation: usize) -> &[Symbol] {
         let open = &mut self.0[equation];
-        open.retain(|symbol| !found.contains(symbol));
+        open.retain(|symbol| !known.contains(symbol));
         open
     }
 }
@@ -129,17 +129,17 @@ fn pair(
     system: &System,
     order: &[usize],
     open: &mut Open,
-    found: &BTreeSet<Symbol>,
+    known: &BTreeSet<Symbol>,
     used: &BTreeSet<usize>,
     attempts: &mut Attempts,
 ) -> Option<Step> {
-    let mut met: BTreeMap<Vec<Symbol>, Vec<usize>> = BTreeMap::new();
+    let mut pairs_of_open: BTreeMap<Vec<Symbol>, Vec<usize>> = BTreeMap::new();
     for place in order.iter().filter(|place| !used.contains(place)) {
-        let two = open.without(found, *place);
+        let two = open.without(known, *place);
         if two.len() != 2 {
             continue;
         }
-        let others = met.entry(two.to_vec()).or_default();
+        let others = pairs_of_open.entry(two.to_vec()).or_default();
         let with = |other: &usize| {
             let block = Block { system, equations: vec![*other, *place], unknowns: two.to_vec() };
             let step = close(&block, attempts).ok()?;

@@ -55,7 +55,7 @@ impl<'a> Choice<'a> {
         let inside: Vec<usize> = (0..self.structure.rows.len()).filter(serves).collect();
         let least = inside.iter().map(|row| u64::from(self.structure.rows[*row].cost)).min().unwrap_or(0);
         let width = columns.len();
-        let (mut found, mut next) = (Vec::new(), None::<u64>);
+        let (mut choices, mut next) = (Vec::new(), None::<u64>);
         while let Some(way) = ways.pop() {
             let cost = way.cost + least * (width - way.span.len()) as u64;
             if cost > most {
@@ -63,11 +63,11 @@ impl<'a> Choice<'a> {
                 continue;
             }
             if *left == 0 {
-                return (found, None);
+                return (choices, None);
             }
             *left -= 1;
             if way.span.len() == width {
-                found.extend((cost == most).then_some(way.rows));
+                choices.extend((cost == most).then_some(way.rows));
                 continue;
             }
             let Some(row) = inside.get(way.place) else { continue };
@@ -77,7 +77,7 @@ impl<'a> Choice<'a> {
             }
             ways.extend(with);
         }
-        (found, next)
+        (choices, next)
     }
 
     /// Whether the rows that are chosen say as much with these as columns need of so great a number.

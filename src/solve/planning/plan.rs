@@ -61,7 +61,7 @@ pub enum Closed {
     Formula(Expr),
     /// By counting up from the first integer until the condition holds.
     FirstInteger {
-        /// Where counting starts.
+        /// The number with which counting starts.
         from: i64,
         /// The left side of the condition, in `unknown`.
         left: Expr,

@@ -212,12 +212,12 @@ struct Closer<'a> {
 impl Closer<'_> {
     /// The plan of these blocks; or the first block that is refused, as rows.
     fn close_all(&mut self, blocks: &[Vec<usize>]) -> Result<Plan, (Vec<usize>, Refusal)> {
-        let mut found = Bits::empty(self.structure.unknowns.len());
+        let mut solved = Bits::empty(self.structure.unknowns.len());
         let mut plan = Plan::default();
         for rows in blocks {
             let mut columns = self.structure.columns(rows);
-            columns.subtract(&found);
-            found.join(&columns);
+            columns.subtract(&solved);
+            solved.join(&columns);
             let mut unknowns: Vec<Symbol> = columns.iter().map(|column| self.structure.unknowns[column]).collect();
             let rank = |symbol: &Symbol| self.asked.iter().position(|asked| asked == symbol).unwrap_or(usize::MAX);
             unknowns.sort_by_key(rank);

@@ -236,8 +236,8 @@ impl<'a> Search<'a> {
     /// Puts every choice of rows that determine the columns at this cost on the list; and the columns again, where there are
     /// choices that cost more.
     fn choose(&mut self, most: u64, columns: Bits) {
-        let (found, next) = self.choice.rows(&columns, most, &mut self.left);
-        for rows in found {
+        let (choices, next) = self.choice.rows(&columns, most, &mut self.left);
+        for rows in choices {
             self.put(most, Entry::Rows(rows));
         }
         if let Some(next) = next {

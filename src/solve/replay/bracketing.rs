@@ -20,14 +20,14 @@ pub(super) fn root_above_zero<R: Real>(index: usize, mut function: impl FnMut(&R
     for (octave, part) in OCTAVES.flat_map(|octave| (0..POINTS).map(move |part| (octave, part))) {
         let x = libm::exp2(f64::from(octave)) * (1.0 + f64::from(part) / f64::from(POINTS));
         let here = Point::at(R::point(x), &mut function);
-        let found = match (earlier.as_ref().map(Point::sign), here.sign()) {
+        let root_here = match (earlier.as_ref().map(Point::sign), here.sign()) {
             (_, Sign::Zero) => Some(here.x.clone()),
             (Some(before), after) if opposite(before, after) => {
                 earlier.clone().and_then(|earlier| narrow(earlier, here.clone(), &mut function))
             }
             _ => None,
         };
-        if let Some(root) = found {
+        if let Some(root) = root_here {
             if passed == index {
                 return Some(root);
             }

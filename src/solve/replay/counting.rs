@@ -13,12 +13,12 @@ const ONE_BY_ONE: i64 = 64;
 pub(super) fn first_integer(from: i64, mut holds: impl FnMut(i64) -> bool) -> Option<i64> {
     let last = from.checked_add(BUDGET)?;
     let near = from.checked_add(ONE_BY_ONE)?;
-    if let Some(found) = (from..near).find(|candidate| holds(*candidate)) {
-        return Some(found);
+    if let Some(integer) = (from..near).find(|candidate| holds(*candidate)) {
+        return Some(integer);
     }
     let mut fails = near - 1;
     let mut stride = ONE_BY_ONE;
-    let mut found = loop {
+    let mut holding = loop {
         let candidate = fails.saturating_add(stride).min(last);
         if holds(candidate) {
             break candidate;
@@ -29,11 +29,11 @@ pub(super) fn first_integer(from: i64, mut holds: impl FnMut(i64) -> bool) -> Op
         fails = candidate;
         stride *= 2;
     };
-    while found - fails > 1 {
-        let middle = fails + (found - fails) / 2;
-        if holds(middle) { found = middle } else { fails = middle }
+    while holding - fails > 1 {
+        let middle = fails + (holding - fails) / 2;
+        if holds(middle) { holding = middle } else { fails = middle }
     }
-    Some(found)
+    Some(holding)
 }
 
 #[cfg(test)]

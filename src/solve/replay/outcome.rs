@@ -42,14 +42,14 @@ impl<'a, R> Outcome<'a, R> {
     /// The values of all symbols in the (first) solution.
     pub fn values(&self) -> impl Iterator<Item = (Symbol, &'a R)> {
         let chosen = self.workspace.chosen.as_slice();
-        let found = self.program.symbols.iter().filter(|_| self.workspace.survivors > 0);
-        found.filter_map(|(symbol, register)| Some((*symbol, chosen.get(*register as usize)?)))
+        let values = self.program.symbols.iter().filter(|_| self.workspace.survivors > 0);
+        values.filter_map(|(symbol, register)| Some((*symbol, chosen.get(*register as usize)?)))
     }
 
     /// The value of a symbol in each further solution.
     pub fn other_values(&self, symbol: Symbol) -> impl Iterator<Item = &'a R> {
         let register = self.program.register(symbol);
-        self.workspace.others.iter().filter_map(move |found| found.get(register? as usize))
+        self.workspace.others.iter().filter_map(move |values| values.get(register? as usize))
     }
 
     /// The root taken at each step of the plan in the (first) solution.

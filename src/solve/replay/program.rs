@@ -195,11 +195,11 @@ fn write_root(writer: &mut Writer, root: &Root, registers: Option<&[(Symbol, Reg
         match value {
             Closed::Formula(expr) => {
                 let (code, register) = writer.stretch(|writer| {
-                    let found = writer.expr(expr)?;
+                    let register = writer.expr(expr)?;
                     if let Some(wanted) = wanted {
-                        writer.copy(found, wanted);
+                        writer.copy(register, wanted);
                     }
-                    Some(wanted.unwrap_or(found))
+                    Some(wanted.unwrap_or(register))
                 });
                 writer.symbols.insert(*symbol, register?);
                 work.push(Work::Run(code));

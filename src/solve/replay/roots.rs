@@ -95,18 +95,18 @@ impl<R: Real> Outcome<'_, R> {
 /// Puts what a replay with more digits found in place of what a floating-point replay found. Only the values of symbols are
 /// ever asked for; the others stay as they were.
 fn round<R: Real>(symbols: &[(Symbol, Register)], precise: &Workspace<R>, fast: &mut Workspace<Bounded>) {
-    let rounded = |found: &[R], into: &mut Vec<Bounded>| {
-        into.resize(found.len(), Bounded::not_real());
+    let rounded = |values: &[R], into: &mut Vec<Bounded>| {
+        into.resize(values.len(), Bounded::not_real());
         for place in symbols.iter().map(|(_, register)| *register as usize) {
-            if let (Some(value), Some(place)) = (found.get(place), into.get_mut(place)) {
+            if let (Some(value), Some(place)) = (values.get(place), into.get_mut(place)) {
                 *place = value.to_bounded();
             }
         }
     };
     rounded(&precise.chosen, &mut fast.chosen);
     fast.others.resize_with(precise.others.len(), Vec::new);
-    for (found, into) in precise.others.iter().zip(&mut fast.others) {
-        rounded(found, into);
+    for (values, into) in precise.others.iter().zip(&mut fast.others) {
+        rounded(values, into);
     }
     fast.death_values.clear();
     fast.death_values.extend(precise.death_values.iter().map(R::to_bounded));
@@ -185,7 +185,7 @@ impl<R: Real> Replay<'_, R> {
             Work::Run(stretch) => run(&program.tape, stretch, registers),
             Work::Count { variable, from, code, difference, relation } => {
                 let mut decided = true;
-                let found = first_integer(*from, |candidate| {
+                let integer = first_integer(*from, |candidate| {
                     registers[*variable as usize] = R::integer(candidate);
                     run(&program.tape, code, registers);
                     let verdict = verdict(*relation, &registers[*difference as usize], self.last);
@@ -193,15 +193,15 @@ impl<R: Real> Replay<'_, R> {
                     verdict.unwrap_or(false)
                 });
                 self.workspace.decided &= decided;
-                self.workspace.registers[*variable as usize] = found.map_or_else(R::not_real, R::integer);
+                self.workspace.registers[*variable as usize] = integer.map_or_else(R::not_real, R::integer);
             }
             Work::Bracket { variable, code, residual, index } => {
-                let found = root_above_zero(*index, |candidate: &R| {
+                let root = root_above_zero(*index, |candidate: &R| {
                     registers[*variable as usize] = candidate.clone();
                     run(&program.tape, code, registers);
                     registers[*residual as usize].clone()
                 });
-                registers[*variable as usize] = found.unwrap_or_else(R::not_real);
+                registers[*variable as usize] = root.unwrap_or_else(R::not_real);
             }
         }
     }
@@ -270,9 +270,9 @@ impl<R: Real> Replay<'_, R> {
         }
         let registers = &workspace.registers;
         let unknowns = || self.program.stages.iter().flat_map(|stage| &stage.unknowns);
-        let (mut seen, mut unsure) = (false, false);
-        for found in std::iter::once(&workspace.chosen).chain(&workspace.others) {
-            let signs = unknowns().map(|(place, _)| found[*place as usize].sub(&registers[*place as usize]).sign());
+        let (mut is_known, mut unsure) = (false, false);
+        for values in std::iter::once(&workspace.chosen).chain(&workspace.others) {
+            let signs = unknowns().map(|(place, _)| values[*place as usize].sub(&registers[*place as usize]).sign());
             let (mut differs, mut open) = (false, false);
             for sign in signs {
                 match sign {
@@ -281,12 +281,12 @@ impl<R: Real> Replay<'_, R> {
                     _ => differs = true,
                 }
             }
-            seen |= !differs;
+            is_known |= !differs;
             unsure |= !differs && open;
         }
-        if !seen {
-            let found = workspace.registers.clone();
-            workspace.others.push(found);
+        if !is_known {
+            let registers = workspace.registers.clone();
+            workspace.others.push(registers);
             workspace.survivors += 1;
         }
         workspace.decided &= !unsure || self.last;

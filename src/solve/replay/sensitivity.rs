@@ -41,12 +41,12 @@ pub struct Sensitivity {
     symbols: Vec<Symbol>,
     registers: Vec<Register>,
     /// By step and root.
-    steps: Vec<Vec<Vec<Made>>>,
+    steps: Vec<Vec<Vec<ValueStep>>>,
 }
 
 /// How one value is made in a step; a stretch of the tape where that is by a formula. Of symbols it has the places in the list.
 #[derive(Clone, Debug)]
-struct Made {
+struct ValueStep {
     unknown: usize,
     by: Option<(Stretch, Register, Vec<usize>)>,
 }
@@ -70,14 +70,14 @@ impl Sensitivity {
     /// The sensitivity of the values which these steps make.
     #[must_use]
     pub fn of(steps: &[Step]) -> Self {
-        let made = || steps.iter().flat_map(|step| &step.roots).flat_map(|root| &root.values);
-        let parts = made().filter_map(|(_, closed)| formula(closed)).flat_map(Expr::symbols);
-        let symbols: BTreeSet<Symbol> = made().map(|(unknown, _)| *unknown).chain(parts).collect();
+        let values_of_steps = || steps.iter().flat_map(|step| &step.roots).flat_map(|root| &root.values);
+        let parts = values_of_steps().filter_map(|(_, closed)| formula(closed)).flat_map(Expr::symbols);
+        let symbols: BTreeSet<Symbol> = values_of_steps().map(|(unknown, _)| *unknown).chain(parts).collect();
         let mut writer = Writer::default();
         let symbols: Vec<Symbol> = symbols.into_iter().collect();
         let registers = symbols.iter().map(|symbol| writer.input(*symbol)).collect();
         let place = |symbol: &Symbol| symbols.partition_point(|smaller| smaller < symbol);
-        let mut made = |(unknown, closed): &(Symbol, Closed)| {
+        let mut step_of = |(unknown, closed): &(Symbol, Closed)| {
             // What formulas share is computed for each: a slope that one of them has not would spoil the others'.
             let before = writer.mark();
             let by = formula(closed).and_then(|formula| {
@@ -85,10 +85,10 @@ impl Sensitivity {
                 Some((stretch, result?, formula.symbols().iter().map(place).collect()))
             });
             writer.forget(before);
-            Made { unknown: place(unknown), by }
+            ValueStep { unknown: place(unknown), by }
         };
         let steps = steps.iter().map(|step| {
-            let root = |values: &Vec<_>| values.iter().map(&mut made).collect();
+            let root = |values: &Vec<_>| values.iter().map(&mut step_of).collect();
             step.roots.iter().map(|root| &root.values).map(root).collect()
         });
         let steps = steps.collect();
@@ -105,8 +105,8 @@ impl Sensitivity {
         roots: &[usize],
         mut each: impl FnMut(Symbol, f64),
     ) {
-        self.back(asked, value, roots, |symbol, slope, made| {
-            if made {
+        self.back(asked, value, roots, |symbol, slope, is_computed| {
+            if is_computed {
                 each(symbol, slope);
             }
         });
@@ -120,8 +120,8 @@ impl Sensitivity {
         roots: &[usize],
         mut each: impl FnMut(Symbol, f64),
     ) {
-        self.back(asked, value, roots, |symbol, slope, made| {
-            if !made {
+        self.back(asked, value, roots, |symbol, slope, is_computed| {
+            if !is_computed {
                 each(symbol, slope);
             }
         });
@@ -145,14 +145,14 @@ impl Sensitivity {
             slopes[asked] = 1.0;
             for (step, roots_made) in self.steps.iter().enumerate().rev() {
                 let root = roots.get(step).and_then(|taken| roots_made.get(*taken)).or(roots_made.first());
-                for made in root.into_iter().flatten().rev() {
+                for value in root.into_iter().flatten().rev() {
                     // What is left in the list at the end was made by no step.
-                    let slope = std::mem::take(&mut slopes[made.unknown]);
+                    let slope = std::mem::take(&mut slopes[value.unknown]);
                     if slope == 0.0 {
                         continue;
                     }
-                    each(self.symbols[made.unknown], slope, true);
-                    let Some((stretch, result, parts)) = &made.by else { continue };
+                    each(self.symbols[value.unknown], slope, true);
+                    let Some((stretch, result, parts)) = &value.by else { continue };
                     run(&self.tape, stretch, &mut workspace.registers);
                     shares[*result as usize] = slope;
                     run_back(self.tape[stretch.clone()].iter().rev(), &workspace.registers, shares);

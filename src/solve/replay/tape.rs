@@ -6,7 +6,7 @@ use momentous_expr::Function;
 
 use super::super::number::real::{Real, Sign};
 
-/// Where a number is kept.
+/// The place in which a number is kept.
 pub(crate) type Register = u32;
 
 /// A stretch of the tape.

@@ -121,7 +121,7 @@ pub struct Death {
 /// When a variant is replayed exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Precision {
-    /// Where floating point leaves something open.
+    /// Only where floating point leaves something open.
     #[default]
     OnDemand,
     /// Always: what is decided must be the same.

@@ -78,15 +78,15 @@ pub(crate) fn gradients(system: &System, structure: &Structure, samples: &mut Sa
 
 /// The derivatives of one equation. A count, and an equation without a value there, are taken to depend on all that they contain.
 fn gradient(system: &System, structure: &Structure, row: &Row, sample: &Sample) -> Vec<f64> {
-    let mut found = vec![0.0; structure.unknowns.len()];
+    let mut slopes = vec![0.0; structure.unknowns.len()];
     let mut add = |symbol, slope| {
         if let Some(column) = structure.column(symbol) {
-            found[column] += slope;
+            slopes[column] += slope;
         }
     };
     let stated = system.equations.get(row.equation).and_then(|equation| sample.slopes(&equation.statement, &mut add));
-    if stated.is_none() || !found.iter().all(|entry| entry.is_finite()) {
-        row.unknowns.iter().for_each(|column| found[column] = generic(structure.unknowns[column].index(), 7));
+    if stated.is_none() || !slopes.iter().all(|entry| entry.is_finite()) {
+        row.unknowns.iter().for_each(|column| slopes[column] = generic(structure.unknowns[column].index(), 7));
     }
-    found
+    slopes
 }

@@ -61,12 +61,12 @@ impl Structure {
 
     /// Whether what is wanted depends on each of these blocks, which stand in the order in which they are solved.
     pub(crate) fn needs_all(&self, blocks: &[Vec<usize>], wanted: &Bits) -> bool {
-        let mut found = Bits::empty(self.unknowns.len());
+        let mut columns_so_far = Bits::empty(self.unknowns.len());
         let new = |rows: &Vec<usize>| {
             let all = self.columns(rows);
             let mut new = all.clone();
-            new.subtract(&found);
-            found.join(&all);
+            new.subtract(&columns_so_far);
+            columns_so_far.join(&all);
             (all, new)
         };
         let contents: Vec<(Bits, Bits)> = blocks.iter().map(new).collect();
@@ -80,15 +80,15 @@ impl Structure {
 
     /// How many of these blocks take algebra: all but single equations with their unknown alone on one side.
     pub(crate) fn rearranged(&self, blocks: &[Vec<usize>]) -> usize {
-        let mut found = Bits::empty(self.unknowns.len());
+        let mut columns_so_far = Bits::empty(self.unknowns.len());
         let mut count = 0;
         for rows in blocks {
             let mut columns = self.columns(rows);
-            columns.subtract(&found);
+            columns.subtract(&columns_so_far);
             let alone =
                 matches!(rows[..], [row] if self.rows[row].alone.is_some_and(|column| columns.contains(column)));
             count += usize::from(!alone);
-            found.join(&columns);
+            columns_so_far.join(&columns);
         }
         count
     }

@@ -16,21 +16,21 @@ impl Matching {
         let mut matching =
             Self { by_column: vec![None; structure.unknowns.len()], by_row: vec![None; structure.rows.len()] };
         for row in rows {
-            let mut seen = known.clone();
-            matching.augment(structure, *row, &mut seen);
+            let mut visited = known.clone();
+            matching.augment(structure, *row, &mut visited);
         }
         matching
     }
 
     /// Finds a column for the row, moving other rows to other columns where needed.
     /// Recursion is as deep as an augmenting path: at most the number of rows.
-    fn augment(&mut self, structure: &Structure, row: usize, seen: &mut Bits) -> bool {
+    fn augment(&mut self, structure: &Structure, row: usize, visited: &mut Bits) -> bool {
         for column in structure.rows[row].finds.iter() {
-            if seen.contains(column) {
+            if visited.contains(column) {
                 continue;
             }
-            seen.insert(column);
-            if self.by_column[column].is_none_or(|other| self.augment(structure, other, seen)) {
+            visited.insert(column);
+            if self.by_column[column].is_none_or(|other| self.augment(structure, other, visited)) {
                 self.by_column[column] = Some(row);
                 self.by_row[row] = Some(column);
                 return true;

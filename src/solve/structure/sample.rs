@@ -75,15 +75,15 @@ impl Sample {
     fn of(system: &System, stated: &[Cow<Statement>], starts: u32) -> Self {
         let residuals = Residuals::of(&stated.iter().map(AsRef::as_ref).collect::<Vec<_>>());
         let told = stated.iter().filter(|statement| is_zero(statement)).count();
-        let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
+        let is_allowed = |sample: &Self| system.positive.iter().all(|symbol| sample.value(*symbol) > NOTHING);
         let start = |salt| residuals.free.iter().map(|symbol| begin(system, *symbol, salt)).collect();
         let positive: Vec<bool> = residuals.free.iter().map(|symbol| system.positive.contains(symbol)).collect();
         let salts = (0..STARTS).map(|salt| 2 * STARTS * starts + salt);
         let settled = salts.filter_map(|salt| settled(&residuals, &positive, start(salt)));
         let mut fewest: Option<Self> = None;
-        for found in settled.map(|values| Self::read(residuals.symbols(&values))).filter(is_allowed).take(COMPARED) {
-            if fewest.as_ref().is_none_or(|least| found.zeros() < least.zeros()) {
-                fewest = Some(found);
+        for sample in settled.map(|values| Self::read(residuals.symbols(&values))).filter(is_allowed).take(COMPARED) {
+            if fewest.as_ref().is_none_or(|least| sample.zeros() < least.zeros()) {
+                fewest = Some(sample);
             }
             if fewest.as_ref().is_some_and(|least| least.zeros() <= told) {
                 break;

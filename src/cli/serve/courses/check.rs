@@ -165,32 +165,32 @@ impl Check {
         Ok(findings)
     }
 
-    fn inspected(&self, found: &Inspection) -> Vec<Finding> {
+    fn inspected(&self, inspection: &Inspection) -> Vec<Finding> {
         let address = &self.setup.courses.data.address;
-        let mut findings = vec![match found.version {
+        let mut findings = vec![match inspection.version {
             None => Finding::Note(format!("{address} is empty: the first start prints a link for the operator")),
-            Some(version) if found.is_earlier() => Finding::Note(format!(
+            Some(version) if inspection.is_earlier() => Finding::Note(format!(
                 "the data are of version {version}: the next start brings them to this program's; make a backup before"
             )),
             Some(version) => Finding::fine(format!("{address} answers, with data of version {version}")),
         }];
         let is_folder = matches!(address, Address::Folder(_));
-        if found.is_served && !self.running {
+        if inspection.is_served && !self.running {
             let help =
                 "stop that server, or choose another folder with --data; --running checks a server that runs already";
             findings.push(Finding::wrong(format!("another server works on {address}"), help));
-        } else if self.running && is_folder && !found.is_served {
+        } else if self.running && is_folder && !inspection.is_served {
             findings.push(Finding::wrong(
                 format!("no server works on {address}"),
                 "start it, or name its folder with --data",
             ));
         }
-        if found.lacks_rights {
+        if inspection.lacks_rights {
             let help = "`GRANT CREATE ON SCHEMA public TO` the user, or make it the owner of the database";
             findings.push(Finding::wrong(format!("{address}: the user may not make tables there"), help));
         }
-        findings.extend(found.unsafe_settings.iter().map(|name| unsafe_setting(address, name)));
-        findings.push(clock(now(), found));
+        findings.extend(inspection.unsafe_settings.iter().map(|name| unsafe_setting(address, name)));
+        findings.push(clock(now(), inspection));
         findings
     }
 }
@@ -233,16 +233,16 @@ fn now() -> Moment {
 }
 
 /// Whether the clock can be right: what students hand in is timed by it.
-fn clock(now: Moment, found: &Inspection) -> Finding {
+fn clock(now: Moment, inspection: &Inspection) -> Finding {
     let help = "set the clock, best by NTP (`timedatectl set-ntp true`): what is in time is decided by it";
     let apart = |other: Moment| now.millis().saturating_sub(other.millis());
     if now < EARLIEST {
         return Finding::wrong(format!("the clock says {now}"), help);
     }
-    if let Some(other) = found.now.filter(|other| apart(*other).abs() > APART) {
+    if let Some(other) = inspection.now.filter(|other| apart(*other).abs() > APART) {
         return Finding::wrong(format!("the clock says {now}, and that of the database {other}"), help);
     }
-    if let Some(latest) = found.latest.filter(|latest| apart(*latest) < -APART) {
+    if let Some(latest) = inspection.latest.filter(|latest| apart(*latest) < -APART) {
         return Finding::wrong(format!("the clock says {now}, and something was noted at {latest} already"), help);
     }
     Finding::fine(format!("the clock says {now}"))
@@ -255,17 +255,17 @@ mod tests {
     #[test]
     fn a_clock_that_cannot_be_right_is_told() {
         let at = |hour: i64| EARLIEST.after(hour * 3_600_000);
-        let found = |latest, now| Inspection { latest, now, ..Inspection::default() };
-        for (now, found, is_wrong) in [
-            (at(0), found(None, None), false),
-            (at(-1), found(None, None), true),
-            (at(1), found(Some(at(0)), None), false),
-            (at(1), found(Some(at(2)), None), true),
-            (at(1), found(None, Some(at(1))), false),
-            (at(1), found(None, Some(at(2))), true),
-            (at(2), found(None, Some(at(1))), true),
+        let inspection = |latest, now| Inspection { latest, now, ..Inspection::default() };
+        for (now, inspected, is_wrong) in [
+            (at(0), inspection(None, None), false),
+            (at(-1), inspection(None, None), true),
+            (at(1), inspection(Some(at(0)), None), false),
+            (at(1), inspection(Some(at(2)), None), true),
+            (at(1), inspection(None, Some(at(1))), false),
+            (at(1), inspection(None, Some(at(2))), true),
+            (at(2), inspection(None, Some(at(1))), true),
         ] {
-            assert_eq!(clock(now, &found).is_wrong(), is_wrong, "{now}, {found:?}");
+            assert_eq!(clock(now, &inspected).is_wrong(), is_wrong, "{now}, {inspected:?}");
         }
     }
 }

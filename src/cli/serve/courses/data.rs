@@ -1,4 +1,4 @@
-//! Where the data of courses are.
+//! The place of the data of courses.
 
 use clap::Args;
 use tokio::runtime::{Builder, Runtime};
@@ -25,7 +25,7 @@ impl Data {
         done.map_err(|fault| self.failure(&fault))
     }
 
-    /// What is wrong with the data, and the way out.
+    /// The fault of the data, and the way out.
     pub(super) fn failure(&self, fault: &StoreFault) -> Failure {
         let help = match fault {
             StoreFault::Locked(_) => "stop the other server, or choose another folder with --data",
@@ -40,7 +40,7 @@ impl Data {
     }
 }
 
-/// What waits for a database, or for a server of mail.
+/// The runtime that waits for a database, or for a server of mail.
 pub(super) fn runtime() -> Result<Runtime, Failure> {
     let runtime = Builder::new_multi_thread().enable_all().build();
     runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))

@@ -1,6 +1,6 @@
-//! What a check found.
+//! Findings of a check.
 
-/// What a check found.
+/// The finding of a check.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Finding {
     /// All is well: what.
@@ -9,7 +9,7 @@ pub(super) enum Finding {
     Note(String),
     /// Something is wrong.
     Wrong {
-        /// What.
+        /// The subject of the finding.
         what: String,
         /// The way out.
         help: String,

@@ -8,7 +8,7 @@ use super::finding::Finding;
 /// The bytes that a disk has free at least. A course of 40 students takes a few of these a week; backups take more.
 const FREE: u64 = 512 << 20;
 
-/// What there is to say of a folder of data.
+/// The findings on a folder of data.
 pub(super) fn findings(folder: &Path) -> Vec<Finding> {
     // Where it is not there yet the first start makes it.
     let Some(there) = folder

@@ -1,4 +1,4 @@
-//! What a server that runs says of itself.
+//! Reports of a running server on itself.
 
 use std::io::{Read, Write};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
@@ -11,7 +11,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// The bytes of an answer that are read.
 const SHOWN: u64 = 4096;
 
-/// What the server on an address says of itself at `/health`, below the path of its pages.
+/// The report of the server on an address at `/health`, below the path of its pages.
 pub(super) fn finding(bind: SocketAddr, path: &str) -> Finding {
     let address = reached(bind);
     let help =

@@ -62,7 +62,7 @@ impl Catalogue {
         let is_found = |(offered, exhibit): &(&Offered, &Exhibit)| {
             (level.is_empty() || offered.card.level == level) && query.finds(exhibit)
         };
-        let found = self.offered.iter().zip(&self.exhibits).filter(is_found);
-        found.map(|(offered, _)| offered.clone()).collect()
+        let matching = self.offered.iter().zip(&self.exhibits).filter(is_found);
+        matching.map(|(offered, _)| offered.clone()).collect()
     }
 }

@@ -40,7 +40,7 @@ pub(super) const MOST_ITEMS: usize = 50;
 pub(super) struct Draft {
     pub(super) form: Form,
     pub(super) rows: Vec<Row>,
-    /// What the file of a homework says of its date, where the fields were filled in from one.
+    /// The date in the file of a homework, where the fields were filled in from one.
     pub(super) date: Option<String>,
     /// The state of the assignment on which the fields build.
     pub(super) revision: String,

@@ -38,10 +38,10 @@ pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
 
 /// The assignment of the address; its problems are pinned from the moment when it opens.
 async fn current(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
-    items::pinned(visit, super::of(visit).await?).await
+    items::pinned(visit, super::assignment_of(visit).await?).await
 }
 
-/// What stands over the fields where they were not kept.
+/// The heading over the fields where they were not kept.
 const CHANGED: &str = "this assignment has changed since you opened it\nhelp: look at it in another tab; kept again, your fields take its place";
 
 async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Reply, NotShown> {
@@ -97,7 +97,7 @@ async fn with_points(visit: &Visit, draft: &mut Draft) -> Result<(), NotShown> {
     Ok(())
 }
 
-/// What is wrong with the weights of items that students have not seen, by their places.
+/// The faults of the weights of items that students have not seen, by their places.
 async fn weighed_wrongly(visit: &Visit, items: &[Item]) -> Result<Vec<(usize, String)>, NotShown> {
     let mut wrong = Vec::new();
     let is_new = |item: &Item| item.digest.is_none() && !item.weights.is_empty();
@@ -124,7 +124,7 @@ fn revision(of: Option<&AssignmentWithItems>) -> String {
     of.map_or_else(String::new, |whole| whole.revision.to_string())
 }
 
-/// What an assignment consists of, for the trail.
+/// The content of an assignment, for the trail.
 fn summary(items: &[Item]) -> String {
     let said = |Item { problem, form, points, .. }: &Item| {
         let form = form.as_ref().map(|form| format!(" ({form})")).unwrap_or_default();

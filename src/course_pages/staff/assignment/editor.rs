@@ -24,7 +24,7 @@ struct EditorPage {
     pinned: Option<String>,
     form: Form,
     rows: Vec<ShownRow>,
-    /// What the file of the homework says of its date.
+    /// The date in the file of the homework.
     date: Option<String>,
     /// The file of a homework that cannot be used, and why.
     homework: String,
@@ -101,7 +101,7 @@ async fn with(
     let field = |name: &str| visit.fields.text(name).to_owned();
     let (search, level) = (field("search"), field("level"));
     let is_sought = field("do") == "search" || !search.is_empty() || !level.is_empty();
-    let found = is_sought.then(|| catalogue.search(&search, &level));
+    let results = is_sought.then(|| catalogue.search(&search, &level));
     let zone = &visit.course()?.zone;
     let page = EditorPage {
         title: if before.is_some() { "Edit the assignment" } else { "New assignment" },
@@ -124,7 +124,7 @@ async fn with(
         zone: zone.clone(),
         search,
         level,
-        found,
+        found: results,
         saved: !wrong && visit.fields.get("saved").is_some(),
         wrong,
     };

@@ -16,7 +16,7 @@ use super::super::form::Form;
 /// The fields.
 const FIELDS: [&str; 5] = ["member", "due", "late_until", "closes", "reason"];
 
-/// What stands before the name of a section that is chosen as a whole.
+/// The prefix of the name of a section that is chosen as a whole.
 const SECTION: &str = "section ";
 
 #[derive(Serialize)]
@@ -52,7 +52,7 @@ struct Listed {
 
 /// The extensions of an assignment, and a form for another.
 pub(crate) async fn extensions(visit: &Visit) -> Result<Reply, NotShown> {
-    let assignment = super::of(visit).await?.assignment;
+    let assignment = super::assignment_of(visit).await?.assignment;
     let zone = &visit.course()?.zone;
     let dates = assignment.policy.form(zone);
     let fields = [("due", dates.due), ("late_until", dates.late_until), ("closes", dates.closes)];
@@ -61,7 +61,7 @@ pub(crate) async fn extensions(visit: &Visit) -> Result<Reply, NotShown> {
 }
 
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
-    let assignment = super::of(visit).await?.assignment;
+    let assignment = super::assignment_of(visit).await?.assignment;
     let course = visit.course()?;
     let members = visit.store().members(course.key).await?;
     let name = |membership: &Membership| format!("{} ({})", membership.person.shown(), membership.person.login);
@@ -110,7 +110,7 @@ fn is_student(membership: &Membership) -> bool {
 
 /// Gives a student, or everybody of a section, more time; a second extension takes the place of the first.
 pub(crate) async fn extend(visit: &Visit) -> Result<Reply, NotShown> {
-    let assignment = super::of(visit).await?.assignment;
+    let assignment = super::assignment_of(visit).await?.assignment;
     let course = visit.course()?;
     let form = Form::sent(visit, &FIELDS);
     let members = visit.store().members(course.key).await?;

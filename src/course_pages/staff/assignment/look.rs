@@ -26,13 +26,13 @@ struct LookPage {
     problem: String,
     form: Option<String>,
     forms: Vec<FormLink>,
-    looked: Vec<Looked>,
+    looked: Vec<SampleSheet>,
     simulator: Option<&'static str>,
 }
 
 /// A variant with its answers.
 #[derive(Serialize)]
-pub(in crate::staff) struct Looked {
+pub(in crate::staff) struct SampleSheet {
     seed: u64,
     sheet: SheetResponse,
     answers: Vec<Answer>,
@@ -71,14 +71,14 @@ pub(in crate::staff) async fn looked(
     visit: &Visit,
     problem: &Arc<Problem>,
     form: usize,
-) -> Result<Vec<Looked>, NotShown> {
+) -> Result<Vec<SampleSheet>, NotShown> {
     let problem = Arc::clone(problem);
     visit.work(move |_| Ok(SEEDS.map(|seed| one(&problem, form, seed)).into_iter().collect::<Result<_, _>>()?)).await
 }
 
-fn one(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Looked, Refused> {
+fn one(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<SampleSheet, Refused> {
     let exercise = Exercise::draw(problem, form, seed)?;
     let answer = |row: momentous_render::KeyRow| Answer { part: row.part, answer: Fragment::inline(&row.answer) };
     let answers = exercise.key().into_iter().map(answer).collect();
-    Ok(Looked { seed, sheet: SheetResponse::of(&exercise)?, answers })
+    Ok(SampleSheet { seed, sheet: SheetResponse::of(&exercise)?, answers })
 }

@@ -14,7 +14,7 @@ use super::draft::{Draft, Row};
 /// The most points of a problem.
 const MOST_POINTS: u32 = 1000;
 
-/// What is wrong: with fields, and with rows by their places.
+/// The faults: of fields, and of rows by their places.
 pub(super) type Wrong = (Vec<FieldFault>, Vec<(usize, String)>);
 
 /// The assignment that the fields say, in place of `before` where there is one.

@@ -22,13 +22,13 @@ const LONGEST: Duration = Duration::from_mins(1);
 /// The file in the folder of a check.
 const FILE: &str = "problem.yaml";
 
-/// What a check says.
+/// The result of a check.
 #[derive(Serialize)]
 pub(super) struct Checked {
     /// Its outcome in a sentence.
     outcome: String,
     is_fine: bool,
-    /// What the command printed.
+    /// The report that the command printed.
     report: String,
 }
 

@@ -16,9 +16,9 @@ use super::super::outcome::NotShown;
 use super::super::visit::Visit;
 
 /// The problem file of the address, where it is one of the course's own.
-async fn of(visit: &Visit) -> Result<ProblemFile, NotShown> {
+async fn file_of(visit: &Visit) -> Result<ProblemFile, NotShown> {
     let course = visit.course()?.key;
-    let found = visit.store().problem_file(course, visit.part("digest")).await?;
-    let file = found.filter(|file| file.course == Some(course));
+    let stored = visit.store().problem_file(course, visit.part("digest")).await?;
+    let file = stored.filter(|file| file.course == Some(course));
     file.ok_or_else(|| NotShown::missing("this course has no such problem"))
 }

@@ -9,7 +9,7 @@ use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
-use super::super::assignment::{Looked, looked};
+use super::super::assignment::{SampleSheet, looked};
 use super::check::{Checked, run};
 use momentous_pages::{FormLink, Withheld as _};
 
@@ -22,13 +22,13 @@ struct ProblemPage {
     published: Option<String>,
     forms: Vec<FormLink>,
     form: Option<String>,
-    looked: Vec<Looked>,
+    looked: Vec<SampleSheet>,
     checked: Option<Checked>,
 }
 
 /// The page.
 pub(crate) async fn show(visit: &Visit) -> Result<Reply, NotShown> {
-    with(visit, super::of(visit).await?, None).await
+    with(visit, super::file_of(visit).await?, None).await
 }
 
 async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Result<Reply, NotShown> {
@@ -58,14 +58,14 @@ async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Res
 
 /// Checks what the problem promises, over many seeds.
 pub(crate) async fn check(visit: &Visit) -> Result<Reply, NotShown> {
-    let file = super::of(visit).await?;
+    let file = super::file_of(visit).await?;
     let checked = run(visit, &file).await?;
     with(visit, file, Some(checked)).await
 }
 
 /// From now on assignments of the course can have it. Those that are open keep the version that they have.
 pub(crate) async fn publish(visit: &Visit) -> Result<Reply, NotShown> {
-    let file = ProblemFile { published: Some(visit.now), ..super::of(visit).await? };
+    let file = ProblemFile { published: Some(visit.now), ..super::file_of(visit).await? };
     let entry = visit.entry("problem published", format!("{} {}", file.problem, file.digest));
     visit.store().save_problem_file(&file, Some(&entry)).await?;
     Ok(Reply::To(visit.in_course(&format!("/problems/{}", file.digest))?))

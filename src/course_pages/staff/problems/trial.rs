@@ -15,7 +15,7 @@ const LONGEST: Duration = Duration::from_secs(10);
 /// The name of the file in what is said of it.
 pub(super) const NAME: &str = "problem.yaml";
 
-/// What a trial says of a file.
+/// The result of trying a file.
 pub(super) enum Trial {
     /// It loads.
     Fine,
@@ -24,7 +24,7 @@ pub(super) enum Trial {
 }
 
 /// Reads and compiles a file on trial.
-pub(super) async fn of(visit: &Visit, text: &str) -> Result<Trial, NotShown> {
+pub(super) async fn try_file(visit: &Visit, text: &str) -> Result<Trial, NotShown> {
     let Some(turn) = visit.courses.processes.turn(visit.person()?.key).await else {
         let message = "another file is being read, yours or several of others\nhelp: wait a moment and keep it again";
         return Ok(Trial::Not(message.to_owned()));

@@ -15,7 +15,7 @@ use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
 use super::super::super::withheld::Withheld;
-use super::super::assignment::{Looked, looked};
+use super::super::assignment::{SampleSheet, looked};
 use super::trial;
 use super::trial::{NAME, Trial};
 use momentous_pages::Withheld as _;
@@ -27,11 +27,11 @@ struct WritePage {
     /// Every fault with its excerpt, as the command line prints them.
     faults: Option<String>,
     /// Three variants, where the file was to be shown and can be.
-    looked: Vec<Looked>,
+    looked: Vec<SampleSheet>,
 }
 
 impl WritePage {
-    const fn new(text: String, faults: Option<String>, looked: Vec<Looked>) -> Self {
+    const fn new(text: String, faults: Option<String>, looked: Vec<SampleSheet>) -> Self {
         Self { title: "New problem", text, faults, looked }
     }
 
@@ -107,7 +107,7 @@ pub(crate) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
 /// Reads a file, after a trial of whether it can be compiled; else everything that is wrong with it. What is open where the reader
 /// learns is not shown under another name.
 async fn read(visit: &Visit, text: &str) -> Result<Result<Usable, String>, NotShown> {
-    if let Trial::Not(faults) = trial::of(visit, text).await? {
+    if let Trial::Not(faults) = trial::try_file(visit, text).await? {
         return Ok(Err(faults));
     }
     let (course, now, text) = (visit.course()?.key, visit.now, text.to_owned());

@@ -26,7 +26,7 @@ const HEAVIEST: f64 = 20.0;
 /// How much longer than up to the impact the carts are watched.
 const WATCHED: f64 = 2.25;
 
-/// Where they never meet they are watched until the faster has gone so far (m), at most for so long (s).
+/// The limits of watching carts that never meet: until the faster has gone so far (m), at most for so long (s).
 const WAY: f64 = 6.0;
 const LONGEST: f64 = 6.0;
 
@@ -53,7 +53,7 @@ pub struct CollisionResponse {
     pub end: f64,
     /// From where to where they go, in m.
     pub track: [f64; 2],
-    /// Where the carts and their centre of mass are.
+    /// The places of the carts and their centre of mass.
     pub places: Vec<Curve>,
     /// Their velocities, in the same order.
     pub velocities: Vec<Curve>,

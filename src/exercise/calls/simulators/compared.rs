@@ -50,7 +50,7 @@ pub struct Compared {
     pub refused: Option<String>,
     /// Whether it gave up before the end, in words.
     pub broke_off: Option<String>,
-    /// Where each body is.
+    /// The place of each body.
     pub places: Vec<Curve>,
     /// The drifts of the balances, as shares: of momentum (of the greatest of any body) and of energy (of that at the start).
     pub drifts: Vec<Curve>,
@@ -106,7 +106,7 @@ impl Compared {
         Ok(compared)
     }
 
-    /// Where the bodies are, and how far from where they should be.
+    /// Adds the places of the bodies, and how far they are from where they should be.
     fn place(&mut self, taken: &Record, exact: &Record) {
         for (body, recorded) in taken.bodies.iter().enumerate() {
             let name = format!("{}, {}", recorded.name, self.name);

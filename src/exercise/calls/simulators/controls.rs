@@ -134,8 +134,8 @@ pub(super) fn set(controls: &'static [Control], values: &[f64]) -> Vec<(&'static
 
 /// A value that lies outside the limits of its control.
 pub(super) fn outside(controls: &[Control], values: &[f64]) -> Option<Refused> {
-    let found = controls.iter().zip(values).find(|(control, value)| !(control.min..=control.max).contains(*value));
-    found.map(|(control, value)| {
+    let outside = controls.iter().zip(values).find(|(control, value)| !(control.min..=control.max).contains(*value));
+    outside.map(|(control, value)| {
         let Control { name, min, max, unit, .. } = control;
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         let message = format!("`{name}` lies between {min}{unit} and {max}{unit} here, and {value:e}{unit} does not");

@@ -45,7 +45,7 @@ impl Curve {
         self
     }
 
-    /// Where a body is along an axis in the course of a run.
+    /// The place of a body along an axis in the course of a run.
     pub(super) fn place(
         name: impl Into<String>,
         role: &'static str,
@@ -68,7 +68,7 @@ impl Curve {
     }
 }
 
-/// Where two bodies and their centre of mass are along an axis.
+/// The places of two bodies and their centre of mass along an axis.
 pub(super) fn places(record: &Record, axis: usize) -> Vec<Curve> {
     let centre = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.centre.get(axis)?]));
     vec![

@@ -24,7 +24,7 @@ const APART: f64 = 4.0;
 /// How much longer than up to the impact the discs are watched.
 const WATCHED: f64 = 1.8;
 
-/// Where they never meet they are watched until the faster has gone so far (m), at most for so long (s).
+/// The limits of watching discs that never meet: until the faster has gone so far (m), at most for so long (s).
 const WAY: f64 = 8.0;
 const LONGEST: f64 = 6.0;
 
@@ -53,7 +53,7 @@ pub struct DiscsResponse {
     pub end: f64,
     /// From where to where they go along each axis, in m.
     pub table: [[f64; 2]; 2],
-    /// Where the discs and their centre of mass are along the first axis.
+    /// The places of the discs and their centre of mass along the first axis.
     pub places: Vec<Curve>,
     /// The same along the second.
     pub heights: Vec<Curve>,

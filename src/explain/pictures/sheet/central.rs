@@ -22,7 +22,7 @@ use super::super::quantities::Quantities;
 use super::super::sense::given_moment;
 use super::super::words::about_wording;
 
-/// Where the body is drawn, seen from the centre, in radians.
+/// The direction in which the body is drawn, seen from the centre, in radians.
 const PLACE: f64 = 0.5;
 
 /// A body on its arm at the start.

@@ -114,7 +114,7 @@ fn way(quantities: &Quantities<'_>, [body, start]: [&str; 2], until: &Term, axis
     Some(start.map_or_else(|| end.clone(), |start| (end.clone() - start).simplify()))
 }
 
-/// Where the ground is, by the way to it; none where it lies above the start.
+/// The depth of the ground, by the way to it; none where it lies above the start.
 fn depth(quantities: &Quantities<'_>, way: &Expr) -> Option<Depth> {
     match quantities.evaluate(way) {
         None => Some(Depth::Below(None)),

@@ -65,7 +65,7 @@ pub(in super::super) fn drawing(
     Some(Situation { wording, layout: Layout::Strung(strung), axes: compass.marks() }.drawing())
 }
 
-/// Where the bodies are, each string as long as the others; none where not all of them are tied to each other.
+/// The places of the bodies, each string as long as the others; none where not all of them are tied to each other.
 fn places(count: usize, joined: &[[usize; 2]], lines: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
     let mut places: Vec<Option<[f64; 2]>> = vec![None; count];
     *places.first_mut()? = Some([0.0, 0.0]);

@@ -36,9 +36,9 @@ pub(crate) struct Offered {
 pub(crate) enum Truth {
     Always,
     Never,
-    /// Where this holds.
+    /// Right where this holds.
     When(Claim),
-    /// Where no other option is.
+    /// Right where no other option is.
     Otherwise,
 }
 

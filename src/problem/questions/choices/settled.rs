@@ -29,11 +29,11 @@ pub(crate) fn join(names: &[String]) -> String {
 
 /// The stage that a question means: the one named, or the only one.
 pub(crate) fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) -> Option<usize> {
-    let found = match name {
+    let index = match name {
         Some(name) => builder.stage_of(name),
         None => (builder.scene().stages.len() == 1).then_some(0),
     };
-    if found.is_none() {
+    if index.is_none() {
         let message = match name {
             _ if builder.scene().stages.is_empty() => "nothing happens in this scene: it has no stage".to_owned(),
             None => "the question does not name the stage".to_owned(),
@@ -46,5 +46,5 @@ pub(crate) fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) 
         };
         builder.fault(Fault::new(Code::UnknownName, message).help(help).at_path(path.key("stage")));
     }
-    found
+    index
 }

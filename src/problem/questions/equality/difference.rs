@@ -133,7 +133,7 @@ fn sides(system: &System) -> impl Iterator<Item = (&Expr, &Expr)> {
 fn local(builder: &Builder<'_>, stage: Option<usize>, put: &dyn Fn(&Expr) -> Expr) -> System {
     let belongs = |equation: &&Equation| match (stage, builder.stage_of_law(equation.tag)) {
         (None, _) => true,
-        (exactly, found) => found == exactly,
+        (exactly, stage_of_law) => stage_of_law == exactly,
     };
     let equations = builder.system().equations.iter().filter(belongs).map(|equation| match &equation.statement {
         Statement::Equal { left, right } => {

@@ -44,7 +44,7 @@ pub struct Sides {
     pub clock: Option<(Symbol, Vec<Expr>)>,
 }
 
-/// Where equality is asked: in which stage, and what runs from its start to its end.
+/// The span for which equality is asked: its stage, and what runs from its start to its end.
 #[derive(Clone, Copy)]
 pub(crate) struct Place {
     pub stage: usize,

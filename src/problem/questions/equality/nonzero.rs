@@ -150,11 +150,11 @@ fn bounded(low: f64, high: f64) -> Option<Bounded> {
 
 /// The quantities that conditions bound by two numbers: a coefficient of restitution lies between 0 and 1.
 fn limits(conditions: &[Condition]) -> Vec<(Symbol, Bounded)> {
-    let mut found: BTreeMap<Symbol, [Option<f64>; 2]> = BTreeMap::new();
+    let mut ranges: BTreeMap<Symbol, [Option<f64>; 2]> = BTreeMap::new();
     for condition in conditions {
         let (Expr::Symbol(symbol), Some(bound)) = (&condition.left, condition.right.as_number()) else { continue };
         let bound = bound.to_f64().value();
-        let bounds = found.entry(*symbol).or_default();
+        let bounds = ranges.entry(*symbol).or_default();
         match condition.relation {
             Relation::AtLeast | Relation::Greater => bounds[0] = Some(bound),
             Relation::AtMost | Relation::Less => bounds[1] = Some(bound),
@@ -162,5 +162,5 @@ fn limits(conditions: &[Condition]) -> Vec<(Symbol, Bounded)> {
         }
     }
     let both = |(symbol, [low, high]): (Symbol, [Option<f64>; 2])| Some((symbol, bounded(low?, high?)?));
-    found.into_iter().filter_map(both).collect()
+    ranges.into_iter().filter_map(both).collect()
 }

@@ -82,11 +82,11 @@ fn body(ask: &Choose, builder: &Builder<'_>, path: &Path) -> Result<String, Faul
 fn axis(ask: &Choose, scene: &Scene, path: &Path) -> Result<(usize, Axis, Senses), Fault> {
     let axes = scene.axes.rectangular();
     let letters: Vec<&str> = axes.iter().map(|(axis, _)| axis.letter()).collect();
-    let found = match ask.along {
+    let position = match ask.along {
         Some(asked) => axes.iter().position(|(axis, _)| *axis == asked),
         None => (axes.len() == 1).then_some(0),
     };
-    let found_axis = found.and_then(|place| axes.get(place).map(|(axis, senses)| (place, *axis, senses.clone())));
+    let found_axis = position.and_then(|place| axes.get(place).map(|(axis, senses)| (place, *axis, senses.clone())));
     found_axis.ok_or_else(|| match (ask.along, &letters[..]) {
         (_, []) => {
             let fault = Fault::new(Code::Value, "graphs against time need rectangular axes");
@@ -291,7 +291,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// Where the pieces of a term end.
+/// The ends of the pieces of a term.
 fn breaks_of(term: &Expr, breaks: &mut Vec<Expr>) {
     match term {
         Expr::Sum(parts) | Expr::Product(parts) => parts.iter().for_each(|part| breaks_of(part, breaks)),

@@ -35,7 +35,7 @@ pub(super) fn predict<const D: usize>(
     let (first, second) = world.parties(contact);
     let pulled = uniform(&moving[second].motion);
     let other = first.map_or(Some(Vector::zeros()), |first| uniform(&moving[first].motion));
-    let found = match (pulled, other) {
+    let predicted = match (pulled, other) {
         (Some(pulled), Some(other)) => {
             let acceleration = pulled - other;
             match contact {
@@ -54,7 +54,7 @@ pub(super) fn predict<const D: usize>(
         }
         _ => polynomial(world, contact, state, moving, elapsed, horizon),
     };
-    found.filter(|found| found.after <= horizon)
+    predicted.filter(|predicted| predicted.after <= horizon)
 }
 
 /// A gap that is nothing but rounding is none.

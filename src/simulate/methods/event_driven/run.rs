@@ -192,18 +192,18 @@ impl<'a, const D: usize> Run<'a, D> {
 
     /// The other contacts of the bodies at a contact that touch now and do not part.
     fn others(&mut self, struck: &Struck<D>) -> Vec<Struck<D>> {
-        let mut found = Vec::new();
+        let mut contacts = Vec::new();
         let (first, second) = self.world.parties(struck.contact);
         for body in first.into_iter().chain([second]) {
             for place in 0..self.contacts[body].len() {
                 let other = self.agenda.contacts()[self.contacts[body][place]];
                 if other != struck.contact {
                     self.look_at_others(other, &[*struck]);
-                    found.extend(self.world.touching(&[other], &self.result.last));
+                    contacts.extend(self.world.touching(&[other], &self.result.last));
                 }
             }
         }
-        found
+        contacts
     }
 
     /// The contact that is struck, with every contact that touches it now, directly or through others, and does not part.
@@ -301,8 +301,8 @@ impl<'a, const D: usize> Run<'a, D> {
         let limit = self.breakpoints.last().copied().unwrap_or(f64::INFINITY).min(self.budget.until);
         let horizon = limit - self.now.seconds();
         let elapsed = |body: usize| self.now.since(self.moving[body].since);
-        let found = predict(self.world, contact, &self.result.last, &self.moving, elapsed, horizon);
-        self.agenda.set(entry, found.map_or(self.now, |found| self.now.after(found.after)), found);
+        let predicted = predict(self.world, contact, &self.result.last, &self.moving, elapsed, horizon);
+        self.agenda.set(entry, predicted.map_or(self.now, |predicted| self.now.after(predicted.after)), predicted);
     }
 
     /// A force changes its law: every body begins a new piece.

@@ -13,7 +13,7 @@ use crate::scene::stage_run::StageRun;
 use crate::scene::system::System;
 use crate::scene::vector::{Vector, ZERO, add, dot, part, size, times, unit};
 
-/// Where the impulse of the force stands in a state of one particle.
+/// The place of the force's impulse in a state of one particle.
 const IMPULSE: usize = 6;
 
 impl StageRun<'_> {

@@ -58,7 +58,7 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// Where the body is, as seen from what carries it.
+/// The place of the body, as seen from what carries it.
 fn seen(state: &State) -> Vector {
     less(place(state, 0), place(state, 1))
 }

@@ -7,7 +7,7 @@ use crate::scene::course::Goal;
 use crate::scene::filming::Motion;
 use crate::scene::integrate::Integrator;
 use crate::scene::nothing::NothingToSimulate;
-use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::recorded_motion::{Look, SeenBody};
 use crate::scene::stage_run::StageRun;
 
 /// Place, velocity, and the area that the radius has swept.
@@ -210,7 +210,7 @@ impl StageRun<'_> {
             let [x, y, u, v, _] = *state;
             let [.., across, up, _] = pull.slope(state);
             Look {
-                bodies: vec![Seen { mass, place: vec![x, y], velocity: vec![u, v] }],
+                bodies: vec![SeenBody { mass, place: vec![x, y], velocity: vec![u, v] }],
                 outside: vec![mass * across, mass * up],
                 potential: mass * pull.law.potential(distance(state)),
                 ..Look::default()

@@ -79,9 +79,11 @@ impl StageRun<'_> {
             return Ok(());
         }
         for point in self.values.scene.points.keys() {
-            let Some(seen) = centre(self.values, &bodies, point, &|_| None) else { continue };
-            let moments =
-                momenta.iter().enumerate().map(|(index, momentum)| cross(less(place(&end, index), seen), *momentum));
+            let Some(point_of_view) = centre(self.values, &bodies, point, &|_| None) else { continue };
+            let moments = momenta
+                .iter()
+                .enumerate()
+                .map(|(index, momentum)| cross(less(place(&end, index), point_of_view), *momentum));
             let all = moments.fold(ZERO, add);
             let letters: &[Option<&str>] = match self.values.axes().len() {
                 2 => &[None],

@@ -7,7 +7,7 @@ use crate::scene::filming::Motion as Watched;
 use crate::scene::measure::place;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::rate::{Rate, rate};
-use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::recorded_motion::{Look, SeenBody};
 use crate::scene::stage_run::StageRun;
 use crate::scene::values::{OfSeveral, Values};
 use crate::scene::vector::{Vector, ZERO, add, dot, less, part, size, times, unit, within};
@@ -140,7 +140,11 @@ impl StageRun<'_> {
             let at = within(state, 0);
             let (moving, force) = (told.velocity(time, at).value, times(mass, told.acceleration(time, at).value));
             Look {
-                bodies: vec![Seen { mass, place: values.frame().split(at), velocity: values.frame().split(moving) }],
+                bodies: vec![SeenBody {
+                    mass,
+                    place: values.frame().split(at),
+                    velocity: values.frame().split(moving),
+                }],
                 outside: values.frame().split(force),
                 power: dot(force, moving),
                 ..Look::default()

@@ -6,7 +6,7 @@ use crate::scene::filming::Motion;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::Particle;
 use crate::scene::pushed::Pushed;
-use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::recorded_motion::{Look, SeenBody};
 use crate::scene::stage_run::{Procedure, StageRun};
 use crate::scene::vector::{ZERO, dot, less, part, times, unit};
 
@@ -58,7 +58,7 @@ impl StageRun<'_> {
             // What arrives brings momentum and energy with it, and what leaves takes what it had.
             let carried = if change.gains { arrives } else { speed };
             Look {
-                bodies: vec![Seen { mass, place: vec![way], velocity: vec![speed] }],
+                bodies: vec![SeenBody { mass, place: vec![way], velocity: vec![speed] }],
                 outside: vec![force(time) + grows * carried],
                 power: force(time) * speed + grows * carried * carried / 2.0,
                 lost,

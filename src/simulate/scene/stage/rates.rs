@@ -31,17 +31,18 @@ impl StageRun<'_> {
         let integrator = self.integrator(SOON);
         let instant = self.values.index + 1;
         let points = self.values.fixed_points();
-        for (point, seen) in &points {
-            let mut found = Rate { value: ZERO, off: 0.0 };
+        for (point, point_place) in &points {
+            let mut momentum_rate = Rate { value: ZERO, off: 0.0 };
             for (mass, system) in &pushed {
                 let later = rate(SOON, |time| -> Result<Vector, NothingToSimulate> {
                     let end =
                         integrator.until(start, system.state(), start + time, &|at, state| system.slope(at, state))?;
-                    Ok(times(*mass, cross(less(place(&end, 0), *seen), velocity(&end, 0))))
+                    Ok(times(*mass, cross(less(place(&end, 0), *point_place), velocity(&end, 0))))
                 })?;
-                found = Rate { value: add(found.value, later.value), off: found.off + later.off };
+                momentum_rate =
+                    Rate { value: add(momentum_rate.value, later.value), off: momentum_rate.off + later.off };
             }
-            self.note_turning(point, instant, found);
+            self.note_turning(point, instant, momentum_rate);
         }
         Ok(!points.is_empty())
     }

@@ -9,7 +9,7 @@ use momentous_scene::stage::Rotate;
 use crate::scene::component::Frame;
 use crate::scene::filming::Motion;
 use crate::scene::nothing::NothingToSimulate;
-use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::recorded_motion::{Look, SeenBody};
 use crate::scene::stage_run::StageRun;
 use crate::scene::values::OfTime;
 use crate::scene::vector::{times, unit};
@@ -39,7 +39,7 @@ fn seen(held: &[Held<'_>], state: &[f64; 3], [rate, gain, power]: [f64; 3], [tim
         let [radius, speed, gained] = each.radius(time / span);
         let (speed, gained) = (speed / span, gained / (span * span));
         let place = pointed(radius, 0.0).into();
-        bodies.push(Seen { mass: each.mass, place, velocity: pointed(speed, radius * rate).into() });
+        bodies.push(SeenBody { mass: each.mass, place, velocity: pointed(speed, radius * rate).into() });
         let acceleration = pointed(gained - radius * rate * rate, radius * gain + 2.0 * speed * rate);
         for (sum, part) in outside.iter_mut().zip(acceleration) {
             *sum += each.mass * part;

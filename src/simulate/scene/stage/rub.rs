@@ -24,17 +24,17 @@ impl StageRun<'_> {
         let masses = [self.values.mass(upper)?, self.values.mass(lower)?];
         let moved: Vec<(f64, Vector)> =
             masses.into_iter().zip(particles.iter().map(|particle| particle.velocity)).collect();
-        let seen = less(particles[0].velocity, particles[1].velocity);
+        let slip = less(particles[0].velocity, particles[1].velocity);
         let scale: f64 = particles.iter().map(|particle| size(particle.velocity)).sum();
         let normal = masses[0] * self.values.named("g")?;
         let force = self.values.term(friction)? * normal;
-        let ahead = times(dot(along, seen).signum(), along);
+        let ahead = times(dot(along, slip).signum(), along);
         let mut system = System::<12>::new(self.values.frame(), particles);
         system.forces.push(Force::steady(0, times(-force, ahead)));
         system.forces.push(Force::steady(1, times(force, ahead)));
         let slides = |state: &[f64; 12]| dot(ahead, less(velocity(state, 0), velocity(state, 1)));
         let slid = |state: &[f64; 12]| dot(ahead, less(place(state, 0), place(state, 1)));
-        let stopping = size(seen) / (force / masses[0] + force / masses[1]);
+        let stopping = size(slip) / (force / masses[0] + force / masses[1]);
         let integrator = self.integrator(stopping / 4.0);
         let end = match (stage.until, self.values.known(stage.distance.as_ref())) {
             (Some(_), _) => self.go(&system, integrator, &Until::Event(&slides))?,

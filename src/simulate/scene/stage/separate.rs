@@ -63,14 +63,14 @@ impl StageRun<'_> {
         let direction = self.values.towards(relative.direction.as_ref())?;
         let speed = self.values.term(&relative.velocity)?;
         let of = usize::from(relative.of == pair[1].body.name);
-        let seen = |pair: &Pair<'_>| {
+        let relative_velocity = |pair: &Pair<'_>| {
             let from = match relative.when {
                 When::After => pair[1 - of].after,
                 When::Before => pair[1 - of].body.velocity,
             };
             less(pair[of].after, from)
         };
-        self.searched(pair, times(speed, direction), &seen)
+        self.searched(pair, times(speed, direction), &relative_velocity)
     }
 
     /// All but one are pushed off that one, each as strongly as it moves afterwards as it is said to.
@@ -102,9 +102,9 @@ impl StageRun<'_> {
         &mut self,
         pair: &Pair<'a>,
         wanted: Vector,
-        seen: &dyn Fn(&Pair<'_>) -> Vector,
+        outcome: &dyn Fn(&Pair<'_>) -> Vector,
     ) -> Result<Pair<'a>, NothingToSimulate> {
-        let rest = seen(&self.forced(pair, ZERO)?);
+        let rest = outcome(&self.forced(pair, ZERO)?);
         let missing = less(wanted, rest);
         // The force in units that change velocities by about as much as is wanted.
         let size = size(missing) * pair[0].body.mass.ok_or(NothingToSimulate::ValueMissing)?;
@@ -113,7 +113,7 @@ impl StageRun<'_> {
         }
         let mut answers = Matrix3::identity();
         for axis in self.values.axes() {
-            let end = seen(&self.forced(pair, times(size, unit(axis)))?);
+            let end = outcome(&self.forced(pair, times(size, unit(axis)))?);
             answers.set_column(axis as usize, &Vector3::from(times(1.0 / size, less(end, rest))));
         }
         let force = answers.lu().solve(&Vector3::from(missing)).ok_or(NothingToSimulate::NoMethod)?;

@@ -7,7 +7,7 @@ use crate::scene::integrate::Integrator;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::Particle;
 use crate::scene::pushed::Pushed;
-use crate::scene::recorded_motion::{Look, Seen};
+use crate::scene::recorded_motion::{Look, SeenBody};
 use crate::scene::stage_run::{Procedure, StageRun};
 use crate::scene::vector::{ZERO, dot, less, part, times, unit};
 
@@ -113,7 +113,7 @@ impl StageRun<'_> {
             let burning = |_: f64, _: &[f64; 1]| [-burn.flow];
             let held = integrator.run(0.0, [burn.start], time, &burning, &|_, mass| -driven(mass[0]))?;
             let still = |_: f64, &[mass]: &[f64; 1]| Look {
-                bodies: vec![Seen { mass, place: vec![0.0], velocity: vec![0.0] }],
+                bodies: vec![SeenBody { mass, place: vec![0.0], velocity: vec![0.0] }],
                 outside: vec![0.0],
                 ..Look::default()
             };
@@ -133,7 +133,7 @@ impl StageRun<'_> {
         let look = |_: f64, &[mass, speed, way]: &[f64; 3]| {
             let pushed = burn.along * burn.force - burn.resistance * speed * speed.abs();
             Look {
-                bodies: vec![Seen { mass, place: vec![way], velocity: vec![speed] }],
+                bodies: vec![SeenBody { mass, place: vec![way], velocity: vec![speed] }],
                 // What leaves takes the momentum and the energy with it that it had before.
                 outside: vec![pushed + mass * burn.weight - burn.flow * speed],
                 power: (pushed + mass * burn.weight) * speed - burn.flow * speed * speed / 2.0,

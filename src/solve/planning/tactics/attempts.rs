@@ -13,12 +13,12 @@ use crate::{Statement, Step, Tactic};
 type Tried = (Tactic, Vec<usize>, Vec<Symbol>);
 
 /// These equations, as they stood, and what came of it.
-type Made = (Vec<Statement>, Result<Step, Refusal>);
+type Attempt = (Vec<Statement>, Result<Step, Refusal>);
 
 /// The results of tactics on the blocks of systems in which the same symbols are positive, and the same values known
 /// beforehand.
 #[derive(Clone, Debug, Default)]
-pub struct Attempts(BTreeMap<Tried, Vec<Made>>);
+pub struct Attempts(BTreeMap<Tried, Vec<Attempt>>);
 
 impl Attempts {
     /// The result of a tactic on a block; found by `attempt` where it was not tried before on the same equations.
@@ -30,13 +30,13 @@ impl Attempts {
     ) -> Result<Step, Refusal> {
         let stated = block.equations.iter().filter_map(|place| block.system.equations.get(*place));
         let stated = stated.map(|equation| &equation.statement);
-        let made = self.0.entry((tactic, block.equations.clone(), block.unknowns.clone())).or_default();
+        let attempts = self.0.entry((tactic, block.equations.clone(), block.unknowns.clone())).or_default();
         // What stands at a position can differ from system to system.
-        if let Some((_, outcome)) = made.iter().find(|(tried, _)| tried.iter().eq(stated.clone())) {
+        if let Some((_, outcome)) = attempts.iter().find(|(tried, _)| tried.iter().eq(stated.clone())) {
             return outcome.clone();
         }
         let outcome = attempt();
-        made.push((stated.cloned().collect(), outcome.clone()));
+        attempts.push((stated.cloned().collect(), outcome.clone()));
         outcome
     }
 }

@@ -15,12 +15,12 @@ pub(super) struct Closing {
 }
 
 /// Every value of one unknown, and the moves that give them.
-pub(super) struct Found {
+pub(super) struct ValuesOfUnknown {
     pub(super) moves: Vec<Move>,
     pub(super) values: Vec<Expr>,
 }
 
-impl Found {
+impl ValuesOfUnknown {
     /// Closes a block of this unknown alone.
     pub(super) fn closing(self, unknown: Symbol) -> Closing {
         let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };

@@ -41,11 +41,11 @@ pub(super) fn undo(side: &Expr, value: Expr, unknown: Symbol, positive: &dyn Fn(
     if values.is_empty() {
         return None;
     }
-    let mut found = Vec::new();
+    let mut undone = Vec::new();
     for value in values {
-        found.extend(undo(part, value, unknown, positive)?);
+        undone.extend(undo(part, value, unknown, positive)?);
     }
-    Some(found)
+    Some(undone)
 }
 
 /// The part with the unknown, and the others.

@@ -12,7 +12,7 @@ use momentous_expr::Symbol;
 use momentous_quantity::Rational;
 
 use super::block::Block;
-use super::closing::{Closing, Found, Refusal};
+use super::closing::{Closing, Refusal, ValuesOfUnknown};
 use super::inverse::undo;
 use super::tidy::{
     cancelled, cancelled_where, difference, forward, is_negative, negative, occurrences, over, replaced,
@@ -24,7 +24,7 @@ pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let values = isolated(left, right, unknown, &|symbol| block.positive(symbol))?;
     let value = values.first().cloned().ok_or(Refusal::NotApplicable)?;
     let moves = vec![Move::Isolate { equation, unknown, value }];
-    Ok(Found { moves, values }.closing(unknown))
+    Ok(ValuesOfUnknown { moves, values }.closing(unknown))
 }
 
 /// Every value of `unknown` for which the sides are equal, where it can be brought to one side.
@@ -47,19 +47,19 @@ pub(super) fn isolated(
         return linear_root(&coefficient, &rest).map(|value| vec![value]);
     }
     let once = |side: &Expr, other: &Expr| occurrences(side, unknown) == 1 && !other.contains(unknown);
-    let found = if once(left, right) {
+    let values = if once(left, right) {
         undo(left, right.clone(), unknown, positive)
     } else if once(right, left) {
         undo(right, left.clone(), unknown, positive)
     } else {
         None
     };
-    let found = found.or_else(|| pure_power(&residual, unknown, positive));
-    let found = found.or_else(|| one_power(left, right, unknown, positive));
-    let found = found.or_else(|| one_power(right, left, unknown, positive));
-    let found = found.or_else(|| in_one_piece(&residual, unknown).map(|value| vec![value]));
-    let found = found.ok_or(Refusal::NotApplicable)?;
-    Ok(found.into_iter().map(|value| cancelled_where(value, positive)).collect())
+    let values = values.or_else(|| pure_power(&residual, unknown, positive));
+    let values = values.or_else(|| one_power(left, right, unknown, positive));
+    let values = values.or_else(|| one_power(right, left, unknown, positive));
+    let values = values.or_else(|| in_one_piece(&residual, unknown).map(|value| vec![value]));
+    let values = values.ok_or(Refusal::NotApplicable)?;
+    Ok(values.into_iter().map(|value| cancelled_where(value, positive)).collect())
 }
 
 /// The root of `coefficient x + rest`.

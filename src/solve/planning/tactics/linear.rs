@@ -18,7 +18,7 @@ pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     }
     let residuals = block.residuals().ok_or(Refusal::NotApplicable)?;
     let equations: Vec<_> = block.equations.iter().copied().zip(residuals).collect();
-    let found = eliminate(block, &equations, &block.unknowns)?;
-    let values = found.values.into_iter().map(|(unknown, value)| (unknown, Closed::Formula(value))).collect();
-    Ok(Closing { unknowns: block.unknowns.clone(), moves: found.moves, roots: vec![Root { values }] })
+    let eliminated = eliminate(block, &equations, &block.unknowns)?;
+    let values = eliminated.values.into_iter().map(|(unknown, value)| (unknown, Closed::Formula(value))).collect();
+    Ok(Closing { unknowns: block.unknowns.clone(), moves: eliminated.moves, roots: vec![Root { values }] })
 }

@@ -57,11 +57,11 @@ impl Components {
             involving.sort();
             let coefficient = Expr::product(factors(term).iter().filter(|factor| !involved(factor)).cloned());
             let sum = |function, sum: &mut Vec<Expr>| {
-                let found = involving == [&Expr::Symbol(magnitude), &part(function)];
-                if found {
+                let is_polar = involving == [&Expr::Symbol(magnitude), &part(function)];
+                if is_polar {
                     sum.push(coefficient.clone());
                 }
-                found
+                is_polar
             };
             if !sum(Function::Cos, &mut cosine) && !sum(Function::Sin, &mut sine) {
                 return None;

@@ -14,7 +14,7 @@ use momentous_expr::Piecewise;
 use momentous_expr::Symbol;
 
 use super::block::Block;
-use super::closing::{Closing, Found, Refusal};
+use super::closing::{Closing, Refusal, ValuesOfUnknown};
 use super::inverse::undo;
 use super::tidy::{difference, is_negative, negative};
 use crate::{Move, quadratic_formula};
@@ -22,8 +22,8 @@ use crate::{Move, quadratic_formula};
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
     let positive = |symbol| block.positive(symbol);
-    let found = rooted(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
-    Ok(found.closing(unknown))
+    let roots = rooted(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
+    Ok(roots.closing(unknown))
 }
 
 /// The roots of an equation, all of it on one side, that is quadratic in the unknown or in its square.
@@ -32,12 +32,15 @@ pub(super) fn rooted(
     equation: usize,
     unknown: Symbol,
     positive: &dyn Fn(Symbol) -> bool,
-) -> Option<Found> {
+) -> Option<ValuesOfUnknown> {
     let (coefficients, factor) = residual.collect(unknown)?;
     let coefficients = match <[Expr; 3]>::try_from(coefficients) {
         Ok([c, b, a]) => {
             let values = roots([&a, &b, &c]);
-            return Some(Found { moves: vec![Move::Quadratic { equation, factor, unknown, a, b, c }], values });
+            return Some(ValuesOfUnknown {
+                moves: vec![Move::Quadratic { equation, factor, unknown, a, b, c }],
+                values,
+            });
         }
         Err(others) => others,
     };
@@ -49,7 +52,7 @@ pub(super) fn rooted(
         Move::Biquadratic { equation, factor, unknown, coefficients: Box::new([a, b, c]) },
         Move::Isolate { equation, unknown, value },
     ];
-    Some(Found { moves, values })
+    Some(ValuesOfUnknown { moves, values })
 }
 
 /// The coefficients of an equation of fourth degree without odd powers, the leading one not negative, and its factor.

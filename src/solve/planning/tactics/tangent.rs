@@ -12,7 +12,7 @@ use momentous_expr::Symbol;
 use momentous_expr::equal;
 
 use super::block::Block;
-use super::closing::{Closing, Found, Refusal};
+use super::closing::{Closing, Refusal, ValuesOfUnknown};
 use super::isolate::isolated;
 use super::tidy::{cancelled, difference, forward, is_negative, negative, over, replaced};
 use crate::Move;
@@ -20,8 +20,8 @@ use crate::Move;
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
     let positive = |symbol| block.positive(symbol);
-    let found = divided(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
-    Ok(found.closing(unknown))
+    let roots = divided(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
+    Ok(roots.closing(unknown))
 }
 
 /// Divides an equation, all of it on one side, by the cosine of the angle in which the unknown stands.
@@ -30,7 +30,7 @@ pub(super) fn divided(
     equation: usize,
     unknown: Symbol,
     positive: &dyn Fn(Symbol) -> bool,
-) -> Option<Found> {
+) -> Option<ValuesOfUnknown> {
     let angle = angle_of(residual, unknown)?;
     let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| Expr::apply(function, angle.clone()));
     let with = |of_sine: i64, of_cosine: i64| {
@@ -49,7 +49,7 @@ pub(super) fn divided(
     let values = isolated(&left, &right, unknown, positive).ok()?;
     let value = values.first()?.clone();
     let moves = vec![Move::Tangent { equation, left, right }, Move::Isolate { equation, unknown, value }];
-    Some(Found { moves, values })
+    Some(ValuesOfUnknown { moves, values })
 }
 
 /// The angle of the first sine or cosine in which the unknown stands.

@@ -124,14 +124,14 @@ pub(super) fn cancelled_where(expr: Expr, positive: &dyn Fn(Symbol) -> bool) -> 
 }
 
 /// Whether some symbol is written twice, or was met before.
-fn repeats(expr: &Expr, met: &mut Vec<Symbol>) -> bool {
+fn repeats(expr: &Expr, visited: &mut Vec<Symbol>) -> bool {
     match expr {
         Expr::Symbol(symbol) => {
-            let again = met.contains(symbol);
-            met.push(*symbol);
+            let again = visited.contains(symbol);
+            visited.push(*symbol);
             again
         }
-        other => other.children().any(|part| repeats(part, met)),
+        other => other.children().any(|part| repeats(part, visited)),
     }
 }
 
