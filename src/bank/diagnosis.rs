@@ -1,4 +1,4 @@
-//! How well common mistakes are distinguished: simulated students who make exactly one of them are marked, and the diagnosis is
+//! Checks how well common mistakes are distinguished: simulated students who make exactly one of them are marked, and the diagnosis is
 //! compared with what they did.
 
 use std::collections::BTreeMap;
@@ -43,7 +43,7 @@ pub struct Tally {
 pub struct Diagnosed {
     /// The problem's identity.
     pub problem: String,
-    /// How many mistakes can be made in it, by their codes.
+    /// The codes of the mistakes that can be made in it.
     pub mistakes: Vec<&'static str>,
     /// The tally.
     pub tally: Tally,

@@ -17,7 +17,7 @@ use super::failure::Failure;
 /// The folder of a user's templates that take the place of the built-in ones.
 const TEMPLATES: &str = "templates";
 
-/// How much of a solution is shown.
+/// The parts of a solution that are shown.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(super) struct SolutionOptions {
     /// Show the first K steps of each solution only, and leave the rest to the student

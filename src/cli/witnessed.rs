@@ -9,7 +9,7 @@ use crate::witness::Simulated;
 use super::failure::Failure;
 use super::output::Output;
 
-/// How a form was simulated, how closely that agrees, and which answers it would find out if they were wrong.
+/// Writes how a form was simulated, how closely that agrees, and which answers it would find out if they were wrong.
 pub(super) fn write_form(output: &mut Output, simulated: &Simulated) -> Result<(), Failure> {
     if simulated.compared == 0 {
         return Ok(());
@@ -29,7 +29,7 @@ pub(super) fn write_form(output: &mut Output, simulated: &Simulated) -> Result<(
     Ok(())
 }
 
-/// The share of the forms with an answer that no simulation witnesses, each with its reason.
+/// Writes the share of the forms with an answer that no simulation witnesses, each with its reason.
 pub(super) fn write_share(output: &mut Output, audits: &[Audit], simulated: u64) -> Result<(), Failure> {
     let all: Vec<(&Audit, &FormAudit)> =
         audits.iter().flat_map(|audit| audit.forms.iter().map(move |form| (audit, form))).collect();

@@ -5,7 +5,7 @@ use super::frame::Direction;
 /// A string that was jerked taut.
 #[derive(Clone, Debug)]
 pub struct TautString {
-    /// The stage in which that was so.
+    /// The stage in which it was jerked.
     pub jerk: usize,
     /// The bodies at its ends, the second ahead of the first.
     pub ends: [String; 2],

@@ -68,7 +68,7 @@ pub(super) fn chosen(
             }
         }
         (_, ChoicePart::Pictured(pictured)) => {
-            pictures::seen(witness, pictured, &Worked::new(case.problem, case.variant)?)
+            pictures::fitting(witness, pictured, &Worked::new(case.problem, case.variant)?)
         }
         (Ask::Enough(ask), _) => worlds::settle(case, &ask.enough, tolerance).map(yes),
         (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),

@@ -7,10 +7,10 @@ use momentous_simulate::least::Choice;
 use momentous_simulate::least::time;
 use momentous_simulate::scene::Component;
 
-/// How a run that nothing cut short ends.
+/// The ending of a run that nothing cut short.
 pub const AT_ITS_TIME: &str = "at its time";
 
-/// No double has more digits.
+/// The most digits that a double has.
 const MOST_DIGITS: f64 = 15.0;
 
 /// The names of the kinds of stages whose key in a file says too little.
@@ -34,13 +34,13 @@ pub struct Film {
     pub stage: usize,
     /// The names of the components.
     pub axes: Vec<Component>,
-    /// Which method ran it, and why.
+    /// The method that ran it, and why.
     pub choice: Choice,
-    /// How far it is off, relative to the greatest size of what is off; none of a run that was given up before its time.
+    /// Its error, relative to the greatest size of what is off; none of a run that was given up before its time.
     pub error: Option<f64>,
     /// The cost of the run by the table of costs, in s; `None` where that has no row for it.
     pub seconds: Option<f64>,
-    /// How it ended, in words.
+    /// Its ending, in words.
     pub ending: String,
     /// The record of the run.
     pub record: Record,

@@ -14,7 +14,7 @@ const OFF: f64 = 1e-6;
 
 /// The only picture whose arrows are those that the simulation finds; none where it finds nothing of them, or another number of
 /// pictures fits.
-pub(super) fn seen(witness: &Witness<'_>, pictured: &Pictured, worked: &Worked<'_>) -> Option<usize> {
+pub(super) fn fitting(witness: &Witness<'_>, pictured: &Pictured, worked: &Worked<'_>) -> Option<usize> {
     let pictures = pictured.pictures(worked);
     let mut fitting = Vec::new();
     for (place, picture) in pictures.iter().enumerate() {

@@ -1,9 +1,9 @@
-//! A line without what only sets it: commands of LaTeX, columns of a matrix, commas in an index.
+//! Removes typesetting from a line: commands of LaTeX, columns of a matrix, commas in an index.
 
 /// Spellings of a change.
 const CHANGES: [(&str, &str); 3] = [("\\Delta ", "Δ"), ("Delta ", "Δ"), ("delta ", "Δ")];
 
-/// Commands and signs of LaTeX that set a line and say nothing.
+/// Commands and signs of LaTeX that only typeset a line, each with the plain text for it.
 const SETTING: [(&str, &str); 23] = [
     ("\\dots", "…"),
     ("\\ldots", "…"),

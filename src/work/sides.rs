@@ -2,7 +2,7 @@
 
 use super::setting::unset;
 
-/// How two sides of a line compare.
+/// The comparison of two sides of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Compared {
     /// `=`.

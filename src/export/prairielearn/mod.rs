@@ -23,7 +23,7 @@ const SERVER: &str = include_str!("server.py");
 /// The page of every question.
 const PAGE: &str = include_str!("question.html");
 
-/// A package on its way. The variants of a form stand in one file, which has to wait until their pictures are written.
+/// A package that is being written. The variants of a form stand in one file, which has to wait until their pictures are written.
 struct PrairieLearn<W: Write> {
     package: Package<W>,
     markup: Markup,
@@ -34,7 +34,7 @@ struct PrairieLearn<W: Write> {
 struct Form {
     folder: String,
     about: Value,
-    /// Each as a string of Python that holds JSON.
+    /// The variants, each as a string of Python that holds JSON.
     variants: String,
 }
 

@@ -12,7 +12,7 @@ use super::monomial::{Atom, Monomial};
 use super::polynomial::Polynomial;
 use super::quotient::Quotient;
 
-/// Which identities bring a term into its form.
+/// The identities that bring a term into its form.
 #[derive(Clone, Copy)]
 pub(super) struct Rules<'a> {
     /// Whether squares of sines become squares of cosines.

@@ -28,14 +28,14 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
 
 /// The same with a memory of what tactics made of blocks.
 pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, attempts: &mut Attempts) -> Audit {
-    let mut known_by_then = known.clone();
+    let mut determined = known.clone();
     let mut used: BTreeSet<usize> = BTreeSet::new();
     for step in &plan.steps {
-        known_by_then.extend(&step.unknowns);
+        determined.extend(&step.unknowns);
         used.extend(&step.equations);
     }
     let mut extended = plan.clone();
-    let mut open = Open::of(system, &known_by_then);
+    let mut open = Open::of(system, &determined);
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|place| system.equations[*place].cost);
     // An equation with one unknown gives it or does not, whatever else is found.
@@ -44,7 +44,7 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
     loop {
         let mut progress = false;
         for place in &order {
-            let [unknown] = *open.without(&known_by_then, *place) else { continue };
+            let [unknown] = *open.without(&determined, *place) else { continue };
             if !tried.insert(*place) {
                 continue;
             }
@@ -57,25 +57,25 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
                 postponed.push(step);
                 continue;
             }
-            known_by_then.insert(unknown);
+            determined.insert(unknown);
             used.insert(*place);
             extended.steps.push(step);
             progress = true;
         }
         if !progress {
-            postponed.retain(|step| !step.unknowns.iter().any(|unknown| known_by_then.contains(unknown)));
+            postponed.retain(|step| !step.unknowns.iter().any(|unknown| determined.contains(unknown)));
             // Two at once only where nothing follows alone: an impact of which neither velocity is known.
             let step = (!postponed.is_empty()).then(|| postponed.remove(0));
-            let step = step.or_else(|| pair(system, &order, &mut open, &known_by_then, &used, attempts));
+            let step = step.or_else(|| pair(system, &order, &mut open, &determined, &used, attempts));
             let Some(step) = step else { break };
-            known_by_then.extend(&step.unknowns);
+            determined.extend(&step.unknowns);
             used.extend(&step.equations);
             extended.steps.push(step);
         }
     }
     let mut is_check = |place: &usize| {
         let equal = matches!(system.equations[*place].statement, Statement::Equal { .. });
-        equal && !used.contains(place) && open.without(&known_by_then, *place).is_empty()
+        equal && !used.contains(place) && open.without(&determined, *place).is_empty()
     };
     let checks = (0..system.equations.len()).filter(|place| is_check(place)).collect();
     Audit { plan: extended, answer_steps: plan.steps.len(), checks }
