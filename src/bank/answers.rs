@@ -162,8 +162,8 @@ pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) 
 }
 
 /// The sentences about columns.
-fn columns_in_words(columns: &[Column<'_>], of: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
-    columns.iter().filter_map(of).collect()
+fn columns_in_words(columns: &[Column<'_>], words: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
+    columns.iter().filter_map(words).collect()
 }
 
 #[allow(clippy::cast_precision_loss)] // counts of draws are far below 2^53

@@ -31,12 +31,12 @@ use super::wrong_forms;
 /// Below this share of draws that are not rejected, the author is told.
 const LOW_ACCEPTANCE: f64 = 0.05;
 
-/// How many seeds of each form are looked at, from 1 on.
+/// The number of seeds of each form that are looked at, from 1 on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seeds {
     /// How many are drawn.
     pub drawn: u64,
-    /// How many of these are simulated as well.
+    /// The number of these that are simulated as well.
     pub simulated: u64,
 }
 
@@ -56,7 +56,7 @@ pub fn unusable(faults: &Faults) -> Audit {
 /// Looks at every promise over the seeds, form by form; the renderer prints what a user would print. The outcome does not depend on how many threads work.
 #[must_use]
 pub fn audit(source: &Source, seeds: Seeds, renderer: &Renderer) -> Audit {
-    let of = |problem, faults, forms, failing| Audit {
+    let audit = |problem, faults, forms, failing| Audit {
         problem,
         file: source.name.to_string(),
         digest: digest(source),
@@ -74,9 +74,11 @@ pub fn audit(source: &Source, seeds: Seeds, renderer: &Renderer) -> Audit {
             match audits.collect::<Result<Vec<_>, _>>() {
                 Ok(forms) => {
                     let failing = forms.iter().flat_map(Failing::broken).collect();
-                    of(id, None, forms, failing)
+                    audit(id, None, forms, failing)
                 }
-                Err(reason) => of(id, Some(reason.to_string()), Vec::new(), vec![Failing::nowhere(reason.to_string())]),
+                Err(reason) => {
+                    audit(id, Some(reason.to_string()), Vec::new(), vec![Failing::nowhere(reason.to_string())])
+                }
             }
         }
     }
@@ -170,12 +172,12 @@ fn told(problem: &Problem, form: &PlannedForm) -> Outcome {
 /// The largest share that is left out of each balance, where it is worth a word.
 fn neglected(samples: &Samples) -> Outcome {
     let mut largest: BTreeMap<&str, f64> = BTreeMap::new();
-    for (of, share) in samples.drawn.iter().flat_map(|sample| &sample.neglected) {
-        let most = largest.entry(of).or_default();
+    for (name, share) in samples.drawn.iter().flat_map(|sample| &sample.neglected) {
+        let most = largest.entry(name).or_default();
         *most = most.max(*share);
     }
     let said =
-        |(of, share): (&str, f64)| format!("weight, which is neglected, gives up to {:.1} % {of}", 100.0 * share);
+        |(name, share): (&str, f64)| format!("weight, which is neglected, gives up to {:.1} % {name}", 100.0 * share);
     noted(&largest.into_iter().map(said).collect::<Vec<_>>())
 }
 

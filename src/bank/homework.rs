@@ -34,7 +34,7 @@ pub struct Homework {
     pub title: String,
     /// The course that the sheet names.
     pub course: Option<String>,
-    /// How many ruled lines the sheet has for each answer.
+    /// The number of ruled lines that the sheet has for each answer.
     pub room: usize,
     /// The words of the sheet about its date.
     pub date: Option<String>,

@@ -44,13 +44,13 @@ pub struct Failing {
 pub struct FormAudit {
     /// Its name; none where the problem has one form without a name.
     pub form: Option<String>,
-    /// How many seeds were drawn, from 1.
+    /// The number of seeds that were drawn, from 1.
     pub seeds: u64,
-    /// How many different sets of numbers there are before any is rejected; at most 2^64 - 1.
+    /// The number of different sets of numbers before any is rejected; at most 2^64 - 1.
     pub combinations: u64,
-    /// How many different sets of numbers these seeds drew.
+    /// The number of different sets of numbers that these seeds drew.
     pub variants: usize,
-    /// How many different texts of sheets these seeds drew.
+    /// The number of different texts of sheets that these seeds drew.
     pub sheets: usize,
     /// The share of draws that were not rejected.
     pub acceptance: f64,
@@ -84,7 +84,7 @@ pub enum AnswerSpread {
         upper_quartile: f64,
         /// The largest answer.
         most: f64,
-        /// How many answers differ as they are printed.
+        /// The number of answers that differ as they are printed.
         distinct: usize,
         /// The largest bound on an error.
         error_bound: Option<f64>,
@@ -93,7 +93,7 @@ pub enum AnswerSpread {
     Choice {
         /// The part.
         id: String,
-        /// How often each phrase, or each formula, is the right one.
+        /// The number of times that each phrase, or each formula, is the right one.
         right: BTreeMap<String, usize>,
     },
 }

@@ -34,7 +34,7 @@ pub(super) struct Samples {
     pub failed: Vec<u64>,
     /// Why the first of them drew nothing.
     pub reason: Option<NoVariant>,
-    /// How many attempts were rejected.
+    /// The number of attempts that were rejected.
     pub rejected: u64,
 }
 
@@ -106,12 +106,12 @@ impl Samples {
         if drawn + rejected > 0.0 { drawn / (drawn + rejected) } else { 0.0 }
     }
 
-    /// How many different sets of givens were drawn.
+    /// The number of different sets of givens that were drawn.
     pub(super) fn variants(&self) -> usize {
         self.drawn.iter().map(|sample| sample.given.as_str()).collect::<BTreeSet<_>>().len()
     }
 
-    /// How many different texts the sheets have.
+    /// The number of different texts that the sheets have.
     pub(super) fn sheets(&self) -> usize {
         self.drawn.iter().map(|sample| sample.sheet).collect::<BTreeSet<_>>().len()
     }

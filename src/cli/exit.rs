@@ -1,8 +1,8 @@
-//! How the program ends.
+//! The end of the program.
 
 use std::process::ExitCode;
 
-/// How the program ends; scripts rely on the numbers.
+/// The end of the program; scripts rely on the numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Exit {

@@ -158,7 +158,7 @@ impl Export {
         Ok(Exit::Fine)
     }
 
-    /// How the quiz is called: no two with different variants in the same way.
+    /// The name of the quiz: no two with different variants in the same way.
     fn title(&self, asked: &[Asked]) -> String {
         let usual = || {
             let first = asked.first()?;
@@ -177,8 +177,8 @@ impl Export {
         let Some((source, homework)) = open::homework(&self.problems, secret)? else {
             let problems = open::problems(&self.problems, secret)?;
             let form = |problem: &Arc<Problem>| open::form(problem, self.form.as_deref());
-            let of = |problem| Ok(Asked { form: form(&problem)?, problem, slot: None });
-            return problems.into_iter().map(of).collect();
+            let asked = |problem| Ok(Asked { form: form(&problem)?, problem, slot: None });
+            return problems.into_iter().map(asked).collect();
         };
         if self.form.is_some() {
             return Err(Failure::unusable("--form is for problems\nhelp: name the forms in the file of the homework"));

@@ -49,8 +49,9 @@ pub fn worth(
         Phase::Late(late) => late.factor.clone(),
         Phase::NotOpen | Phase::Over | Phase::Closed => return None,
     };
-    let shown = |of: Option<&str>| hints.iter().filter(|hint| hint.part.as_deref() == of).count();
-    let [hints, further] = [None, Some(part)].map(|of| u32::try_from(shown(of)).unwrap_or(u32::MAX));
+    let shown = |part_of_hint: Option<&str>| hints.iter().filter(|hint| hint.part.as_deref() == part_of_hint).count();
+    let [hints, further] =
+        [None, Some(part)].map(|part_of_hint| u32::try_from(shown(part_of_hint)).unwrap_or(u32::MAX));
     Some(rules.left(history.map_or(0, PartHistory::made), Seen { hints, further }) * factor)
 }
 

@@ -12,7 +12,7 @@ pub struct Grading {
     /// How much an assignment counts beside the others, by the text of its key; one that is not named counts as much as it has points.
     #[serde(default)]
     pub weights: BTreeMap<String, u32>,
-    /// How many of a student's weakest assignments are left out.
+    /// The number of a student's weakest assignments that are left out.
     #[serde(default)]
     pub dropped: u32,
 }

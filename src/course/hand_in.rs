@@ -189,7 +189,7 @@ impl HandIn<'_> {
         self.last.and_then(|last| last.work.as_ref())
     }
 
-    /// How often work was handed in before.
+    /// The number of times that work was handed in before.
     fn work_made(&self) -> u32 {
         self.work_before().map_or(0, |work| work.made)
     }

@@ -5,7 +5,7 @@ use jiff::tz::{AmbiguousOffset, TimeZone};
 
 use super::moment::Moment;
 
-/// How a local time is written.
+/// The notation of a local time.
 const FORMAT: &str = "%Y-%m-%dT%H:%M";
 
 /// The years in which a course may take place.

@@ -43,7 +43,7 @@ pub struct StoredReport {
 pub struct StoredWork {
     /// Its lines.
     pub text: String,
-    /// How often work was handed in that differed from the one before.
+    /// The number of times that work was handed in that differed from the one before.
     pub made: u32,
     /// The share of its points that the time leaves to it.
     #[serde(with = "exact")]
@@ -53,7 +53,7 @@ pub struct StoredWork {
 /// The stored report of a part.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub struct StoredPart {
-    /// How the part is called in answers.
+    /// The name of the part in answers.
     pub id: String,
     /// The points that can be reached.
     pub out_of: u32,
@@ -65,7 +65,7 @@ pub struct StoredPart {
     pub read: Option<String>,
     /// Why what was typed cannot be read, where it cannot.
     pub unread: Option<String>,
-    /// How many attempts were counted at the part by now.
+    /// The number of attempts that were counted at the part by now.
     pub made: u32,
     /// The verdict.
     pub verdict: Verdict,
@@ -100,7 +100,7 @@ pub struct ShownReport {
 /// The part of a part's report that a student may see.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ShownPart {
-    /// How the part is called in answers.
+    /// The name of the part in answers.
     pub id: String,
     /// The points that can be reached.
     pub out_of: u32,
@@ -110,7 +110,7 @@ pub struct ShownPart {
     pub read: Option<String>,
     /// Why what was typed cannot be read, where it cannot.
     pub unread: Option<String>,
-    /// How many attempts were counted at the part by now.
+    /// The number of attempts that were counted at the part by now.
     pub made: u32,
     /// The finding, once verdicts are shown.
     pub found: Option<Found>,

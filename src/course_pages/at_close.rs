@@ -16,20 +16,20 @@ use super::visit::Visit;
 
 /// The key of a hand-in that nobody sent. No page sends it.
 pub(super) const REQUEST: &str = "at the close";
-/// How often an attempt is marked again where something else changes at the same time.
+/// The number of times that an attempt is marked again where something else changes at the same time.
 const AGAIN: usize = 8;
 
 /// Hands in what lies saved at an assignment, of everybody or of one student.
 pub(super) async fn hand_in(
     visit: &Visit,
     whole: &AssignmentWithItems,
-    of: Option<Key<Member>>,
+    student: Option<Key<Member>>,
 ) -> Result<(), NotShown> {
     let policy = &whole.assignment.policy;
     if policy.unsubmitted == Unsubmitted::Leave || visit.now <= policy.due {
         return Ok(());
     }
-    let mut drafts = visit.store().drafts(whole.assignment.key, of).await?;
+    let mut drafts = visit.store().drafts(whole.assignment.key, student).await?;
     drafts.retain(|(draft, _)| draft.settled.is_none());
     if drafts.is_empty() {
         return Ok(());

@@ -14,7 +14,7 @@ use super::outcome::NotShown;
 use super::session;
 use super::visit::Visit;
 
-/// How often problems are pinned again where others change the assignment at the same time.
+/// The number of times that problems are pinned again where others change the assignment at the same time.
 const AGAIN: usize = 8;
 
 /// An assignment of the course of the address, with one of its items.

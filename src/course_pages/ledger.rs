@@ -112,7 +112,7 @@ impl Records {
         self.sheets.iter().any(|sheet| sheet.key == set.sheet && sheet.item == item)
     }
 
-    /// How often something was handed in at the sheets of an item that count.
+    /// The number of times that something was handed in at the sheets of an item that count.
     pub(super) fn attempts_at(&self, item: &Item) -> u32 {
         let is_counted = |sheet: &&Sheet| sheet.item == item.key && sheet.issue == item.issue;
         let last = self.sheets.iter().filter(is_counted).filter_map(|sheet| self.last.get(&sheet.key));

@@ -1,4 +1,4 @@
-//! How often somebody may try.
+//! The number of times that somebody may try.
 
 use std::hash::Hash;
 use std::net::IpAddr;
@@ -31,7 +31,7 @@ const ASKED_AT_ONCE: NonZeroU32 = NonZeroU32::new(300).expect("three hundred");
 /// Keys of a table, above which those who have been quiet long enough are forgotten.
 const MANY: usize = 10_000;
 
-/// How often somebody may try. Each process counts for itself, by keys that are no longer than a hash.
+/// The number of times that somebody may try. Each process counts for itself, by keys that are no longer than a hash.
 pub(super) struct Limits {
     passwords: DefaultKeyedRateLimiter<[u8; 32]>,
     compared: DefaultKeyedRateLimiter<[u8; 16]>,

@@ -17,7 +17,7 @@ use momentous_fault::Input;
 
 /// Processes that run at the same time, for everybody together.
 const MOST: usize = 2;
-/// How long somebody waits for a turn.
+/// The time for which somebody waits for a turn.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// The memory of a process in kilobytes; addresses are counted, of which it takes more than it fills.
 const MEMORY: &str = "4000000";
@@ -48,7 +48,7 @@ struct Working {
     person: Key<Person>,
 }
 
-/// How a process ended.
+/// The end of a process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ended {
     /// By itself, with a code.

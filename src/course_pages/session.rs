@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 use momentous_course::{Key, Moment, Person};
 use momentous_store::{Reach, Ticket, TicketKind};
 
-/// How long somebody stays signed in.
+/// The time for which somebody stays signed in.
 pub(super) const SESSION: i64 = 14 * DAY;
 /// How long a link to sign in is good.
 const LINK: i64 = 14 * DAY;

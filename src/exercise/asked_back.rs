@@ -15,7 +15,8 @@ use super::marker::Blank;
 use super::rules::Rules;
 
 impl Exercise {
-    /// How many figures the sheet asks for, where an answer to a part can be read and has fewer. The right answer is not looked at.
+    /// The number of figures that the sheet asks for, where an answer to a part can be read and has fewer. The right answer is
+    /// not looked at.
     ///
     /// ```
     /// use std::sync::Arc;

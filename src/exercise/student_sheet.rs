@@ -47,7 +47,7 @@ pub struct StudentSheet {
 /// Room for one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// How the part is called in answers.
+    /// The name of the part in answers.
     pub id: String,
     /// Its label without brackets, `a`.
     pub label: String,

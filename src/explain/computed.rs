@@ -26,8 +26,8 @@ use super::working::script::SolvedUnknown;
 use super::working::steps::Steps;
 use super::working::steps::taken;
 
-/// How many figures the numbers of a variant's solution have. What does not come out with the most figures is computed from
-/// the givens, which are exact.
+/// The number of figures that the numbers of a variant's solution have. What does not come out with the most figures is computed
+/// from the givens, which are exact.
 pub(super) fn figures(display: Display<'_>, way: &WayCache, detail: Detail) -> Figures {
     let figures = ledger(display, way, detail, &[]).settle();
     let from_givens = figures.stubborn.iter().filter_map(|item| match item {

@@ -39,7 +39,7 @@ pub struct Coded {
 /// A part that was exported.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CodedPart {
-    /// How it is called in answers.
+    /// Its name in answers.
     pub id: String,
     /// Its answer, with `{}` for what is typed into each field.
     pub answer: String,

@@ -10,7 +10,7 @@ use momentous_render::Markup;
 /// Room for one answer of the simplest kinds.
 #[derive(Clone, Debug)]
 pub(super) struct Field<'i> {
-    /// How it is called: the label of its part, and its place where the part has several.
+    /// Its name: the label of its part, and its place where the part has several.
     pub name: String,
     /// The caption before it, where its part has several: the letter of an axis, `from`.
     pub caption: String,

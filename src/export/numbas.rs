@@ -29,7 +29,7 @@ const HEAD: &str = "// Numbas version: exam_results_page_options\n";
 struct Numbas<W: Write> {
     out: W,
     group: String,
-    /// How many questions the group has.
+    /// The number of questions that the group has.
     count: usize,
 }
 

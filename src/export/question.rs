@@ -124,7 +124,7 @@ impl<'i> Question<'i> {
         name.chars().map(plain).collect()
     }
 
-    /// How the variant is called: by its title, its form and its code.
+    /// The name of the variant: by its title, its form and its code.
     pub(super) fn title(&self) -> String {
         let code = Some(&self.item.code).filter(|code| !code.is_empty());
         let words = [Some(&self.item.sheet.title), self.item.identity.form.as_ref(), code];
@@ -218,9 +218,9 @@ impl Asking<'_> {
         };
         let said = |field: &Field<'_>| {
             let [plus, minus] = number(field)?;
-            let of =
+            let subject =
                 if self.fields.len() > 1 && !self.is_of_roots() { field.caption.trim_end_matches(':') } else { "" };
-            Some(format!("{of} positive {plus}, negative {minus}").trim_start().to_owned())
+            Some(format!("{subject} positive {plus}, negative {minus}").trim_start().to_owned())
         };
         let mut all: Vec<String> = self.fields.iter().filter_map(said).collect();
         all.dedup();

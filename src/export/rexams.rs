@@ -168,7 +168,7 @@ fn variant(question: &Question<'_>) -> Result<String, NotWritten> {
     }
     let solution = question.solution(MARKUP, &mut pictures)?;
     let fields: Vec<Answer> = question.fields().map(|(asking, field)| answer(asking, field)).collect();
-    let joined = |of: fn(&Answer) -> &str| string(&fields.iter().map(of).collect::<Vec<_>>().join("|"));
+    let joined = |text: fn(&Answer) -> &str| string(&fields.iter().map(text).collect::<Vec<_>>().join("|"));
     let listed: Vec<String> = fields.iter().flat_map(|answer| &answer.listed).map(|text| string(text)).collect();
     let figure = |((name, svg), tikz): (&(String, String), &String)| {
         let name = name.trim_end_matches(".svg");

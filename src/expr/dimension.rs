@@ -113,30 +113,30 @@ type Of<'a> = &'a dyn Fn(Symbol) -> Result<Dimension, DimensionClash>;
 /// `None` for zero, which is of any dimension.
 type CommonDimension = Result<Option<Dimension>, DimensionClash>;
 
-fn find(term: &Expr, of: Of) -> CommonDimension {
+fn find(term: &Expr, dimensions: Of) -> CommonDimension {
     match term {
         Expr::Number(value) if value.is_zero() => Ok(None),
         Expr::Number(_) | Expr::Pi => Ok(Some(Dimension::NONE)),
-        Expr::Symbol(symbol) => of(*symbol).map(Some),
-        Expr::Sum(terms) => common(terms.iter(), of),
+        Expr::Symbol(symbol) => dimensions(*symbol).map(Some),
+        Expr::Sum(terms) => common(terms.iter(), dimensions),
         Expr::Product(factors) => factors.iter().try_fold(Some(Dimension::NONE), |product, factor| {
-            let factor = find(factor, of)?;
+            let factor = find(factor, dimensions)?;
             Ok(product.zip(factor).map(|(product, factor)| product * factor))
         }),
-        Expr::Power(pair) => power(&pair.0, &pair.1, of),
-        Expr::Apply(function, arguments) => apply(*function, arguments, of),
+        Expr::Power(pair) => power(&pair.0, &pair.1, dimensions),
+        Expr::Apply(function, arguments) => apply(*function, arguments, dimensions),
         Expr::Piecewise(piecewise) => {
             let bounds = piecewise.pieces.iter().filter_map(|(until, _)| until.as_ref());
-            common(std::iter::once(&piecewise.variable).chain(bounds), of)?;
-            common(piecewise.pieces.iter().map(|(_, value)| value), of)
+            common(std::iter::once(&piecewise.variable).chain(bounds), dimensions)?;
+            common(piecewise.pieces.iter().map(|(_, value)| value), dimensions)
         }
     }
 }
 
-fn common<'a>(terms: impl Iterator<Item = &'a Expr>, of: Of) -> CommonDimension {
+fn common<'a>(terms: impl Iterator<Item = &'a Expr>, dimensions: Of) -> CommonDimension {
     let mut first: Option<(&Expr, Dimension)> = None;
     for term in terms {
-        let Some(dimension) = find(term, of)? else { continue };
+        let Some(dimension) = find(term, dimensions)? else { continue };
         match first {
             None => first = Some((term, dimension)),
             Some((other, known)) if known != dimension => {
@@ -151,16 +151,16 @@ fn common<'a>(terms: impl Iterator<Item = &'a Expr>, of: Of) -> CommonDimension 
     Ok(first.map(|(_, dimension)| dimension))
 }
 
-fn pure(part: &Expr, place: &'static str, of: Of) -> Result<(), DimensionClash> {
-    match find(part, of)? {
+fn pure(part: &Expr, place: &'static str, dimensions: Of) -> Result<(), DimensionClash> {
+    match find(part, dimensions)? {
         None | Some(Dimension::NONE) => Ok(()),
         Some(dimension) => Err(DimensionClash::NotPure { part: part.clone(), dimension, place }),
     }
 }
 
-fn power(base: &Expr, exponent: &Expr, of: Of) -> CommonDimension {
-    pure(exponent, "an exponent", of)?;
-    let Some(dimension) = find(base, of)? else { return Ok(None) };
+fn power(base: &Expr, exponent: &Expr, dimensions: Of) -> CommonDimension {
+    pure(exponent, "an exponent", dimensions)?;
+    let Some(dimension) = find(base, dimensions)? else { return Ok(None) };
     if dimension == Dimension::NONE {
         return Ok(Some(dimension));
     }
@@ -176,12 +176,12 @@ fn raise(dimension: Dimension, exponent: &Rational) -> Option<Dimension> {
     dimension.power(times)?.root(degree)
 }
 
-fn apply(function: Function, arguments: &[Expr], of: Of) -> CommonDimension {
+fn apply(function: Function, arguments: &[Expr], dimensions: Of) -> CommonDimension {
     match function {
-        Function::Abs => common(arguments.iter(), of),
-        Function::Atan2 => common(arguments.iter(), of).map(|_| Some(Dimension::NONE)),
+        Function::Abs => common(arguments.iter(), dimensions),
+        Function::Atan2 => common(arguments.iter(), dimensions).map(|_| Some(Dimension::NONE)),
         other => {
-            arguments.iter().try_for_each(|argument| pure(argument, other.name(), of))?;
+            arguments.iter().try_for_each(|argument| pure(argument, other.name(), dimensions))?;
             Ok(Some(Dimension::NONE))
         }
     }

@@ -87,7 +87,7 @@ impl SymbolTable {
         (0..).map(Symbol).zip(&self.entries)
     }
 
-    /// How many symbols there are.
+    /// The number of symbols.
     #[must_use]
     pub fn len(&self) -> usize {
         self.entries.len()

@@ -331,7 +331,7 @@ impl Expr {
 /// Powers of numbers that would take more binary digits than this stay as written.
 const MAX_BITS: usize = 2048;
 
-/// How many binary digits the larger part of a fraction has.
+/// The number of binary digits that the larger part of a fraction has.
 fn bits(value: &Rational) -> usize {
     value.numerator().bit_len().max(value.denominator().bit_len())
 }

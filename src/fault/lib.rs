@@ -137,7 +137,7 @@ impl fmt::Display for Faults {
     }
 }
 
-/// How many faults of one source are printed: nobody reads more at a time.
+/// The number of faults of one source that are printed: nobody reads more at a time.
 const MOST_PRINTED: usize = 50;
 
 impl std::error::Error for Faults {}

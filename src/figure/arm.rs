@@ -23,7 +23,7 @@ const SHORTEST_LINE: f64 = 12.0;
 const ARC_ROOM: f64 = 7.0;
 /// From the arm to a body beside it.
 const BESIDE: f64 = 3.0;
-/// How far an arm goes on beyond what strikes it.
+/// The distance that an arm goes on beyond what strikes it.
 const OVERHANG: f64 = 26.0;
 /// Angles closer than this, in radians, are one direction.
 const SAME_ANGLE: f64 = 1e-9;

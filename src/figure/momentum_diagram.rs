@@ -111,18 +111,18 @@ impl MomentumDiagram {
         self.balance(Quantity::AngularMomentum)
     }
 
-    fn balance(&self, of: Quantity) -> Drawing {
+    fn balance(&self, quantity: Quantity) -> Drawing {
         let [longest @ .., shortest] = LONGEST;
-        let drawing = |longest: f64| self.wording.drawing(self.canvas(of, longest));
+        let drawing = |longest: f64| self.wording.drawing(self.canvas(quantity, longest));
         let fits = |drawing: &Drawing| drawing.high.x - drawing.low.x <= WIDEST;
         longest.into_iter().map(drawing).find(fits).unwrap_or_else(|| drawing(shortest))
     }
 
-    fn canvas(&self, of: Quantity, longest: f64) -> Canvas {
+    fn canvas(&self, quantity: Quantity, longest: f64) -> Canvas {
         let scale = Scale::fitting(self.bodies.iter().flat_map(BodyMomentum::vectors), longest);
         let rows = self.bodies.iter().map(|body| body.row(scale)).collect();
         let several = self.bodies.iter().any(|body| body.impulses.len() > 1);
-        let mut canvas = assemble(of.headings(several), rows, &self.axes);
+        let mut canvas = assemble(quantity.headings(several), rows, &self.axes);
         canvas.tell_scale(scale);
         canvas
     }

@@ -78,19 +78,20 @@ impl Model {
 
     /// The givens of a kind, those together that can be compared with each other.
     fn givens(&self, givens: Givens, system: &System, told: &BTreeSet<Symbol>) -> Vec<Vec<Symbol>> {
-        let of = |is: &dyn Fn(Symbol) -> bool| told.iter().copied().filter(|symbol| is(*symbol)).collect::<Vec<_>>();
-        let measured = |dimension: Dimension| of(&|symbol| self.symbols.entry(symbol).dimension == dimension);
-        let weights = || of(&|symbol| self.name(symbol).kind == QuantityKind::Weight);
+        let told_that =
+            |is: &dyn Fn(Symbol) -> bool| told.iter().copied().filter(|symbol| is(*symbol)).collect::<Vec<_>>();
+        let measured = |dimension: Dimension| told_that(&|symbol| self.symbols.entry(symbol).dimension == dimension);
+        let weights = || told_that(&|symbol| self.name(symbol).kind == QuantityKind::Weight);
         match givens {
             Givens::Masses => vec![measured(Dimension::MASS), weights()],
             Givens::MassesOfOneEquation => vec![self.unknown_too(system, Dimension::MASS)],
             Givens::VelocitiesOfOneEquation => vec![self.unknown_too(system, Dimension::VELOCITY)],
             Givens::Velocities => vec![measured(Dimension::VELOCITY), measured(Dimension::new(0, 0, -1))],
             Givens::Gravity if weights().is_empty() => {
-                vec![of(&|symbol| self.name(symbol).kind == QuantityKind::Gravity)]
+                vec![told_that(&|symbol| self.name(symbol).kind == QuantityKind::Gravity)]
             }
             Givens::Gravity => Vec::new(),
-            Givens::Angles => vec![of(&|symbol| self.is_direction(symbol))],
+            Givens::Angles => vec![told_that(&|symbol| self.is_direction(symbol))],
             Givens::Durations => vec![measured(Dimension::TIME)],
             Givens::Restitutions => vec![self.restitutions(system, told)],
             Givens::RestitutionOfHeights => {

@@ -300,7 +300,7 @@ impl<'s> Builder<'s> {
         Condition { left, relation, right, tag }
     }
 
-    /// How a body is called in a sentence.
+    /// The name of a body in a sentence.
     pub(super) fn called(&self, body: &str) -> String {
         self.scene.called(body)
     }
@@ -328,8 +328,8 @@ impl<'s> Builder<'s> {
         if let Some(known) = self.symbols.find(&name.to_string()).filter(|known| self.symbols.is_described(*known)) {
             return known;
         }
-        let of = format!("of {} {}", self.called(body), self.when(since));
-        self.component(name, Meaning { noun: "the velocity", of })
+        let whose = format!("of {} {}", self.called(body), self.when(since));
+        self.component(name, Meaning { noun: "the velocity", of: whose })
     }
 
     /// An axis as it stands in the names of components; none where there is only one.

@@ -49,7 +49,7 @@ impl<'s> Builder<'s> {
         by_name().or_else(by_place).map(|stage| self.stage_phrase(stage))
     }
 
-    /// How a body is called in a sentence.
+    /// The name of a body in a sentence.
     #[must_use]
     pub fn name_of(&self, body: &str) -> String {
         self.called(body)

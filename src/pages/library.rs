@@ -74,7 +74,7 @@ impl Library {
         Ok(Self { watched: folder.map(Path::to_owned), shelf, ..Self::of(Bank::built_in()) })
     }
 
-    /// How often a problem was looked up.
+    /// The number of times that a problem was looked up.
     pub fn looked_up(&self) -> u64 {
         self.looked_up.load(Ordering::Relaxed)
     }

@@ -42,7 +42,7 @@ struct PracticePage {
     easier: Option<Easier>,
     /// The author's hints that were asked for.
     hints: Vec<Fragment>,
-    /// How many further hints on wrong answers were asked for.
+    /// The number of further hints on wrong answers that were asked for.
     further: usize,
     /// Whether a further hint can be asked for.
     more_further: bool,
@@ -144,6 +144,6 @@ fn easier(view: &View<'_>, id: &str) -> Result<Option<Easier>, Refused> {
 }
 
 fn marked(sheet: &SheetResponse, report: Option<&MarkResponse>) -> Vec<Option<MarkedPart>> {
-    let of = |id: &str| report.and_then(|report| report.parts.iter().find(|part| part.id == id).cloned());
-    sheet.fields.iter().map(|field| of(&field.id)).collect()
+    let marked = |id: &str| report.and_then(|report| report.parts.iter().find(|part| part.id == id).cloned());
+    sheet.fields.iter().map(|field| marked(&field.id)).collect()
 }

@@ -14,7 +14,7 @@ struct SolutionPage {
     title: String,
     place: Place,
     solved: SolveResponse,
-    /// How many steps are shown; nothing where all are.
+    /// The number of steps that are shown; nothing where all are.
     shown: Option<usize>,
     /// Whether it says every step of the algebra and every check.
     is_full: bool,

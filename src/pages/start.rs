@@ -43,7 +43,7 @@ struct Filter<'a> {
 struct Shelf<'a> {
     name: &'a str,
     title: &'a str,
-    /// How many problems it has.
+    /// The number of problems that it has.
     count: usize,
     problems: Vec<ShownExhibit<'a>>,
 }

@@ -105,7 +105,7 @@ impl Decimal {
         &self.unscaled
     }
 
-    /// How many of the digits stand behind the point; negative for `1.2e3`.
+    /// The number of the digits that stand behind the point; negative for `1.2e3`.
     #[must_use]
     pub fn scale(&self) -> i32 {
         self.scale
@@ -123,7 +123,7 @@ impl Decimal {
         if &quotient * power == self.unscaled { i128::try_from(quotient).ok() } else { None }
     }
 
-    /// How many figures are written: leading zeros do not count, trailing zeros do; at least one.
+    /// The number of figures that are written: leading zeros do not count, trailing zeros do; at least one.
     #[must_use]
     pub fn figures(&self) -> usize {
         match i64::try_from(&self.unscaled) {
@@ -306,7 +306,7 @@ pub(super) fn power_of_ten(places: usize) -> Integer {
     }
 }
 
-/// How many digits a machine word has at most.
+/// The number of digits that a machine word has at most.
 const MOST_DIGITS: usize = 20;
 
 /// The digits of a machine word, at the end of the room for them.

@@ -196,7 +196,7 @@ impl Unit {
         sized.fold(Factor::ONE, |product, power| product * power.symbol.factor().power(power.exponent))
     }
 
-    /// How many of the other unit it is; both measure the same.
+    /// The number of the other unit that it is; both measure the same.
     ///
     /// ```
     /// use momentous_quantity::Unit;

@@ -4,7 +4,7 @@ use super::unit::Symbol;
 use super::unit_lookup::in_other_case;
 use super::{Dimension, Factor, Rational, Unit, UnitFault, UnitFaultKind};
 
-/// How often one text may be read in two ways.
+/// The number of times that one text may be read in two ways.
 const MOST_CHOICES: usize = 3;
 
 /// One turn, in radians.
@@ -39,8 +39,8 @@ impl Unit {
         if units.len() == 1 { units.pop().ok_or(fault) } else { Err(fault) }
     }
 
-    /// How many of the other unit it is, as [`Unit::in_terms_of`] says; where the one is a frequency and the other a rotation, a
-    /// hertz is one turn a second.
+    /// The number of the other unit that it is, as [`Unit::in_terms_of`] says; where the one is a frequency and the other a
+    /// rotation, a hertz is one turn a second.
     ///
     /// ```
     /// use momentous_quantity::Unit;

@@ -35,7 +35,7 @@ impl<'a> Item<'a> {
 pub(super) struct Row<'a> {
     /// Those of the line itself where it need not be broken.
     items: Cow<'a, [Math]>,
-    /// How many of the items stand before the alignment.
+    /// The number of the items that stand before the alignment.
     aligned: usize,
     /// How wide they are before and behind it.
     widths: [f64; 2],

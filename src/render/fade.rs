@@ -31,7 +31,7 @@ pub fn fade(outline: &Outline, steps: usize) -> Outline {
     Outline { title: outline.title.clone(), sections: sections.iter().enumerate().map(fade_one).collect() }
 }
 
-/// How many steps of an outline can fade.
+/// The number of steps of an outline that can fade.
 #[must_use]
 pub fn steps(outline: &Outline) -> usize {
     let sections = for_everyone(outline);

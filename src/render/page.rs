@@ -73,7 +73,7 @@ pub struct Sheet {
     pub figure: Option<Box<Drawing>>,
     /// Hints in Markdown, to be read one by one.
     pub hints: Vec<String>,
-    /// How many ruled lines there are for each answer.
+    /// The number of ruled lines for each answer.
     pub room: usize,
 }
 

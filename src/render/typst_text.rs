@@ -37,12 +37,12 @@ fn is_read(sign: char, before: Option<char>, after: Option<char>) -> bool {
 
 /// The language and the region of a BCP 47 tag, as Typst takes them.
 pub(super) fn language(tag: &str) -> (String, Option<String>) {
-    let of = |part: &str, lengths: &[usize]| {
+    let is_word = |part: &str, lengths: &[usize]| {
         lengths.contains(&part.len()) && part.bytes().all(|letter| letter.is_ascii_alphabetic())
     };
     let mut parts = tag.split('-');
-    let code = parts.next().filter(|part| of(part, &[2, 3])).unwrap_or("en");
-    let region = parts.find(|part| of(part, &[2]));
+    let code = parts.next().filter(|part| is_word(part, &[2, 3])).unwrap_or("en");
+    let region = parts.find(|part| is_word(part, &[2]));
     (code.to_lowercase(), region.map(str::to_uppercase))
 }
 

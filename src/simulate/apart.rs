@@ -42,7 +42,7 @@ impl Record {
 /// The greatest sizes of what two records can differ in.
 struct Sizes {
     time: f64,
-    /// How far a body goes from where it starts.
+    /// The distance that a body goes from where it starts.
     way: f64,
     speed: f64,
     impulse: f64,

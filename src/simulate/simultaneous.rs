@@ -17,7 +17,7 @@ pub(super) struct Struck<const D: usize> {
     pub rate: f64,
 }
 
-/// How many pairs may be struck one after another at one instant.
+/// The number of pairs that may be struck one after another at one instant.
 const MOST_PAIRS: usize = 10_000;
 
 impl<const D: usize> World<D> {
@@ -150,8 +150,8 @@ impl<const D: usize> World<D> {
             let (first, second) = self.parties(struck.contact);
             let rate = self.rate(struck.contact, &struck.normal, velocities);
             let energy = |velocities: &[Vector<D>]| {
-                let of = |body: usize| self.bodies[body].mass * velocities[body].norm_squared() / 2.0;
-                of(second) + first.map_or(0.0, of)
+                let energy = |body: usize| self.bodies[body].mass * velocities[body].norm_squared() / 2.0;
+                energy(second) + first.map_or(0.0, energy)
             };
             let energy_before = energy(velocities);
             velocities[second] += struck.normal * (impulse / self.bodies[second].mass);

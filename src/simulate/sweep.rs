@@ -47,11 +47,11 @@ pub struct Point {
     pub setting: Option<f64>,
     /// The least time of a solve over the repetitions, in s, averaged over the scenes.
     pub seconds: f64,
-    /// How often forces, or the next event of a contact, were worked out in a solve, on the average.
+    /// The number of times that forces, or the next event of a contact, were worked out in a solve, on the average.
     pub evaluations: f64,
     /// The errors of the whole state; `None` where no scene was solved.
     pub errors: Option<Errors>,
-    /// How many of the scenes were refused or ended without the answer.
+    /// The number of the scenes that were refused or ended without the answer.
     pub failures: usize,
     /// The name of the refusal of the last that failed.
     pub refusal: Option<String>,
@@ -108,7 +108,7 @@ pub fn sweep<const D: usize>(
     points
 }
 
-/// How many points a sweep has.
+/// The number of points that a sweep has.
 #[must_use]
 pub fn points_of(finest_step: f64) -> usize {
     settings(finest_step).len() + 1

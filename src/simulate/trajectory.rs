@@ -18,15 +18,15 @@ pub struct Trajectory<const D: usize> {
     pub impact_count: usize,
     /// How many steps (events, where a method has no steps) the run took.
     pub steps: usize,
-    /// How often forces, or the next event of a contact, were worked out: what a run takes on any machine.
+    /// The number of times that forces, or the next event of a contact, were worked out: what a run takes on any machine.
     pub evaluations: usize,
     /// The state at the end.
     pub last: State<D>,
-    /// How it ended.
+    /// Its end.
     pub ending: Ending,
 }
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ending {
     /// At the time that was asked for.

@@ -165,9 +165,13 @@ impl Store {
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn extension(&self, of: Key<Assignment>, member: Key<Member>) -> Result<Option<Extension>, StoreFault> {
+    pub async fn extension(
+        &self,
+        assignment: Key<Assignment>,
+        member: Key<Member>,
+    ) -> Result<Option<Extension>, StoreFault> {
         let statement = query("SELECT data FROM extension WHERE assignment = $1 AND member = $2");
-        self.one(statement.bind(of.to_string()).bind(member.to_string())).await
+        self.one(statement.bind(assignment.to_string()).bind(member.to_string())).await
     }
 }
 

@@ -72,12 +72,12 @@ impl Store {
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn membership(&self, of: Key<Course>, person: Key<Person>) -> Result<Option<Membership>, StoreFault> {
+    pub async fn membership(&self, course: Key<Course>, person: Key<Person>) -> Result<Option<Membership>, StoreFault> {
         let statement = query(
             "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member m JOIN person p ON p.key = m.person \
              JOIN course c ON c.key = m.course WHERE m.course = $1 AND m.person = $2",
         );
-        let memberships = self.memberships(statement.bind(of.to_string()).bind(person.to_string())).await?;
+        let memberships = self.memberships(statement.bind(course.to_string()).bind(person.to_string())).await?;
         Ok(memberships.into_iter().next().filter(|membership| membership.member.left.is_none()))
     }
 
@@ -85,25 +85,25 @@ impl Store {
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn members(&self, of: Key<Course>) -> Result<Vec<Membership>, StoreFault> {
+    pub async fn members(&self, course: Key<Course>) -> Result<Vec<Membership>, StoreFault> {
         let statement = query(
             "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member m JOIN person p ON p.key = m.person \
              JOIN course c ON c.key = m.course WHERE m.course = $1 ORDER BY m.key",
         );
-        self.memberships(statement.bind(of.to_string())).await
+        self.memberships(statement.bind(course.to_string())).await
     }
 
     /// The places that those who take part in a course have in other courses.
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn elsewhere(&self, of: Key<Course>) -> Result<Vec<Membership>, StoreFault> {
+    pub async fn elsewhere(&self, course: Key<Course>) -> Result<Vec<Membership>, StoreFault> {
         let statement = query(
             "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member own \
              JOIN member m ON m.person = own.person AND m.course <> own.course JOIN person p ON p.key = m.person \
              JOIN course c ON c.key = m.course WHERE own.course = $1 ORDER BY m.key",
         );
-        let all = self.memberships(statement.bind(of.to_string())).await?;
+        let all = self.memberships(statement.bind(course.to_string())).await?;
         Ok(all.into_iter().filter(|membership| membership.member.left.is_none()).collect())
     }
 
@@ -111,11 +111,11 @@ impl Store {
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn with_password(&self, of: Key<Course>) -> Result<BTreeSet<Key<Person>>, StoreFault> {
+    pub async fn with_password(&self, course: Key<Course>) -> Result<BTreeSet<Key<Person>>, StoreFault> {
         let statement = query(
             "SELECT p.data FROM member m JOIN person p ON p.key = m.person JOIN password w ON w.person = m.person WHERE m.course = $1",
         );
-        let people: Vec<Person> = self.records(statement.bind(of.to_string())).await?;
+        let people: Vec<Person> = self.records(statement.bind(course.to_string())).await?;
         Ok(people.into_iter().map(|person| person.key).collect())
     }
 
@@ -131,11 +131,11 @@ impl Store {
     }
 
     async fn memberships(&self, statement: Statement) -> Result<Vec<Membership>, StoreFault> {
-        let of = |row: &AnyRow| {
+        let extension = |row: &AnyRow| {
             let person = serde_json::from_str(row.try_get::<&str, _>(1)?)?;
             Ok(Membership { member: record(row)?, person, course: course(row, 2, 3)? })
         };
-        self.rows(statement).await?.iter().map(of).collect()
+        self.rows(statement).await?.iter().map(extension).collect()
     }
 }
 

@@ -14,7 +14,7 @@ use super::fault::StoreFault;
 use super::lock::Lock;
 use super::schema::VERSION;
 
-/// How long a database may take to answer.
+/// The longest time that a database may take to answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The inspection of data without changing them.

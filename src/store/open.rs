@@ -89,7 +89,7 @@ impl Store {
         (self.reads.load(Ordering::Relaxed), self.rows.load(Ordering::Relaxed))
     }
 
-    /// How many attempts were handed in and kept since it was opened.
+    /// The number of attempts that were handed in and kept since it was opened.
     #[must_use]
     pub fn handed_in(&self) -> u64 {
         self.handed_in.load(Ordering::Relaxed)

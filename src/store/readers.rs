@@ -12,7 +12,7 @@ use super::fault::StoreFault;
 
 /// Statements that are read at the same time.
 const MOST: u32 = 8;
-/// How long somebody waits for a connection.
+/// The time for which somebody waits for a connection.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Connections that read the database at an address; each is opened when it is needed, and asked whether it is still there before it

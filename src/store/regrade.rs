@@ -66,7 +66,7 @@ impl Store {
         self.write_if(2, statements).await
     }
 
-    /// How many attempts there are at all sheets of an item.
+    /// The number of attempts at all sheets of an item.
     ///
     /// # Errors
     /// Where the database refuses.

@@ -239,15 +239,15 @@ impl Store {
     pub async fn drafts(
         &self,
         assignment: Key<Assignment>,
-        of: Option<Key<Member>>,
+        student: Option<Key<Member>>,
     ) -> Result<Vec<(Draft, Sheet)>, StoreFault> {
         let statement = query(
             "SELECT d.data, s.data FROM draft d JOIN sheet s ON s.key = d.sheet JOIN item i ON i.key = s.item \
              WHERE i.assignment = $1 AND (s.member = $2 OR $2 = '') ORDER BY d.sheet",
         );
-        let of = of.map(|member| member.to_string()).unwrap_or_default();
+        let student = student.map(|member| member.to_string()).unwrap_or_default();
         let both = |row: &AnyRow| Ok((record(row)?, serde_json::from_str(row.try_get::<&str, _>(1)?)?));
-        self.rows(statement.bind(assignment.to_string()).bind(of)).await?.iter().map(both).collect()
+        self.rows(statement.bind(assignment.to_string()).bind(student)).await?.iter().map(both).collect()
     }
 
     /// Sets points by hand.

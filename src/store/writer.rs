@@ -20,7 +20,7 @@ use super::fault::StoreFault;
 /// A statement with its values.
 pub(super) type Statement = Query<'static, Any, AnyArguments>;
 
-/// How long a work may take, its wait for those before it included.
+/// The longest time that a work may take, its wait for those before it included.
 const PATIENCE: Duration = Duration::from_secs(15);
 
 /// How long a work says of the next one whether it is kept.
@@ -173,7 +173,7 @@ fn taken(line: &mut Line) -> Result<Option<AnyConnection>, StoreFault> {
     }
 }
 
-/// How many rows each statement changed; none where one of the first, so many, changed nothing.
+/// The number of rows that each statement changed; none where one of the first, so many, changed nothing.
 async fn carried_out(
     connection: &mut AnyConnection,
     guards: usize,

@@ -45,7 +45,8 @@ impl App {
         })
     }
 
-    /// How often a problem was looked up, in all requests: the measure of the work that a page or a call begins with.
+    /// The number of times that a problem was looked up, in all requests: the measure of the work that a page or a call begins
+    /// with.
     #[must_use]
     pub fn looked_up(&self) -> u64 {
         self.pages.library.looked_up()

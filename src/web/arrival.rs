@@ -11,7 +11,7 @@ use axum::body::Bytes;
 use hyper::body::{Body, Frame, Incoming, SizeHint};
 use tokio::time::{Sleep, sleep};
 
-/// How long a body may take after its headers.
+/// The longest time that a body may take after its headers.
 const BODY: Duration = Duration::from_secs(30);
 
 /// When the headers of a request were there, and who sent them: the reader's browser, or the proxy before the server.

@@ -9,7 +9,7 @@ use axum::response::{IntoResponse, Response};
 use super::app::SharedApp;
 use super::headers::ANEW;
 
-/// How long the database may take to answer.
+/// The longest time that the database may take to answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// `fine`, or what is wrong with the database.

@@ -38,7 +38,8 @@ pub enum NotServed {
 /// How long work that nobody waits for any more may hold the end up.
 const ENDING: Duration = Duration::from_secs(2);
 
-/// How many connections may wait until they are taken. Whoever finds no room there is let in a second later, when the system tries again.
+/// The number of connections that may wait until they are taken. Whoever finds no room there is let in a second later, when the
+/// system tries again.
 const WAITING: u32 = 4096;
 
 /// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first, those of fifteen seconds.

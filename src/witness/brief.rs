@@ -9,14 +9,14 @@ use super::film::Film;
 /// The instants before and after the contact.
 const INSTANTS: u32 = 60;
 
-/// How far the fastest body comes and goes, in m, where no arm gives a length.
+/// The distance that the fastest body comes and goes, in m, where no arm gives a length.
 const WAY: f64 = 1.0;
 
 /// The same in lengths of the arm, and the greatest angle by which that turns, in radians.
 const WAY_IN_ARMS: f64 = 1.6;
 const ANGLE: f64 = 1.4;
 
-/// How many times longer one side is watched than the other at most.
+/// The number of times longer that one side is watched than the other at most.
 const LONGEST: f64 = 8.0;
 
 /// Velocities that differ by less than this share of the greatest are the same.

@@ -73,8 +73,8 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
         Conservable::Energy => total("T", "").map(same),
         Conservable::AngularMomentum => {
             let point = about(scene, ask)?;
-            let of: Vec<&str> = ask.of.iter().map(String::as_str).collect();
-            let moments = [stage + 1, stage + 2].map(|instant| turning::moments(witness, &of, point, instant));
+            let bodies: Vec<&str> = ask.of.iter().map(String::as_str).collect();
+            let moments = [stage + 1, stage + 2].map(|instant| turning::moments(witness, &bodies, point, instant));
             if let [Some(before), Some(after)] = moments {
                 let size = before.1.max(after.1);
                 let is_same = |(before, after): (&f64, &f64)| (after - before).abs() <= UNCHANGED * size;

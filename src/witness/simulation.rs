@@ -276,8 +276,8 @@ impl<'a> Witness<'a> {
         Measurement { value, error: self.tolerance * value.abs().max(scale) }
     }
 
-    /// A name taken apart, with who exists at its instant.
-    fn asked<T>(&self, name: &str, of: &dyn Fn(Asked<'_>, &[&str]) -> Option<T>) -> Option<T> {
+    /// Measures a quantity by its name, with the bodies that exist at its instant.
+    fn asked<T>(&self, name: &str, measure: &dyn Fn(Asked<'_>, &[&str]) -> Option<T>) -> Option<T> {
         let parsed = Name::parse(name)?;
         let instant = match &parsed.instant {
             Some(Instant::Number(at)) => *at,
@@ -286,7 +286,7 @@ impl<'a> Witness<'a> {
         };
         let component = parsed.component.as_deref();
         let base = &parsed.kind.spelling();
-        of(Asked { base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
+        measure(Asked { base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
     }
 
     /// The value of a term by what the simulation finds; `None` where it finds nothing in it.
@@ -298,12 +298,12 @@ impl<'a> Witness<'a> {
 
     /// The value of a term by what the simulation finds, and otherwise by what is stated.
     fn worked_out(&self, expr: &Expr) -> Measurement {
-        let of = |symbol| {
+        let known = |symbol| {
             let name = &self.case.problem.model().symbols.entry(symbol).name;
             let said = || Measurement { value: self.stated(symbol).unwrap_or(f64::NAN), error: self.error_of(symbol) };
             self.seen(name).or_else(|| self.started_with(name)).unwrap_or_else(said)
         };
-        let all: BTreeMap<_, Measurement> = expr.symbols().into_iter().map(|symbol| (symbol, of(symbol))).collect();
+        let all: BTreeMap<_, Measurement> = expr.symbols().into_iter().map(|symbol| (symbol, known(symbol))).collect();
         let value = |symbol| all.get(&symbol).map_or(f64::NAN, |known| known.value);
         let mut error = 0.0;
         expr.slopes(&value, 1.0, &mut |symbol, slope| {

@@ -35,11 +35,11 @@ const NEAR_ZERO: f64 = 1e-4;
 /// The results of simulating a form.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Simulated {
-    /// How many seeds were simulated.
+    /// The number of seeds that were simulated.
     pub seeds: u64,
     /// By which ways.
     pub ways: Vec<&'static str>,
-    /// How many quantities were compared, over all seeds.
+    /// The number of quantities that were compared, over all seeds.
     pub compared: usize,
     /// The largest distance between laws and simulation, in parts of the value.
     pub apart: f64,

@@ -64,8 +64,8 @@ pub(super) fn stays(
                 let asked_bodies =
                     motion.record.bodies.iter().enumerate().filter(|(_, body)| ask.of.contains(&body.name));
                 asked_bodies.fold([0.0; 4], |sum, (body, _)| {
-                    let part = |of: &[Vec<f64>], axis: usize| {
-                        of.get(body).and_then(|vector| vector.get(axis)).copied().unwrap_or(0.0)
+                    let part = |vectors: &[Vec<f64>], axis: usize| {
+                        vectors.get(body).and_then(|vector| vector.get(axis)).copied().unwrap_or(0.0)
                     };
                     let mass = moment.masses.get(body).copied().unwrap_or(f64::NAN);
                     let arm: [f64; 3] = std::array::from_fn(|axis| part(&moment.positions, axis) - from[axis]);
@@ -87,13 +87,19 @@ pub(super) fn stays(
 }
 
 /// The angular momentum of bodies about a fixed point, each component where there are several, and the sizes that went into it.
-pub(super) fn moments(witness: &Witness<'_>, of: &[&str], subject: &str, instant: usize) -> Option<(Vec<f64>, f64)> {
+pub(super) fn moments(
+    witness: &Witness<'_>,
+    bodies: &[&str],
+    subject: &str,
+    instant: usize,
+) -> Option<(Vec<f64>, f64)> {
     let scene = witness.scene();
     let axes = scene.axes.rectangular();
     let components: Vec<Option<&str>> =
         if axes.len() == 3 { axes.iter().map(|(axis, _)| Some(axis.letter())).collect() } else { vec![None] };
-    let sum_of =
-        |component| measure(scene, of, Asked { base: "H", subject, instant, component }, &|name| witness.known(name));
+    let sum_of = |component| {
+        measure(scene, bodies, Asked { base: "H", subject, instant, component }, &|name| witness.known(name))
+    };
     let all: Vec<(f64, f64)> = components.into_iter().map(sum_of).collect::<Option<_>>()?;
     let size = all.iter().map(|part| part.1).fold(0.0, f64::max);
     Some((all.into_iter().map(|part| part.0).collect(), size))

@@ -10,7 +10,7 @@ use momentous_quantity::Dimension;
 use super::case::Case;
 use super::simulation::Witness;
 
-/// How many worlds are enough to say something.
+/// The number of worlds that are enough to say something.
 const ENOUGH: usize = 3;
 
 /// The most parts of a scene that may be open.
@@ -95,10 +95,10 @@ impl Sheet<'_> {
     }
 
     /// The result of simulating a world; `None` where it cannot be simulated.
-    fn simulated<T>(&self, open: &[Symbol], world: &[f64], of: impl Fn(&Witness<'_>) -> Option<T>) -> Option<T> {
+    fn simulated<T>(&self, open: &[Symbol], world: &[f64], read: impl Fn(&Witness<'_>) -> Option<T>) -> Option<T> {
         let case = self.with(open, world);
         let witness = Witness::new(&case, self.tolerance);
-        if witness.nothing.is_some() { None } else { of(&witness) }
+        if witness.nothing.is_some() { None } else { read(&witness) }
     }
 
     /// How far what the sheet tells of the end of a stage lies from what is found there.

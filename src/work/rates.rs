@@ -9,8 +9,8 @@ const RATE: &str = "rate_";
 pub(crate) fn named(line: &str, is_name: &dyn Fn(&str) -> bool) -> String {
     let mut text = UPRIGHT.iter().fold(line.to_owned(), |line, upright| line.replace(upright, "d"));
     let mut from = 0;
-    while let Some((start, end, of)) = next(&text, from) {
-        let name = format!("{RATE}{of}");
+    while let Some((start, end, letter)) = next(&text, from) {
+        let name = format!("{RATE}{letter}");
         if is_name(&name) {
             // Between spaces, so that an exponent or a factor behind it stays apart.
             let name = format!(" {name} ");
@@ -27,8 +27,8 @@ pub(crate) fn named(line: &str, is_name: &dyn Fn(&str) -> bool) -> String {
 fn next(text: &str, from: usize) -> Option<(usize, usize, String)> {
     let rest = text.get(from..)?;
     let rates = [quotient(rest), fraction(rest), dotted(rest)];
-    let (start, end, of) = rates.into_iter().flatten().min_by_key(|place| place.0)?;
-    Some((from + start, from + end, bare(of)))
+    let (start, end, letter) = rates.into_iter().flatten().min_by_key(|place| place.0)?;
+    Some((from + start, from + end, bare(letter)))
 }
 
 /// `dH/dt`, also with brackets: `d(m v)/dt` is none.
@@ -38,9 +38,9 @@ fn quotient(text: &str) -> Option<(usize, usize, &str)> {
         let start = text[..at]
             .rfind(|sign: char| !is_of_name(sign))
             .map_or(0, |place| place + text[place..].chars().next().map_or(1, char::len_utf8));
-        let of = text[start..at].strip_prefix('d').filter(|of| !of.is_empty())?;
+        let letter = text[start..at].strip_prefix('d').filter(|letter| !letter.is_empty())?;
         let is_word = text[end..].starts_with(|sign: char| sign.is_alphanumeric() || sign == '_');
-        (!is_word).then_some((start, end, of))
+        (!is_word).then_some((start, end, letter))
     })
 }
 
@@ -48,8 +48,8 @@ fn quotient(text: &str) -> Option<(usize, usize, &str)> {
 fn fraction(text: &str) -> Option<(usize, usize, &str)> {
     text.match_indices("}{dt}").find_map(|(at, sign)| {
         let start = text[..at].rfind("\\frac{d")?;
-        let of = text[start + "\\frac{d".len()..at].trim();
-        (!of.is_empty() && of.chars().all(is_of_name)).then_some((start, at + sign.len(), of))
+        let letter = text[start + "\\frac{d".len()..at].trim();
+        (!letter.is_empty() && letter.chars().all(is_of_name)).then_some((start, at + sign.len(), letter))
     })
 }
 

@@ -45,7 +45,7 @@ pub struct LawNeeded {
 /// An answer that is asked.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct AnswerNeeded {
-    /// How it is called: `v_A2`.
+    /// Its name: `v_A2`.
     pub id: String,
     /// Whether a line gives it.
     pub established: bool,

@@ -176,9 +176,9 @@ impl<'a> Bodies<'a> {
         }
         for instant in self.instants() {
             for (body, mass) in &self.masses {
-                let of = |kind, axis| self.quantity(kind, body, instant, Some(axis));
-                let [x, y] = ["x", "y"].map(|axis| of(QuantityKind::Position, axis));
-                let [v_x, v_y] = ["x", "y"].map(|axis| of(QuantityKind::Velocity, axis));
+                let coordinate = |kind, axis| self.quantity(kind, body, instant, Some(axis));
+                let [x, y] = ["x", "y"].map(|axis| coordinate(QuantityKind::Position, axis));
+                let [v_x, v_y] = ["x", "y"].map(|axis| coordinate(QuantityKind::Velocity, axis));
                 let (Some(x), Some(y), Some(v_x), Some(v_y)) = (x, y, v_x, v_y) else { continue };
                 let momentum = mass.clone() * Expr::sum([x * v_y, -(y * v_x)]);
                 for letter in ANGULAR {

@@ -29,7 +29,7 @@ pub(super) struct Row {
 
 impl From<Point> for Row {
     fn from(point: Point) -> Self {
-        let error = |of: fn(&Errors) -> f64| point.errors.as_ref().map(of).map(rounded);
+        let error = |part: fn(&Errors) -> f64| point.errors.as_ref().map(part).map(rounded);
         Self {
             task: point.task.to_owned(),
             method: point.method.to_owned(),

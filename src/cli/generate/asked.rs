@@ -29,19 +29,19 @@ impl Asked {
         let texts: Vec<String> = problems.iter().zip(&forms).map(|(problem, form)| said(problem, *form)).collect();
         let stems = names::distinct(&texts);
         let asked = problems.iter().zip(forms).zip(stems);
-        let of = |((problem, form), stem)| Self { problem: Arc::clone(problem), form, stem, slot: None };
-        Ok(asked.map(of).collect())
+        let asked_alone = |((problem, form), stem)| Self { problem: Arc::clone(problem), form, stem, slot: None };
+        Ok(asked.map(asked_alone).collect())
     }
 
     /// The problems of a homework, whose sheets have that stem in their names.
     pub(super) fn of_homework(homework: &Homework, stem: &str) -> Vec<Self> {
-        let of = |(slot, number): (&Slot, usize)| Self {
+        let asked_in_slot = |(slot, number): (&Slot, usize)| Self {
             problem: Arc::clone(&slot.problem),
             form: slot.form,
             stem: stem.to_owned(),
             slot: Some((number, Arc::new(slot.clone()))),
         };
-        homework.slots.iter().zip(1..).map(of).collect()
+        homework.slots.iter().zip(1..).map(asked_in_slot).collect()
     }
 
     /// The name of the form; empty where the problem has one form without a name.

@@ -97,9 +97,9 @@ mod tests {
 
     #[test]
     fn the_teachers_folder_is_not_inside_the_students() {
-        let of = |path: &str| Destination::of(Some(Path::new(path))).for_teacher().unwrap();
-        assert_eq!(of("a/sheets/"), Path::new("a/sheets-teacher"));
-        assert_eq!(of("all.html"), Path::new("all-teacher"));
-        assert_eq!(of("./"), Path::new("./teacher"));
+        let for_teacher = |path: &str| Destination::of(Some(Path::new(path))).for_teacher().unwrap();
+        assert_eq!(for_teacher("a/sheets/"), Path::new("a/sheets-teacher"));
+        assert_eq!(for_teacher("all.html"), Path::new("all-teacher"));
+        assert_eq!(for_teacher("./"), Path::new("./teacher"));
     }
 }

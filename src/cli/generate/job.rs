@@ -52,7 +52,7 @@ impl Wanted {
         }
     }
 
-    /// How many sheets there are for each student, or each seed.
+    /// The number of sheets for each student, or each seed.
     pub(super) fn sheets_each(&self) -> u64 {
         self.sheets().len() as u64
     }
@@ -81,7 +81,7 @@ impl Wanted {
     ) -> Result<Box<dyn Iterator<Item = Job> + '_>, Failure> {
         let last = first.checked_add(count - 1);
         let last = last.ok_or_else(|| Failure::unusable(format!("there are not {count} seeds from {first} on")))?;
-        let of = move |asked: &'_ [Asked]| {
+        let numbered = move |asked: &'_ [Asked]| {
             let asked = asked.to_vec();
             (first..=last).map(move |number| Job {
                 questions: asked.iter().map(|question| (question.clone(), question.numbered_seed(number))).collect(),
@@ -91,7 +91,7 @@ impl Wanted {
                 sitter: None,
             })
         };
-        Ok(Box::new(self.sheets().into_iter().flat_map(of)))
+        Ok(Box::new(self.sheets().into_iter().flat_map(numbered)))
     }
 
     /// For each student every sheet.
@@ -101,7 +101,7 @@ impl Wanted {
         seeds: SeedSource<'a>,
         scheme: Scheme,
     ) -> Box<dyn Iterator<Item = Job> + 'a> {
-        let of = move |sitter: &'a Sitter| {
+        let of_sitter = move |sitter: &'a Sitter| {
             self.sheets().into_iter().map(move |asked| Job {
                 questions: asked
                     .iter()
@@ -113,7 +113,7 @@ impl Wanted {
                 sitter: Some(sitter.clone()),
             })
         };
-        Box::new(sitters.iter().flat_map(of))
+        Box::new(sitters.iter().flat_map(of_sitter))
     }
 }
 

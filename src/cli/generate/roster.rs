@@ -32,8 +32,8 @@ pub(super) struct Roster(pub Vec<Sitter>);
 /// Reads the table.
 pub(in crate::cli) fn students(path: &Path) -> Result<Vec<Student>, Failure> {
     let failed = |faults: Vec<String>| {
-        let of = |fault: String| Failure::unusable(format!("{}{fault}", path.display()));
-        Failure::all(faults.into_iter().map(of).collect())
+        let failure = |fault: String| Failure::unusable(format!("{}{fault}", path.display()));
+        Failure::all(faults.into_iter().map(failure).collect())
     };
     let (students, known_by) = Student::listed(table::whole(path)?).map_err(failed)?;
     if known_by.is_name {

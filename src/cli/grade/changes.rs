@@ -95,19 +95,19 @@ impl Changes {
         let now = [earned.points.to_string(), earned.out_of.to_string(), part.verdict.code().to_owned()];
         loop {
             let Some((place, row)) = self.peek()? else { return self.changed(&key, &Mark::default(), &now) };
-            let (of, before) = self.read(&row);
-            if of == key {
+            let (key_before, before) = self.read(&row);
+            if key_before == key {
                 self.next = None;
                 self.compared += 1;
                 return if before == now { Ok(()) } else { self.changed(&key, &before, &now) };
             }
             match &submission.place {
                 // Rows that are refused now were marked then, or the other way round.
-                Place::Line(line) if of[0].parse().is_ok_and(|number: u64| number < *line) => {
+                Place::Line(line) if key_before[0].parse().is_ok_and(|number: u64| number < *line) => {
                     self.next = None;
-                    self.changed(&of, &before, &Mark::default())?;
+                    self.changed(&key_before, &before, &Mark::default())?;
                 }
-                Place::Line(line) if of[0].parse().is_ok_and(|number: u64| number > *line) => {
+                Place::Line(line) if key_before[0].parse().is_ok_and(|number: u64| number > *line) => {
                     return self.changed(&key, &Mark::default(), &now);
                 }
                 _ => {
@@ -160,8 +160,8 @@ impl Changes {
     pub(super) fn finish(mut self) -> Result<bool, Failure> {
         while let Some((_, row)) = self.peek()? {
             self.next = None;
-            let (of, before) = self.read(&row);
-            self.changed(&of, &before, &Mark::default())?;
+            let (key_before, before) = self.read(&row);
+            self.changed(&key_before, &before, &Mark::default())?;
         }
         let marks = if self.compared == 1 { "mark" } else { "marks" };
         writeln!(self.output, "{} of {} {marks} changed", self.moved, self.compared)?;

@@ -41,7 +41,7 @@ pub(super) struct Portion {
     pub is_right: bool,
     /// How many were marked and refused.
     pub counts: RowCounts,
-    /// How many answers could be read.
+    /// The number of answers that could be read.
     pub legibility: Legibility,
 }
 
@@ -213,7 +213,7 @@ mod tests {
     use crate::grade::DecimalMark;
     use crate::problem::Scheme;
 
-    /// How many tables are marked; `MOMENTOUS_TABLES=10000` marks a million rows.
+    /// The number of tables that are marked; `MOMENTOUS_TABLES=10000` marks a million rows.
     const TABLES: u64 = 250;
 
     /// The rows of each.
@@ -290,7 +290,7 @@ mod tests {
                 counts
             })
             .collect();
-        let sum = |of: fn(&RowCounts) -> u64| all.iter().map(of).sum::<u64>();
+        let sum = |count: fn(&RowCounts) -> u64| all.iter().map(count).sum::<u64>();
         assert!(sum(|counts| counts.marked) > tables * 10 && sum(|counts| counts.refused) > tables * 10);
     }
 }

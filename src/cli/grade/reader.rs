@@ -27,7 +27,7 @@ pub(super) struct Reader {
     order: Option<Order>,
     /// The first of the next chunk.
     held: Option<Entered>,
-    /// How many rows were read.
+    /// The number of rows that were read.
     pub(super) read: u64,
 }
 

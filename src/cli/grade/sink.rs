@@ -150,7 +150,7 @@ impl Rows {
         }
     }
 
-    /// How many bytes the rows so far have.
+    /// The number of bytes that the rows so far have.
     pub(super) fn length(&mut self) -> Result<usize, Failure> {
         match self {
             Self::Lines(lines) => Ok(lines.len()),

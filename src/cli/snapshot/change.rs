@@ -55,11 +55,11 @@ impl Change {
             let [before, now] = [before, now].map(|files| files.get(name).cloned());
             changes.entry(problem.to_owned()).or_default().push(Changed { kind, name: name.clone(), before, now });
         }
-        let of = |(problem, mut files): (String, Vec<Changed>)| {
+        let change = |(problem, mut files): (String, Vec<Changed>)| {
             files.sort_by_key(|file| file.kind);
             Self { problem, files }
         };
-        changes.into_iter().map(of).collect()
+        changes.into_iter().map(change).collect()
     }
 
     /// The kind of change: the weightiest of what has changed.
@@ -82,7 +82,7 @@ impl Change {
     }
 }
 
-/// How many lines are other ones.
+/// The number of lines that are other ones.
 fn changed_lines(before: &str, now: &str) -> usize {
     let diff = TextDiff::from_lines(before, now);
     let count = |tag| diff.iter_all_changes().filter(|change| change.tag() == tag).count();

@@ -133,11 +133,11 @@ impl Place {
         let item = whole.items.into_iter().find(|item| item.key == self.item.key).unwrap_or_else(|| self.item.clone());
         let problem = items::problem(visit, &item).await?;
         let (course, member, now) = (visit.course()?.clone(), member.key, visit.now);
-        let (of, issue) = (item.key, item.issue);
+        let (item_key, issue) = (item.key, item.issue);
         let sheet = visit.work(move |_| items::sheet(&course, member, &item, &problem, now)).await?;
         visit.store().add_sheet(&sheet).await?;
         // The student may have opened the problem meanwhile: the first sheet that is kept counts.
-        Ok(visit.store().sheet(of, member, issue).await?.unwrap_or(sheet))
+        Ok(visit.store().sheet(item_key, member, issue).await?.unwrap_or(sheet))
     }
 
     /// The address of the page.

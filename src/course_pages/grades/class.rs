@@ -130,11 +130,11 @@ pub(super) async fn handed_in_sheets(
         hints.entry(hint.sheet).or_default().push(hint);
     }
     let zone = visit.course()?.zone.as_str();
-    let mut of = |sheet: Sheet| {
+    let mut with_attempts = |sheet: Sheet| {
         let attempts = attempts.remove(&sheet.key).unwrap_or_default();
         let hints = hints.remove(&sheet.key).unwrap_or_default();
         let window = Window::of(&whole.assignment.policy, extensions.get(&sheet.member), zone);
         Ok(HandedInSheet { reports: reports(&attempts)?, sheet, attempts, hints, window })
     };
-    store.sheets(key).await?.into_iter().map(&mut of).collect()
+    store.sheets(key).await?.into_iter().map(&mut with_attempts).collect()
 }

@@ -35,7 +35,7 @@ struct CourseGradebookPage {
     sections: Vec<String>,
     section: String,
     sort: String,
-    /// How many of a student's weakest assignments are left out.
+    /// The number of a student's weakest assignments that are left out.
     dropped: u32,
     form: Form,
     saved: bool,

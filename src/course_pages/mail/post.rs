@@ -11,7 +11,7 @@ use momentous_course::MailAddress;
 
 use super::super::session;
 
-/// How long a server of mail may take for one letter.
+/// The longest time that a server of mail may take for one letter.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A letter.

@@ -22,9 +22,9 @@ pub(super) const STAFF_FIELDS: [&str; 3] = ["login", "name", "role"];
 struct RosterPage {
     title: &'static str,
     members: Vec<Listed>,
-    /// How many students there are.
+    /// The number of students.
     students: usize,
-    /// How many of them can be given links.
+    /// The number of them that can be given links.
     unlinked: usize,
     /// Whether links lead to this machine only.
     only_here: bool,
@@ -132,9 +132,9 @@ impl Class {
             row.name.clear();
         }
         roster_changes(&rows, &self.pairs()).map_err(|staff| {
-            let of =
+            let membership =
                 |login: String| format!("`{login}` teaches this course. Leave the row out; staff are changed below.");
-            staff.into_iter().map(of).collect()
+            staff.into_iter().map(membership).collect()
         })
     }
 

@@ -102,7 +102,7 @@ struct OwnItem {
     problem: String,
     title: String,
     out_of: u32,
-    /// How often something was handed in.
+    /// The number of times that something was handed in.
     attempts: u32,
     /// The standing for it, once verdicts are shown.
     has: Option<Has>,

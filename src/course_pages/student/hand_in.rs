@@ -19,7 +19,7 @@ use super::own_sheet::OwnSheet;
 pub(super) const ANSWER: &str = "answer.";
 /// The bytes of the longest key by which a repeated request is known; the pages' own have 32.
 const LONGEST_KEY: usize = 64;
-/// How often an attempt is marked again where others are handed in at the same time.
+/// The number of times that an attempt is marked again where others are handed in at the same time.
 const AGAIN: usize = 8;
 
 /// Hands in what was typed. The page that follows shows what is kept; a reload hands nothing in again.

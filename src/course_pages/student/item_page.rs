@@ -70,7 +70,7 @@ struct FieldState {
     worth: Option<String>,
     /// Whether the answer can no longer be changed, because it is right.
     locked: bool,
-    /// How many attempts are left; nothing where any number is.
+    /// The number of attempts that are left; nothing where any number is.
     left: Option<u32>,
     read: Option<String>,
     unread: Option<String>,

@@ -27,7 +27,7 @@ pub struct MarkRequest {
     /// The sign between whole and decimal digits.
     #[serde(default)]
     pub decimal: DecimalMark,
-    /// How many further hints the student has asked for on wrong answers.
+    /// The number of further hints that the student has asked for on wrong answers.
     #[serde(default)]
     pub hints: usize,
     /// Whether no attempts are left: what follows from the student's own answers is then shown.
@@ -53,7 +53,7 @@ pub struct MarkResponse {
 /// A part, marked.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct MarkedPart {
-    /// How the part is called in answers.
+    /// The name of the part in answers.
     pub id: String,
     /// The code of the verdict.
     pub verdict: &'static str,

@@ -30,7 +30,7 @@ pub struct SheetResponse {
     pub fields: Vec<FieldResponse>,
     /// Constants and conventions to use; empty where there are none.
     pub note: Fragment,
-    /// How many hints the author wrote.
+    /// The number of hints that the author wrote.
     pub hints: usize,
 }
 
@@ -58,7 +58,7 @@ impl FigureResponse {
 /// Room for an answer: [`Field`] as HTML.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FieldResponse {
-    /// How the part is called in answers.
+    /// The name of the part in answers.
     pub id: String,
     /// Its label without brackets.
     pub label: String,
@@ -77,7 +77,7 @@ pub struct FieldResponse {
     pub pictures: Vec<FigureResponse>,
     /// The names that a formula may contain.
     pub symbols: Vec<String>,
-    /// How many components a vector has.
+    /// The number of components that a vector has.
     pub components: usize,
     /// Its points.
     pub points: u32,

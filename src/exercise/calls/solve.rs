@@ -37,7 +37,7 @@ pub struct SolveResponse {
     pub title: String,
     /// The solution.
     pub solution: Fragment,
-    /// How many steps can be shown one by one.
+    /// The number of steps that can be shown one by one.
     pub steps: usize,
     /// The answers; empty while steps are left to the reader.
     pub answers: Vec<SolvedPart>,
@@ -46,7 +46,7 @@ pub struct SolveResponse {
 /// An answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SolvedPart {
-    /// How the part is called in answers.
+    /// The name of the part in answers.
     pub id: String,
     /// The answer as it is printed.
     pub printed: String,

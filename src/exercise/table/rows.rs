@@ -36,7 +36,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// How many cells there are.
+    /// The number of cells.
     #[must_use]
     pub fn len(&self) -> usize {
         self.ends.len()

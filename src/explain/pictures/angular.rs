@@ -256,7 +256,7 @@ fn drawing(
 }
 
 impl Quantities<'_> {
-    /// How a point is called in a sentence.
+    /// The name of a point in a sentence.
     pub(super) fn point(&self, point: &str) -> String {
         self.scene().points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
     }

@@ -16,7 +16,7 @@ use super::quantities::Quantities;
 use super::quantities::Scope;
 
 impl Quantities<'_> {
-    /// How a term is written, where its value may be shown or is asked for.
+    /// The notation of a term, where its value may be shown or is asked for.
     pub(super) fn label_of(&self, term: &Term) -> Option<Math> {
         let term = self.term(term)?;
         match self.evaluate(&term) {

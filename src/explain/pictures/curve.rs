@@ -94,7 +94,7 @@ fn letter(quantities: &Quantities<'_>) -> &'static str {
     }
 }
 
-/// How the quantity is written that a law says is an integral.
+/// The notation of the quantity that a law says is an integral.
 fn defined(quantities: &Quantities<'_>, law: &Instance) -> Option<Math> {
     let model = quantities.model();
     let is_own = |tag: usize| model.instances.get(tag).is_some_and(|instance| std::ptr::eq(instance, law));

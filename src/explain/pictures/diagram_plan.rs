@@ -19,7 +19,7 @@ pub(super) struct Planned {
     pub(super) participant: Participant,
     pub(super) name: Math,
     pub(super) form: Form,
-    /// How its momentum is written before and after, and each impulse on it.
+    /// The notation of its momentum before and after, and each impulse on it.
     pub(super) before: Math,
     pub(super) after: Math,
     pub(super) impulses: Vec<Math>,

@@ -62,7 +62,7 @@ fn drawing(quantities: &Quantities<'_>, force: &ActingForce, graph: &PrintedGrap
     };
     let marks: Vec<plot::Mark> = marks.filter(is_new).collect();
     let shaded = solved && force.during[0].is_zero();
-    let of = |side: usize, symbol: &str| PlotAxis {
+    let axis = |side: usize, symbol: &str| PlotAxis {
         symbol: name_math(symbol),
         unit: units[side].unicode(),
         told: corners.iter().map(|(at, text)| (at[side], text[side].clone())).collect(),
@@ -76,8 +76,8 @@ fn drawing(quantities: &Quantities<'_>, force: &ActingForce, graph: &PrintedGrap
         format!("straight lines through the points {}", corners.iter().map(words).collect::<Vec<_>>().join(", "));
     let plot = ForcePlot {
         wording: Wording { description: format!("{} {}", wording.description, sentences([through])), ..wording },
-        time: of(0, "t"),
-        force: of(1, "F"),
+        time: axis(0, "t"),
+        force: axis(1, "F"),
         points,
         area: shaded.then(|| quantities.impulse_of_force(force).label),
         marks: marks.into_iter().filter_map(|mark| Some((in_unit(mark.time, &units[0])?, mark.label))).collect(),

@@ -44,7 +44,7 @@ impl<'a> Quantities<'a> {
         }
     }
 
-    /// How the mass of a body at an instant is written.
+    /// The notation of the mass of a body at an instant.
     pub(super) fn mass_math(&self, body: &str, instant: usize) -> Math {
         let mut members = self.scene().members(body);
         let parts = self.scene().division_of(body);

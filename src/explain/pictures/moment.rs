@@ -180,7 +180,7 @@ fn impulse(stage: &Moment) -> Math {
 }
 
 impl Quantities<'_> {
-    /// How a fixed point or the centre of mass is called in a sentence.
+    /// The name of a fixed point or the centre of mass in a sentence.
     fn centre(&self, about: &str) -> String {
         if about == "G" { "the centre of mass".to_owned() } else { self.point(about) }
     }

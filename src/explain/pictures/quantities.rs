@@ -309,7 +309,7 @@ impl<'a> Quantities<'a> {
         self.model().when(self.scene(), instant)
     }
 
-    /// How a body is called in a sentence.
+    /// The name of a body in a sentence.
     pub(super) fn called(&self, body: &str) -> String {
         self.scene().called(body)
     }

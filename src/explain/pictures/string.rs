@@ -139,7 +139,7 @@ impl Load {
     }
 }
 
-/// How long a motion lasts of which both bodies' gain in momentum along the string is known.
+/// The time for which a motion lasts of which both bodies' gain in momentum along the string is known.
 fn time_of_gain(sides: &[Side<'_>], loads: &[Load]) -> Option<f64> {
     // A body moves by its share of what the string runs, and so what acts on it counts.
     let each = || sides.iter().zip(loads).map(|(side, load)| (side, load, 1.0 / f64::from(side.strands)));

@@ -72,7 +72,7 @@ impl Quantities<'_> {
         Labelled { label: self.momentum_name(mass_of, body, instant), value: self.momentum_value(body, instant, scale) }
     }
 
-    /// How that momentum is written.
+    /// The notation of that momentum.
     pub(super) fn momentum_name(&self, mass_of: &str, body: &str, instant: usize) -> Math {
         product([self.mass_math(mass_of, instant), name_math(&self.velocity_name(body, instant))])
     }
@@ -102,14 +102,14 @@ impl Quantities<'_> {
         Labelled { label: self.impulse_name(impulse), value: self.impulse_value(impulse) }
     }
 
-    /// How that impulse is written.
+    /// The notation of that impulse.
     pub(super) fn impulse_name(&self, impulse: &Impulse) -> Math {
         if impulse.called == "weight" {
             return self.impulse_of_weight(&impulse.on, impulse.stage).label;
         }
         let letter = if impulse.by == Agent::Guide { "R" } else { "J" };
-        let of = self.of_string(impulse).unwrap_or_else(|| impulse.on.clone());
-        self.worked.problem.notation().math(&format!("{letter}_{of}"))
+        let subject = self.of_string(impulse).unwrap_or_else(|| impulse.on.clone());
+        self.worked.problem.notation().math(&format!("{letter}_{subject}"))
     }
 
     /// The string in whose name an impulse is given, where several are jerked together.
@@ -164,7 +164,7 @@ impl Quantities<'_> {
         Labelled { label: product([self.weight_math(body, stage), time]), value: None }
     }
 
-    /// How the weight of a body at the start of a stage is written.
+    /// The notation of the weight of a body at the start of a stage.
     pub(super) fn weight_math(&self, body: &str, stage: usize) -> Math {
         let weight = format!("W_{body}");
         match self.named(&weight) {

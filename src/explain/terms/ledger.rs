@@ -24,7 +24,7 @@ const SLACK: f64 = 1e-7;
 /// A share of half a unit: what moves a result by less is not why its line does not come out.
 const LITTLE: f64 = 0.1;
 
-/// How many figures the numbers of a solution have.
+/// The number of figures that the numbers of a solution have.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Figures {
     pub numbers: Vec<(Item, usize)>,

@@ -51,11 +51,11 @@ fn trials(display: Display<'_>, derivation: &Derivation, unknown: Symbol) -> Opt
     let figures = usize::try_from(TRIED).ok()?;
     let [low, high] = tried.map(|value| measured.put(number_math(printed(value, figures))));
     let [at_low, at_high] = sides.map(exceeds);
-    let of = line.number.map_or_else(String::new, |number| format!(" of ({number})"));
+    let number = line.number.map_or_else(String::new, |number| format!(" of ({number})"));
     Some(vec![
         Inline::Text(" With ".into()),
         Inline::Math(Math::relation(display.name(unknown), Operator::Equals, low)),
-        Inline::Text(format!(" the left side{of} is {at_low} than the right one, with ")),
+        Inline::Text(format!(" the left side{number} is {at_low} than the right one, with ")),
         Inline::Math(high),
         Inline::Text(format!(" {at_high}: the root lies between.")),
     ])

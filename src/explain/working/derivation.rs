@@ -38,7 +38,7 @@ impl Line {
     /// The integral that its right side is the value of, where that is shown.
     pub(crate) fn integral(&self) -> Option<&Integral> {
         match &self.shown {
-            Some(Shown::Integral { of, integral }) if *of == self.left => Some(integral),
+            Some(Shown::Integral { of: integral_of, integral }) if *integral_of == self.left => Some(integral),
             _ => None,
         }
     }
@@ -124,7 +124,8 @@ impl Derivation {
                     .or_else(|| shown_integral(system, instance, &stated.statement, [&left, &right], before))
             });
             let (shown, ends) = step_before.unzip();
-            let is_integral = |shown: &Shown| matches!(shown, Shown::Integral { of, .. } if *of == left);
+            let is_integral =
+                |shown: &Shown| matches!(shown, Shown::Integral { of: integral_of, .. } if *integral_of == left);
             let says_it_all = gives && shown.as_ref().is_some_and(is_integral);
             let worked_out = ends
                 .flatten()

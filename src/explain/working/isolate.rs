@@ -58,7 +58,7 @@ fn apart(parts: &[Expr], unknown: Symbol) -> Option<(Expr, impl Iterator<Item = 
     Some((parts.get(place)?.clone(), others))
 }
 
-/// How often a quantity, or any, stands in a term.
+/// The number of times that a quantity, or any, stands in a term.
 pub(super) fn occurrences(term: &Expr, wanted: Option<Symbol>) -> usize {
     match term {
         Expr::Symbol(symbol) => usize::from(wanted.is_none_or(|wanted| wanted == *symbol)),
@@ -66,7 +66,7 @@ pub(super) fn occurrences(term: &Expr, wanted: Option<Symbol>) -> usize {
     }
 }
 
-/// How many fractions stand within each other in a term.
+/// The number of fractions that stand within each other in a term.
 pub(super) fn nested_fractions(term: &Expr) -> usize {
     let divides = |part: &Expr| {
         let Expr::Power(pair) = part else { return false };

@@ -214,8 +214,8 @@ pub(super) fn stated_with(display: Display<'_>, line: &Line, simplified: &dyn Fn
     let [left, right] = [&line.left, &line.right].map(symbolic);
     match &line.shown {
         None => Math::relation(left, line.relation, right),
-        Some(Shown::Integral { of, integral: shown }) => {
-            Math::relation(symbolic(of), line.relation, integral(display, shown, simplified))
+        Some(Shown::Integral { of: quantity, integral: shown }) => {
+            Math::relation(symbolic(quantity), line.relation, integral(display, shown, simplified))
         }
         Some(Shown::Series(shown)) => Math::chain([left, series(shown, &symbolic), right], Operator::Equals),
         Some(Shown::Areas(areas)) => {

@@ -58,14 +58,14 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             ]);
             words
         }
-        Origin::Vanish { of, zero, drops } => {
+        Origin::Vanish { of: line, zero, drops } => {
             let nothing = Math::relation(display.symbolic(zero), Operator::Equals, Math::Number("0".into()));
             vec![
                 Inline::Text("Since ".into()),
                 Inline::Math(nothing),
                 Inline::Text(", ".into()),
                 Inline::Math(display.name(*drops)),
-                Inline::Text(format!(" drops out of {}", named(*of))),
+                Inline::Text(format!(" drops out of {}", named(*line))),
             ]
         }
         Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
@@ -82,7 +82,7 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             }
             words
         }
-        Origin::Square(of) => said(format!("Square both sides of {}", named(*of))),
+        Origin::Square(line) => said(format!("Square both sides of {}", named(*line))),
         Origin::Tangent(of) => {
             let mut words = said(format!("Divide {} by the cosine", named(*of)));
             words.extend(where_not_zero(display, ", where ", divisors::of_term(&line.right)));

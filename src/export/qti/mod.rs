@@ -16,7 +16,7 @@ use dialect::{Dialect, QTI_2, QTI_3};
 struct Qti<W: Write> {
     package: Package<W>,
     dialect: Dialect,
-    /// How the test is called.
+    /// The name of the test.
     title: String,
     sections: Vec<Section>,
     /// The entries of the manifest for the items; they stand at the end.

@@ -41,7 +41,7 @@ struct Residues {
     values: Vec<u64>,
     /// The exponent of each atom, term by term.
     exponents: Vec<usize>,
-    /// How many atoms there are.
+    /// The number of atoms.
     atoms: usize,
 }
 

@@ -180,7 +180,7 @@ fn arctangent(slope: &Quotient) -> Quotient {
     if negative { angle.negated() } else { angle }
 }
 
-/// How many quarter turns (0 to 3) an angle contains, and what remains.
+/// The number of quarter turns (0 to 3) that an angle contains, and what remains.
 fn split_quarters(angle: &Quotient) -> Option<(u8, Quotient)> {
     let pi = Monomial::atom(Expr::Pi, 1);
     let turns = angle.as_polynomial().and_then(|sum| sum.terms().find(|(monomial, _)| **monomial == pi));

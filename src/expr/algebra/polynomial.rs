@@ -59,7 +59,7 @@ impl Polynomial {
         self.0.iter().map(|(monomial, value)| (monomial, value))
     }
 
-    /// How many terms there are.
+    /// The number of terms.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }

@@ -29,7 +29,7 @@ impl Expr {
         simple.filter(|simple| simple.size() <= 2 * self.size() + 8).unwrap_or_else(|| self.clone())
     }
 
-    /// How many numbers, symbols and operations the term has.
+    /// The number of numbers, symbols and operations that the term has.
     #[must_use]
     pub fn size(&self) -> usize {
         1 + self.children().map(Self::size).sum::<usize>()

@@ -109,7 +109,7 @@ pub(crate) fn decimal(value: &Rational) -> Option<String> {
     Some(format!("{sign}{whole}.{part}"))
 }
 
-/// How many decimals a number has, where they are few: its denominator then divides a power of ten.
+/// The number of decimals that a number has, where they are few: its denominator then divides a power of ten.
 fn decimals(value: &Rational) -> Option<u32> {
     const MAX_DECIMALS: u32 = 6;
     let below = u64::try_from(value.denominator()).ok()?;

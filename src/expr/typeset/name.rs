@@ -64,8 +64,8 @@ pub fn name_math(name: &str) -> Math {
     let name = name.strip_suffix('_').unwrap_or(name);
     // Several of them in one solution are told apart by their stages.
     for base in ["dt", "w"] {
-        if let Some((of, stage)) = name.strip_suffix(']').and_then(|rest| rest.split_once('['))
-            && of == base
+        if let Some((quantity, stage)) = name.strip_suffix(']').and_then(|rest| rest.split_once('['))
+            && quantity == base
         {
             return with_subscript(base_math(base), stage);
         }
@@ -73,16 +73,17 @@ pub fn name_math(name: &str) -> Math {
     let name = without_stage(name);
     let (name, instant) = split_mark(&name, '@');
     let (name, component) = split_mark(&name, '.');
-    let rate = |of: Math| {
-        let differential = |of: Math| Arc::new(Math::Row(vec![Math::Identifier("d".into()), of]));
-        Math::Fraction(differential(of), differential(Math::Identifier("t".into())))
+    let rate = |quantity: Math| {
+        let differential = |quantity: Math| Arc::new(Math::Row(vec![Math::Identifier("d".into()), quantity]));
+        Math::Fraction(differential(quantity), differential(Math::Identifier("t".into())))
     };
     if name == "areal_rate" {
         return rate(Math::Identifier("A".into()));
     }
-    let of_rate = ["H", "p"].into_iter().find_map(|of| Some((of, name.strip_prefix(of)?.strip_prefix("_rate_")?)));
-    if let Some((of, rest)) = of_rate {
-        let rate = rate(name_math(&format!("{of}_{rest}")));
+    let of_rate =
+        ["H", "p"].into_iter().find_map(|letter| Some((letter, name.strip_prefix(letter)?.strip_prefix("_rate_")?)));
+    if let Some((letter, rest)) = of_rate {
+        let rate = rate(name_math(&format!("{letter}_{rest}")));
         return if component.is_empty() {
             rate
         } else {

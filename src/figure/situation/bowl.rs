@@ -15,7 +15,7 @@ const WIDTH: f64 = 96.0;
 const HEIGHT: f64 = 130.0;
 const PARTS: u32 = 48;
 const ARC_ROOM: f64 = 34.0;
-/// How far the axis goes beyond the wall.
+/// The distance that the axis goes beyond the wall.
 const BEYOND: f64 = 12.0;
 /// From the wall to the dimension of a height.
 const ASIDE: f64 = 16.0;

@@ -18,7 +18,7 @@ const ARC_ROOM: f64 = 26.0;
 /// A level circle seen a little from above.
 const FLATTENED: f64 = 0.24;
 const PARTS: u32 = 48;
-/// How far the vertical goes beyond the circle.
+/// The distance that the vertical goes beyond the circle.
 const BEYOND: f64 = 14.0;
 /// A velocity across the drawing: its mark, and how far it lies from the body.
 const MARK: f64 = 4.5;

@@ -19,7 +19,7 @@ const SURFACE_HALF: f64 = 62.0;
 const PLATE_HALF: f64 = 36.0;
 const PLATE: f64 = 5.0;
 const PLATE_ARROW: f64 = 0.7;
-/// How far the line of impact goes on beyond the bodies.
+/// The distance that the line of impact goes on beyond the bodies.
 const OVERHANG: f64 = 40.0;
 /// The length of the face of a wedge, and the part of it above the contact.
 const FACE: f64 = 120.0;

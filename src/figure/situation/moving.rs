@@ -148,14 +148,14 @@ pub(crate) struct Scales {
 impl Scales {
     pub(crate) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
         let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
-        let of = |is_own: &dyn Fn(Role) -> bool| -> Vec<Point> {
+        let vectors = |is_own: &dyn Fn(Role) -> bool| -> Vec<Point> {
             let drawn = vectors.iter().filter(|moving| is_own(moving.role) && !moving.asked);
             drawn.filter_map(|moving| moving.vector.vector()).collect()
         };
         Self {
-            velocity: Scale::sketching(of(&|role| role == Role::Velocity), longest),
-            force: Scale::sketching(of(&|role| role == Role::Force), longest),
-            other: Scale::fitting(of(&claims_scale), longest),
+            velocity: Scale::sketching(vectors(&|role| role == Role::Velocity), longest),
+            force: Scale::sketching(vectors(&|role| role == Role::Force), longest),
+            other: Scale::fitting(vectors(&claims_scale), longest),
         }
     }
 

@@ -36,7 +36,7 @@ const STEEP_ROOM: f64 = 32.0;
 const MOVABLE_WHEEL: f64 = 13.0;
 const HOOK: f64 = 7.0;
 const FIXED_END: f64 = 9.0;
-/// How far the side of a table goes down.
+/// The distance that the side of a table goes down.
 const TABLE: f64 = 64.0;
 
 /// Two bodies on a string over a pulley.

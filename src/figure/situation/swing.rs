@@ -27,7 +27,7 @@ const NEXT_ARC: f64 = 18.0;
 const DIMENSION_GAP: f64 = 24.0;
 const PATH_PARTS: u32 = 24;
 const TRACK_PARTS: u32 = 96;
-/// How far a track goes on beyond the places that are shown.
+/// The distance that a track goes on beyond the places that are shown.
 const BEYOND: f64 = 0.2;
 /// From a place on the level end of a track to what stands there, and to the end.
 const LEVEL: f64 = 14.0;

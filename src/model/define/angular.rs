@@ -96,8 +96,8 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
         let arm = builder.arm(&force.on, instant, &name.subject)?;
         terms.push(angular::moments(&arm, &parts).into_iter().nth(turning)?.simplify());
     }
-    let of = format!("about {centre} {}", builder.when(instant));
-    let meaning = Meaning { noun: "the moment of the forces", of };
+    let whose = format!("about {centre} {}", builder.when(instant));
+    let meaning = Meaning { noun: "the moment of the forces", of: whose };
     let symbol = builder.component(builder.canonical(name), meaning);
     let because = "each force is multiplied by its arm";
     builder.law(&angular::MOMENT, None, because, (symbol.into(), Expr::sum(terms)));
@@ -108,8 +108,8 @@ pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -
     let instant = builder.number(name)?;
     let centre = builder.centre(&name.subject)?;
     let moment = moment_of_forces(builder, &Name { kind: QuantityKind::Moment, ..name.clone() })?;
-    let of = format!("about {centre} {}", builder.when(instant));
-    let meaning = Meaning { noun: "the rate of change of the angular momentum", of };
+    let whose = format!("about {centre} {}", builder.when(instant));
+    let meaning = Meaning { noun: "the rate of change of the angular momentum", of: whose };
     let symbol = builder.component(builder.canonical(name), meaning);
     let because = format!("{centre} {}", if name.is_of_mass_centre() { "is the centre of mass" } else { "is fixed" });
     builder.law(&angular::RATE, None, because, (symbol.into(), moment.into()));
@@ -117,7 +117,7 @@ pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -
 }
 
 impl Builder<'_> {
-    /// How a fixed point, or the centre of mass, is called in a sentence.
+    /// The name of a fixed point, or the centre of mass, in a sentence.
     pub(crate) fn centre(&self, about: &str) -> Option<String> {
         match about {
             MASS_CENTRE => Some("the centre of mass".to_owned()),

@@ -37,8 +37,8 @@ impl Builder<'_> {
 
     /// The symbol of the impulse on a body during a stage.
     fn impulse_during(&mut self, name: &Name, stage: usize) -> Symbol {
-        let of = format!("on {} during {}", self.called(&name.subject), self.stage_phrase(stage));
-        self.component(self.canonical(name), Meaning { noun: "the impulse", of })
+        let whose = format!("on {} during {}", self.called(&name.subject), self.stage_phrase(stage));
+        self.component(self.canonical(name), Meaning { noun: "the impulse", of: whose })
     }
 
     /// The magnitude of a vector with these components, under the name without a component.

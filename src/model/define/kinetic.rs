@@ -134,11 +134,11 @@ impl Builder<'_> {
 
     /// Matter that joins a body, leaves it or is thrown away carries kinetic energy that is no work and no loss.
     fn check_energy(&mut self, stage: usize, carries: impl Fn(&MassChange<'_>) -> bool) {
-        let of = self.scene.stages.get(stage);
-        let joining = if let Some(Stage::Push(push)) = of {
+        let entry = self.scene.stages.get(stage);
+        let joining = if let Some(Stage::Push(push)) = entry {
             push.mass_change().filter(carries).map(|change| (change.name, "push", change.key()))
         } else {
-            matches!(of, Some(Stage::Thrust(_))).then_some(("the exhaust", "thrust", "exhaust"))
+            matches!(entry, Some(Stage::Thrust(_))).then_some(("the exhaust", "thrust", "exhaust"))
         };
         let Some((name, at, key)) = joining else { return };
         let message = format!("the kinetic energy that {name} carries with it is neither work nor loss");

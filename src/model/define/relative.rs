@@ -41,8 +41,8 @@ fn seen_from_the_centre(builder: &mut Builder<'_>, body: &str, instant: usize, a
     let centre = builder.quantity(Name::of(QuantityKind::Velocity, MASS_CENTRE).at(instant).along(letter))?;
     let velocity = builder.velocity(body, instant, axis);
     let owner = builder.called(body);
-    let of = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
-    let symbol = builder.component(relative, Meaning { noun: "the velocity", of });
+    let whose = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
+    let symbol = builder.component(relative, Meaning { noun: "the velocity", of: whose });
     let sides = (symbol.into(), velocity - Expr::from(centre));
     builder.law(
         &mass_centre::RELATIVE,

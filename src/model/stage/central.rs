@@ -113,7 +113,7 @@ impl Builder<'_> {
         stiffness * (self.polar_state(body, &stage.about, index + 1).0 - natural)
     }
 
-    /// How a point is called in a sentence.
+    /// The name of a point in a sentence.
     pub(crate) fn point(&self, point: &str) -> String {
         self.scene.points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
     }

@@ -64,7 +64,7 @@ impl Builder<'_> {
         }
     }
 
-    /// How long a flight lasts.
+    /// The time for which a flight lasts.
     pub(crate) fn flight_time(&mut self, index: usize, stage: &Flight) -> Expr {
         let meaning = format!("the duration of {}", self.stage_phrase(index));
         let path = Path::root().key("scene").key("stages").index(index).key("flight").key("during");

@@ -98,8 +98,8 @@ pub(crate) fn total_impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Sy
     let of_weights = push.pushed().filter_map(|body| builder.impulse_of_weight(body, stage, position));
     let total = Expr::sum(of_forces.chain(of_weights).collect::<Vec<_>>());
     let name = builder.in_stage(QuantityKind::Impulse, "", stage).along(builder.letter(axis));
-    let of = format!("on the system during {}", builder.stage_phrase(stage));
-    let symbol = builder.component(name, Meaning { noun: "the impulse", of });
+    let whose = format!("on the system during {}", builder.stage_phrase(stage));
+    let symbol = builder.component(name, Meaning { noun: "the impulse", of: whose });
     builder.law(&force::IMPULSE, Some(stage), Because::Definition, (symbol.into(), total));
     Some(symbol)
 }
@@ -133,15 +133,16 @@ impl Builder<'_> {
                 .collect();
             for (position, axis) in axes.iter().enumerate() {
                 let net = Expr::sum(parts.iter().filter_map(|parts| parts.get(position).cloned()).collect::<Vec<_>>());
-                let [whose, of] =
-                    ["the system", "the centre of mass"].map(|of| format!("of {of} {}", self.when(instant)));
+                let [whose, of_acceleration] =
+                    ["the system", "the centre of mass"].map(|subject| format!("of {subject} {}", self.when(instant)));
                 let letter = self.letter(*axis);
                 let rate = Name::of(QuantityKind::MomentumRate, "").at(instant).along(letter);
                 let rate = self.component(rate, Meaning { noun: "the rate of change of the momentum", of: whose });
                 let because = format!("these are all the external forces on the system{}{besides}", self.along(*axis));
                 self.law(&mass_centre::RATE, Some(index), because, (rate.into(), net));
                 let acceleration = Name::of(QuantityKind::Acceleration, MASS_CENTRE).at(instant).along(letter);
-                let acceleration = self.component(acceleration, Meaning { noun: "the acceleration", of });
+                let acceleration =
+                    self.component(acceleration, Meaning { noun: "the acceleration", of: of_acceleration });
                 let because = "the forces between the bodies cancel";
                 let sides = (total.clone() * Expr::from(acceleration), rate.into());
                 self.law(&mass_centre::ACCELERATION, Some(index), because, sides);

@@ -37,12 +37,17 @@ pub(super) struct Resisted<'a> {
 
 impl Builder<'_> {
     /// Shows what the law that was stated last follows from: a time or a way as an integral over the speed, between these speeds.
-    pub(super) fn shows_separated(&mut self, of: Expr, [low, high]: [&Expr; 2], integrand: &dyn Fn(&Expr) -> Expr) {
+    pub(super) fn shows_separated(
+        &mut self,
+        quantity: Expr,
+        [low, high]: [&Expr; 2],
+        integrand: &dyn Fn(&Expr) -> Expr,
+    ) {
         let name = Name::of(QuantityKind::Own("v_".to_owned()), "");
         let variable = self.symbol_of(name, Dimension::VELOCITY, "the velocity on the way");
         let integrand = integrand(&variable.into()).simplify();
         let integral = Integral { integrand, variable, low: low.clone(), high: high.clone() };
-        self.shows(Shown::Integral { of, integral });
+        self.shows(Shown::Integral { of: quantity, integral });
     }
 
     /// Reads a resistance divided by the speed.

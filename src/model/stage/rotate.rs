@@ -284,9 +284,9 @@ impl Builder<'_> {
         }
         symbol.into()
     }
-    fn named_angular_impulse(&mut self, index: usize, (of, letter): (String, Option<&str>)) -> Symbol {
+    fn named_angular_impulse(&mut self, index: usize, (whose, letter): (String, Option<&str>)) -> Symbol {
         let name = self.in_stage(QuantityKind::AngularImpulse, "", index).along(letter);
-        let meaning = Meaning { noun: "the angular impulse", of };
+        let meaning = Meaning { noun: "the angular impulse", of: whose };
         self.component(name, meaning)
     }
 }

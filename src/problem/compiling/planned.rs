@@ -163,7 +163,7 @@ impl Form {
         })
     }
 
-    /// How many different sets of numbers a form can draw, before any is rejected.
+    /// The number of different sets of numbers that a form can draw, before any is rejected.
     #[must_use]
     pub fn combinations(&self) -> u128 {
         let counts = self.known.iter().filter_map(|known| match &known.origin {

@@ -224,7 +224,7 @@ impl Scratch {
         regimes.tree.outcome(self.taken?, &self.workspace)
     }
 
-    /// How many solutions the last run found.
+    /// The number of solutions that the last run found.
     pub(crate) fn survivors(&self, regimes: &Regimes) -> usize {
         self.outcome(regimes).map_or(0, |outcome| outcome.survivors())
     }

@@ -182,14 +182,14 @@ fn lost(model: &Model, form: &Form, path: &Path, hint: &Text) -> Option<Fault> {
 /// may be given as an expression.
 fn asked(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let is_given = |symbol: &Symbol| loaded.given.get(&model.symbols.entry(*symbol).name).is_some();
-    let of = |part: &Part| {
+    let symbols = |part: &Part| {
         let mut symbols = part.kind.wanted();
         if let PartKind::Choice(_) = &part.kind {
             symbols.retain(|symbol| !is_given(symbol));
         }
         symbols
     };
-    form.parts.iter().flat_map(of).collect()
+    form.parts.iter().flat_map(symbols).collect()
 }
 
 /// Whether the file gives it, rather than a default that the sheet's note tells.

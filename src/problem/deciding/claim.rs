@@ -65,6 +65,6 @@ fn printed(worked: &Worked<'_>, term: &Expr) -> Option<String> {
     in_unit(worked, term, &coherent_unit(dimension, worked.problem.units()))
 }
 
-pub(super) fn no_value(of: &str) -> String {
-    format!("{of} has no value with these numbers, as where something is divided by zero")
+pub(super) fn no_value(side: &str) -> String {
+    format!("{side} has no value with these numbers, as where something is divided by zero")
 }

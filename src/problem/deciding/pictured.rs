@@ -18,7 +18,7 @@ use super::super::questions::pictures::pictured::Subject;
 use super::super::sampling::variant::Worked;
 use super::offered::shuffled;
 
-/// How many pictures are offered at most, and at least.
+/// The number of pictures that are offered at most, and at least.
 const OFFERED: [usize; 2] = [4, 3];
 
 impl Subject {

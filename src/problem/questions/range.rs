@@ -61,11 +61,11 @@ pub(crate) fn read(
     }
     let boundary = builder.boundary(claim.left.clone(), claim.right.clone());
     let entry = builder.symbols().entry(symbol);
-    let of = match entry.meaning.as_str() {
+    let quantity = match entry.meaning.as_str() {
         "" => ask.range.clone(),
         meaning => format!("values of {meaning}, {},", ask.range),
     };
-    let label = format!("For which {of} is {question}?");
+    let label = format!("For which {quantity} is {question}?");
     Some((label, PartKind::Range(RangePart { number, claim }), boundary))
 }
 

@@ -43,7 +43,7 @@ pub struct Scalar {
     pub style: Style,
 }
 
-/// How a scalar is written.
+/// The notation of a scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     /// Without marks: `3 kg`.

@@ -49,12 +49,12 @@ fn without_direction(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Op
     let symbol = builder.mention(&placeholder.name)?;
     let dimension = builder.symbols().entry(symbol).dimension;
     let is_component = || builder.axis_letters().len() == 1 || builder.name(symbol).component.is_some();
-    let (serves, of) = match placeholder.filter {
+    let (serves, kinds) = match placeholder.filter {
         Filter::Motion => (dimension == Dimension::VELOCITY, "a velocity"),
         Filter::Direction => (DIRECTED.contains(&dimension) && is_component(), "a component along an axis"),
         _ => return None,
     };
     let found = dimension_name(dimension);
-    let message = format!("`{}` is {found}, but this filter is for {of}", placeholder.name);
+    let message = format!("`{}` is {found}, but this filter is for {kinds}", placeholder.name);
     (!serves).then(|| Fault::new(Code::Text, message).help(format!("write `{{{{ {} }}}}` alone", placeholder.name)))
 }

@@ -24,7 +24,7 @@ const NONE: f64 = 1e-9;
 /// The share of the largest energy above which a body moves for certain.
 const MOVES: f64 = 1e-3;
 
-/// How often the place of a least energy is narrowed down.
+/// The number of times that the place of a least energy is narrowed down.
 const NARROWED: usize = 40;
 
 impl Sampler<'_> {

@@ -95,7 +95,7 @@ impl<'p> Sampler<'p> {
         })
     }
 
-    /// How many attempts were rejected so far.
+    /// The number of attempts that were rejected so far.
     #[must_use]
     pub fn rejected(&self) -> u64 {
         self.rejected

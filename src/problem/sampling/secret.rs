@@ -7,7 +7,7 @@ use sha2::Sha256;
 /// seed with its mark for a number or a date.
 const LETTERS: &[u8; 16] = b"bcdfghjkmnpqrstv";
 
-/// How many letters a mark has.
+/// The number of letters that a mark has.
 const LONG: usize = 6;
 
 /// Guesses that one may make, as a power of two, before a secret is safe: a thousand computers make fewer in a year.
@@ -69,8 +69,8 @@ pub fn guesses(secret: &[u8]) -> f64 {
     let mut guesses = 0.0;
     let mut place = 0;
     while let Some(rest) = secret.get(place..).filter(|rest| !rest.is_empty()) {
-        let of = |is_one: fn(&u8) -> bool| rest.iter().take_while(|byte| is_one(byte)).count();
-        let word = of(u8::is_ascii_lowercase).max(of(u8::is_ascii_uppercase));
+        let run = |is_one: fn(&u8) -> bool| rest.iter().take_while(|byte| is_one(byte)).count();
+        let word = run(u8::is_ascii_lowercase).max(run(u8::is_ascii_uppercase));
         // Equal bytes, and those that follow each other as in `12345`, are one.
         let row = 1 + rest.windows(2).take_while(|pair| pair[0].abs_diff(pair[1]) <= 1).count();
         let is_there = |length: &usize| (0..place).any(|start| secret[start..].starts_with(&rest[..*length]));

@@ -97,9 +97,9 @@ impl Streams {
 
     /// Letters by which something of this problem is known, and nothing of it can be read; in a course with a secret, nobody
     /// else finds them.
-    pub(crate) fn code(&self, of: &[&[u8]]) -> String {
+    pub(crate) fn code(&self, texts: &[&[u8]]) -> String {
         let key = digest(&self.key, &[b"code"]);
-        digest(&key, of).iter().take(CODE).map(|byte| letter(*byte)).collect()
+        digest(&key, texts).iter().take(CODE).map(|byte| letter(*byte)).collect()
     }
 
     /// The random word of a seed under a name that nothing given has, for what is not drawn again and again.

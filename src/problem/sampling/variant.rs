@@ -195,7 +195,7 @@ impl<'a> Worked<'a> {
         value.div(&self.size_of(number))
     }
 
-    /// How many whole turns a direction is beyond half a turn from its axis: none of what is no direction.
+    /// The number of whole turns that a direction is beyond half a turn from its axis: none of what is no direction.
     #[must_use]
     pub fn whole_turns(&self, symbol: Symbol, value: f64) -> f64 {
         let kind = &self.problem.model().name(symbol).kind;

@@ -158,8 +158,9 @@ pub(super) type Tried = (Choice, Option<f64>, Option<f64>);
 /// The candidates that come nearest to a request: the most accurate of those tried, and the cheapest.
 pub(super) fn nearest(tried: &[Tried]) -> String {
     let known = |value: Option<f64>| value.unwrap_or(f64::INFINITY);
-    let least =
-        |of: fn(&Tried) -> Option<f64>| tried.iter().min_by(|one, other| known(of(one)).total_cmp(&known(of(other))));
+    let least = |cost: fn(&Tried) -> Option<f64>| {
+        tried.iter().min_by(|one, other| known(cost(one)).total_cmp(&known(cost(other))))
+    };
     let accurate =
         least(|error_of| error_of.1).map(|(choice, error, seconds)| match error.filter(|error| error.is_finite()) {
             Some(error) => {

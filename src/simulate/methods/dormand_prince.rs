@@ -73,7 +73,7 @@ pub(super) struct Trial<const D: usize> {
     pub error: f64,
     /// The positions on the way: coefficients of 1, s, ..., s^4, where s goes from 0 to 1.
     pub dense: Vec<[Vector<D>; 5]>,
-    /// How often the forces were worked out.
+    /// The number of times that the forces were worked out.
     pub evaluations: usize,
     speeds: [Vec<Vector<D>>; STAGES.len()],
     pulls: [Vec<Vector<D>>; STAGES.len()],

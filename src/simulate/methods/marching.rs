@@ -147,7 +147,7 @@ pub(super) fn push_apart<const D: usize>(
 }
 
 fn energy<const D: usize>(world: &World<D>, struck: &Struck<D>, velocities: &[Vector<D>]) -> f64 {
-    let of = |body: usize| world.bodies[body].mass * velocities[body].norm_squared() / 2.0;
+    let energy = |body: usize| world.bodies[body].mass * velocities[body].norm_squared() / 2.0;
     let (first, second) = world.parties(struck.contact);
-    of(second) + first.map_or(0.0, of)
+    energy(second) + first.map_or(0.0, energy)
 }

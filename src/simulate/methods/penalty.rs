@@ -116,8 +116,8 @@ impl<const D: usize> Step<D> for Scheme<D> {
             let contact = spring.contact;
             let (first, second) = world.parties(contact);
             let energy = || {
-                let of = |body: usize| world.bodies[body].mass * state.velocities[body].norm_squared() / 2.0;
-                of(second) + first.map_or(0.0, of)
+                let energy = |body: usize| world.bodies[body].mass * state.velocities[body].norm_squared() / 2.0;
+                energy(second) + first.map_or(0.0, energy)
             };
             let geometry = world.geometry(contact, state);
             let rate = world.rate(contact, &geometry.normal, &state.velocities);

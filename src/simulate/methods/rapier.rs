@@ -176,8 +176,8 @@ impl<const D: usize> Step<D> for Engine<D> {
         for (contact, impulse) in pushes.iter().filter(|(contact, _)| !self.pushing.contains(contact)) {
             let (first, second) = world.parties(*contact);
             let energy = |velocities: &[Vector<D>]| {
-                let of = |body: usize| world.bodies[body].mass * velocities[body].norm_squared() / 2.0;
-                of(second) + first.map_or(0.0, of)
+                let energy = |body: usize| world.bodies[body].mass * velocities[body].norm_squared() / 2.0;
+                energy(second) + first.map_or(0.0, energy)
             };
             let (energy_before, after) = (energy(&before), energy(&state.velocities));
             let (contact, impulse) = (*contact, vector(*impulse));

@@ -11,7 +11,7 @@ use crate::world::World;
 /// The tolerances of the two runs whose difference is the estimate of the error where a motion is integrated.
 const TOLERANCES: [f64; 2] = [1e-10, 1e-12];
 
-/// How many units in the last place of the largest speed an exact run may lose.
+/// The number of units in the last place of the largest speed that an exact run may lose.
 const ROUNDINGS: f64 = 64.0;
 
 /// A quantity after a stage, as the simulation finds it.

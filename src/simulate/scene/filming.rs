@@ -14,7 +14,7 @@ const INSTANTS: u32 = 120;
 /// The share of what forces give in a time by which two ways to add it up may be apart; the finer one is off by far less.
 const OFF: f64 = 1e-7;
 
-/// How often the time between two instants is halved, at most, until that is so.
+/// The number of times that the time between two instants is halved, at most, until that is so.
 const HALVINGS: u32 = 6;
 
 /// A motion to be watched: how its state goes on from a start to an end, and what is seen of it.

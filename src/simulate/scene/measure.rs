@@ -141,16 +141,24 @@ pub(super) fn place(values: &Values<'_>, body: &str) -> Result<Vector, NothingTo
 }
 
 /// The sum over bodies of a vector counted by mass; and the sum of the sizes.
-pub(super) fn sum(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Option<Vector>) -> Option<(Vector, f64)> {
+pub(super) fn sum(
+    values: &Values<'_>,
+    bodies: &[&str],
+    vector: &dyn Fn(&str) -> Option<Vector>,
+) -> Option<(Vector, f64)> {
     bodies.iter().try_fold((ZERO, 0.0), |(all, scale), body| {
-        let momentum = times(values.mass(body).ok()?, of(body)?);
+        let momentum = times(values.mass(body).ok()?, vector(body)?);
         Some((add(all, momentum), scale + size(momentum)))
     })
 }
 
 /// The mean of what each body has, counted by its mass; and the mean of the sizes.
-pub(super) fn mean(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Option<Vector>) -> Option<(Vector, f64)> {
-    let (all, scale) = sum(values, bodies, of)?;
+pub(super) fn mean(
+    values: &Values<'_>,
+    bodies: &[&str],
+    vector: &dyn Fn(&str) -> Option<Vector>,
+) -> Option<(Vector, f64)> {
+    let (all, scale) = sum(values, bodies, vector)?;
     let whole: f64 = bodies.iter().map(|body| values.mass(body).ok()).sum::<Option<f64>>()?;
     Some((times(1.0 / whole, all), scale / whole))
 }

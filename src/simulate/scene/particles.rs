@@ -172,10 +172,10 @@ impl Constraint {
         match self {
             Self::Length(lines) => (Cow::Borrowed(lines), 0.0),
             Self::Surface(surface) => {
-                let relative = |of: fn(&[f64], usize) -> Vector| {
+                let relative = |part: fn(&[f64], usize) -> Vector| {
                     surface
                         .carrier
-                        .map_or(of(state, surface.on), |carrier| less(of(state, surface.on), of(state, carrier)))
+                        .map_or(part(state, surface.on), |carrier| less(part(state, surface.on), part(state, carrier)))
                 };
                 let (normal, moving) = (surface.weighed(less(relative(place), surface.centre)), relative(velocity));
                 let back = surface.carrier.map(|carrier| (carrier, times(-1.0, normal)));

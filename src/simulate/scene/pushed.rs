@@ -41,8 +41,8 @@ impl StageRun<'_> {
                 self.note_here(&format!("R_{}", body.name), dot(across(along), body.yields(*impulse).1), 0.0);
             }
         }
-        let moving = |of: fn(&Pushed<'_>) -> Vector| -> Vec<(f64, Vector)> {
-            pushed.iter().filter_map(|pushed| Some((pushed.body.mass?, of(pushed)))).collect()
+        let moving = |velocity_of: fn(&Pushed<'_>) -> Vector| -> Vec<(f64, Vector)> {
+            pushed.iter().filter_map(|pushed| Some((pushed.body.mass?, velocity_of(pushed)))).collect()
         };
         self.note_energy(&moving(|pushed| pushed.body.velocity), &moving(|pushed| pushed.after));
     }

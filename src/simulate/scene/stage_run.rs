@@ -28,7 +28,7 @@ pub enum Procedure {
 }
 
 impl Procedure {
-    /// How it is called in a report.
+    /// Its name in a report.
     #[must_use]
     pub fn called(self) -> &'static str {
         match self {
@@ -61,7 +61,7 @@ pub(super) struct StageRun<'a> {
     pub tolerance: f64,
     /// How many times as short contacts last as they would otherwise.
     pub shorter: f64,
-    /// How many crossings of its end a motion passes before it ends.
+    /// The number of crossings of its end that a motion passes before it ends.
     pub crossing: usize,
     /// The greatest speed of a body so far: what a velocity near zero is the rounding of.
     pub fastest: f64,

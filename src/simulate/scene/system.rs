@@ -147,8 +147,8 @@ impl<'a, const N: usize> System<'a, N> {
 
     /// How fast that gets longer which lies along lines, by the motion of what can be moved or of what cannot.
     fn grows(&self, on: &[(usize, Vector)], state: &[f64; N], movable: bool) -> f64 {
-        let of = on.iter().filter(|(index, _)| self.particles[*index].mass.is_some() == movable);
-        of.map(|(index, along)| dot(*along, velocity(state, *index))).sum()
+        let acting = on.iter().filter(|(index, _)| self.particles[*index].mass.is_some() == movable);
+        acting.map(|(index, along)| dot(*along, velocity(state, *index))).sum()
     }
 }
 

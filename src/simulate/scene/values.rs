@@ -251,7 +251,7 @@ impl Values<'_> {
         }
     }
 
-    /// How long the stage lasts, where no term says so.
+    /// The time for which the stage lasts, where no term says so.
     pub(super) fn duration(&self) -> Result<f64, NothingToSimulate> {
         self.named(&format!("dt{}", self.suffix()))
     }

@@ -7,7 +7,7 @@ use super::stage_run::kinetic;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, cross, less, part, size, times};
 
-/// How long they are watched, in s.
+/// The time for which they are watched, in s.
 const WATCHED: f64 = 1.0;
 
 /// The share of a distance that counts as what a velocity is a difference of: places are rounded so much finer than velocities may be off.
@@ -74,7 +74,7 @@ impl Watched<'_> {
         Some(less(velocity_of(body)?, point_of_view))
     }
 
-    /// How far it goes in a unit of time.
+    /// The distance that it goes in a unit of time.
     fn gone(&self, body: &str, from: Option<&str>) -> Option<Vector> {
         Some(times(1.0 / WATCHED, less(self.at(body, 2.0 * WATCHED, from)?, self.at(body, WATCHED, from)?)))
     }

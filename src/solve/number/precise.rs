@@ -312,12 +312,12 @@ impl Real for Precise {
     }
 
     fn sign(&self) -> Sign {
-        let of = |negative: bool| if negative { Sign::Negative } else { Sign::Positive };
+        let sign = |negative: bool| if negative { Sign::Negative } else { Sign::Positive };
         match self {
             Self::Rational(value) if value.is_zero() => Sign::Zero,
-            Self::Rational(value) | Self::Angle(value) => of(value.numerator().sign() == Parity::Negative),
+            Self::Rational(value) | Self::Angle(value) => sign(value.numerator().sign() == Parity::Negative),
             Self::Ball(ball) if ball.reaches_zero() => Sign::Unsure,
-            Self::Ball(ball) => of(ball.is_negative()),
+            Self::Ball(ball) => sign(ball.is_negative()),
             Self::Unbounded => Sign::Unsure,
             Self::NotReal => Sign::NotReal,
         }

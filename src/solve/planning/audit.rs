@@ -13,7 +13,7 @@ use super::tactics::{Attempts, Block, close, isolate};
 pub struct Audit {
     /// The steps of the answer plan, then the steps that only judging needs.
     pub plan: Plan,
-    /// How many of the steps are the answer plan's.
+    /// The number of the steps that are the answer plan's.
     pub answer_steps: usize,
     /// Positions of the equations that no step uses, and whose symbols are all found: each must hold at the answer.
     pub checks: Vec<usize>,

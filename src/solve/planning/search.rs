@@ -8,10 +8,10 @@ use super::super::structure::bits::Bits;
 use super::super::structure::incidence::Structure;
 use super::choice::Choice;
 
-/// How many sets are looked at before the search gives up. Far more than the bank needs; it bounds a hostile file.
+/// The number of sets that are looked at before the search gives up. Far more than the bank needs; it bounds a hostile file.
 const BUDGET: usize = 40_000;
 
-/// How many numbers are kept of what was found on the way. Far more than the bank needs; beyond, they are found again.
+/// The number of numbers that are kept of what was found on the way. Far more than the bank needs; beyond, they are found again.
 const ROOM: usize = 4_000_000;
 
 /// A best-first search (A*) over sets of unknowns that are to be found together. It begins with what is wanted. As long as
@@ -36,7 +36,7 @@ pub(super) struct Search<'a> {
     containing: Vec<Bits>,
     /// The entries yet to be looked at, by their estimate, and by when they were found.
     open: BTreeMap<(u64, usize), Entry>,
-    /// How often something was put there.
+    /// The number of times that something was put there.
     arrivals: usize,
     forbidden: Vec<Bits>,
     left: usize,

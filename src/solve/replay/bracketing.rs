@@ -6,7 +6,7 @@ use super::super::number::real::{Real, Sign};
 const OCTAVES: std::ops::RangeInclusive<i32> = -30..=40;
 /// Points in each octave.
 const POINTS: i32 = 16;
-/// How often a bracket is narrowed; Illinois steps need far fewer.
+/// The number of times that a bracket is narrowed; Illinois steps need far fewer.
 const NARROWINGS: usize = 400;
 /// Every so many narrowings the bracket is halved, whatever the secant says.
 const HALVING: usize = 8;

@@ -14,7 +14,7 @@ pub struct Outcome<'a, R> {
 }
 
 impl<'a, R> Outcome<'a, R> {
-    /// How many distinct solutions there are: none, one, or too many.
+    /// The number of distinct solutions: none, one, or too many.
     #[must_use]
     pub fn survivors(&self) -> usize {
         self.workspace.survivors

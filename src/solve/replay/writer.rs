@@ -23,7 +23,7 @@ pub(crate) struct Writer {
     pub(super) constants: BTreeMap<Exact, Register>,
     /// The registers that hold symbols.
     pub(crate) symbols: SymbolRegisters,
-    /// How many registers there are.
+    /// The number of registers.
     pub(crate) registers: Register,
     computed: FxHashMap<Computation, Register>,
     /// The computations, in the order in which they were written.

@@ -12,7 +12,7 @@ pub(crate) struct Span {
     pivots: Vec<usize>,
     /// The derivatives, one after the other.
     entries: Vec<f64>,
-    /// How many columns there are.
+    /// The number of columns.
     width: usize,
 }
 
@@ -31,7 +31,7 @@ impl Clone for Span {
 }
 
 impl Span {
-    /// How many equations are in it.
+    /// The number of equations that are in it.
     pub(crate) fn len(&self) -> usize {
         self.pivots.len()
     }
@@ -65,12 +65,12 @@ impl Span {
 pub(crate) struct Basis(Span);
 
 impl Basis {
-    /// How many equations are in it.
+    /// The number of equations that are in it.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// How many numbers it holds.
+    /// The number of numbers that it holds.
     pub(crate) fn size(&self) -> usize {
         self.0.entries.len()
     }

@@ -1,6 +1,6 @@
 //! A small set of indexes.
 
-/// How many words stand in the set itself.
+/// The number of words that stand in the set itself.
 const NEAR: usize = 2;
 
 /// A set of indexes below a capacity that is fixed when it is made. The search makes very many of them, so the words of the
@@ -116,7 +116,7 @@ impl Bits {
         self.near == [0; NEAR] && self.far.iter().flatten().all(|word| *word == 0)
     }
 
-    /// How many indexes are in the set.
+    /// The number of indexes that are in the set.
     pub(crate) fn len(&self) -> usize {
         let count = |words: &[u64]| words.iter().map(|word| word.count_ones() as usize).sum::<usize>();
         count(&self.near) + self.far.as_deref().map_or(0, count)

@@ -16,13 +16,13 @@ use super::residuals::{Residuals, Values};
 /// Places from which the search for one begins.
 const STARTS: u32 = 8;
 
-/// How many of the places found are compared.
+/// The number of the places found that are compared.
 const COMPARED: usize = 2;
 
 /// The power of a size that sets later starts apart.
 const APART: f64 = 3.0;
 
-/// How many steps are taken from a start.
+/// The number of steps that are taken from a start.
 const STEPS: usize = 20;
 
 /// A positive value is not made larger or smaller than by this factor in one step, as a logarithm.

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::finding::Finding;
 
-/// How long a server may take to answer.
+/// The longest time that a server may take to answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// The bytes of an answer that are read.
 const SHOWN: u64 = 4096;

@@ -120,8 +120,8 @@ async fn changed(
     editor::page(visit, draft, catalogue, now.as_ref()).await
 }
 
-fn revision(of: Option<&AssignmentWithItems>) -> String {
-    of.map_or_else(String::new, |whole| whole.revision.to_string())
+fn revision(saved: Option<&AssignmentWithItems>) -> String {
+    saved.map_or_else(String::new, |whole| whole.revision.to_string())
 }
 
 /// The content of an assignment, for the trail.

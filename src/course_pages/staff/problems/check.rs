@@ -17,7 +17,7 @@ use momentous_web::NotDone;
 
 /// The seeds of each form.
 const SEEDS: &str = "100";
-/// How long a check may take.
+/// The longest time that a check may take.
 const LONGEST: Duration = Duration::from_mins(1);
 /// The file in the folder of a check.
 const FILE: &str = "problem.yaml";

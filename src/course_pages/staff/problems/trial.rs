@@ -10,7 +10,7 @@ use super::super::super::processes::{Ended, Turn};
 use super::super::super::visit::Visit;
 use momentous_web::NotDone;
 
-/// How long a file may take to compile. Those of the bank take less than a second.
+/// The longest time that a file may take to compile. Those of the bank take less than a second.
 const LONGEST: Duration = Duration::from_secs(10);
 /// The name of the file in what is said of it.
 pub(super) const NAME: &str = "problem.yaml";

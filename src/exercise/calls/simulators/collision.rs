@@ -49,7 +49,7 @@ pub struct CollisionResponse {
     pub lost: Amount,
     /// The same as a share.
     pub lost_share: Amount,
-    /// How long the carts are watched, in s.
+    /// The time for which the carts are watched, in s.
     pub end: f64,
     /// From where to where they go, in m.
     pub track: [f64; 2],
@@ -123,10 +123,10 @@ fn radius(mass: f64) -> f64 {
 }
 
 fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option<Compared>) -> CollisionResponse {
-    let of = |moment: Option<&Moment>| -> Vec<f64> {
+    let velocities_at = |moment: Option<&Moment>| -> Vec<f64> {
         moment.map(|moment| moment.velocities.iter().flatten().copied().collect()).unwrap_or_default()
     };
-    let (before, after) = (of(record.moments.first()), of(record.moments.last()));
+    let (before, after) = (velocities_at(record.moments.first()), velocities_at(record.moments.last()));
     let scale = before.iter().map(|velocity| velocity.abs()).fold(0.0, f64::max);
     let end = record.moments.last().map_or(0.0, |moment| moment.time);
     let meeting = record.impacts.first().map(|impact| Meeting {
@@ -152,10 +152,12 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
             after: told(id, *after, "m/s"),
         })
         .collect();
-    let each = |of: &dyn Fn(f64, f64) -> f64, velocities: &[f64]| -> Vec<f64> {
-        world.bodies.iter().zip(velocities).map(|(body, velocity)| of(body.mass, *velocity)).collect()
+    let each = |quantity: &dyn Fn(f64, f64) -> f64, velocities: &[f64]| -> Vec<f64> {
+        world.bodies.iter().zip(velocities).map(|(body, velocity)| quantity(body.mass, *velocity)).collect()
     };
-    let balance = |of: &dyn Fn(f64, f64) -> f64, unit: &str| balance(&each(of, &before), &each(of, &after), unit);
+    let balance = |quantity: &dyn Fn(f64, f64) -> f64, unit: &str| {
+        balance(&each(quantity, &before), &each(quantity, &after), unit)
+    };
     let momentum = balance(&|mass, velocity| mass * velocity, "kg\u{a0}m/s");
     let energy = balance(&|mass, velocity| mass * velocity * velocity / 2.0, "J");
     let total = |moment: Option<&Moment>| moment.map_or(0.0, |moment| moment.kinetic);

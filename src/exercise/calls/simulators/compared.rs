@@ -142,13 +142,13 @@ impl Compared {
         role: &'static str,
         taken: &Record,
         (start, scale): (f64, f64),
-        of: impl Fn(&Moment) -> f64,
+        quantity: impl Fn(&Moment) -> f64,
     ) {
         let percent = |value: f64| {
             let share = if scale > 0.0 { 100.0 * (value - start) / scale } else { 0.0 };
             if share.abs() < ROUNDING { 0.0 } else { share }
         };
-        let points = taken.moments.iter().map(|moment| [moment.time, percent(of(moment))]);
+        let points = taken.moments.iter().map(|moment| [moment.time, percent(quantity(moment))]);
         let curve = Curve::new(name, role, points);
         let last = curve.points.last().map_or(0.0, |[_, drift]| *drift);
         self.rows.push(Row { what: format!("Drift of {name} at the end"), amount: Amount::new(last, 100.0, "%") });

@@ -49,7 +49,7 @@ pub struct DiscsResponse {
     pub lost: Amount,
     /// The same as a share.
     pub lost_share: Amount,
-    /// How long the discs are watched, in s.
+    /// The time for which the discs are watched, in s.
     pub end: f64,
     /// From where to where they go along each axis, in m.
     pub table: [[f64; 2]; 2],
@@ -135,10 +135,12 @@ fn shown(world: &World<2>, run: &Trajectory<2>, line: Option<f64>, problem: Prob
     let end = run.last.time;
     let before: Vec<Vector<2>> = world.bodies.iter().map(|body| body.velocity).collect();
     let after = run.last.velocities.as_slice();
-    let each = |of: &dyn Fn(f64, &Vector<2>) -> f64, velocities: &[Vector<2>]| -> Vec<f64> {
-        world.bodies.iter().zip(velocities).map(|(body, velocity)| of(body.mass, velocity)).collect()
+    let each = |quantity: &dyn Fn(f64, &Vector<2>) -> f64, velocities: &[Vector<2>]| -> Vec<f64> {
+        world.bodies.iter().zip(velocities).map(|(body, velocity)| quantity(body.mass, velocity)).collect()
     };
-    let balance = |of: &dyn Fn(f64, &Vector<2>) -> f64, unit| balance(&each(of, &before), &each(of, after), unit);
+    let balance = |quantity: &dyn Fn(f64, &Vector<2>) -> f64, unit| {
+        balance(&each(quantity, &before), &each(quantity, after), unit)
+    };
     let momentum = [0, 1].map(|axis| balance(&|mass, velocity| mass * velocity[axis], "kg\u{a0}m/s"));
     let energy = balance(&|mass, velocity| mass * velocity.norm_squared() / 2.0, "J");
     let whole = record.moments.first().map_or(0.0, |moment| moment.kinetic);

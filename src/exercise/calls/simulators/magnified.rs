@@ -25,7 +25,7 @@ pub struct Magnified {
     pub force: Vec<Curve>,
     /// The greatest force in N.
     pub greatest: f64,
-    /// How long it lasts, in ms.
+    /// The time for which it lasts, in ms.
     pub lasts: f64,
     /// Its numbers.
     pub rows: Vec<Row>,

@@ -47,7 +47,7 @@ pub struct RestitutionResponse {
     pub sums: Option<Sums>,
     /// Why there are no such sums, in a sentence.
     pub no_sums: Option<&'static str>,
-    /// How long the ball is watched, in s.
+    /// The time for which the ball is watched, in s.
     pub end: f64,
     /// From where to where it goes, in m.
     pub track: [f64; 2],

@@ -66,7 +66,7 @@ fn resisted(quantities: &Quantities<'_>, compass: &Compass, index: usize, flight
         return None;
     };
     let rate = || Some(quantities.evaluate(&quantities.term(term)?)? / quantities.mass(body, index + 1)?);
-    let by_axes = |of: &dyn Fn(&str) -> Option<f64>| Some([of("x")?, of("y")?]);
+    let by_axes = |along: &dyn Fn(&str) -> Option<f64>| Some([along("x")?, along("y")?]);
     let place = |instant: usize| by_axes(&|letter| quantities.named(&format!("r_{body}{instant}.{letter}")));
     let lasts = || quantities.named(&quantities.staged("dt", index));
     if quantities.scope() == Scope::Solved

@@ -77,7 +77,7 @@ fn track(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> SwingBy {
     if goes_on { SwingBy::LevelTrack(None) } else { SwingBy::Track }
 }
 
-/// How the height between both ends is written, where it may be shown.
+/// The notation of the height between both ends, where it may be shown.
 pub(super) fn height(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> Option<Math> {
     let named = quantities.staged(&format!("h_{}", stage.body), index);
     match &stage.height {

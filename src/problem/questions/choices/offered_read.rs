@@ -23,7 +23,7 @@ use super::offered::Offer;
 use super::offered::Offered;
 use super::offered::Truth;
 
-/// How many options may be offered, the last one included.
+/// The number of options that may be offered, the last one included.
 const OFFERED: std::ops::RangeInclusive<usize> = 2..=8;
 
 /// A choice between the author's own options, asked as the part of that letter.

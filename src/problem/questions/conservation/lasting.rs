@@ -161,18 +161,18 @@ pub(crate) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Buil
 
 /// Whether what changes on the way has its value again at the end.
 pub(crate) fn returns(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Vec<Equality> {
-    let (of, stage) = (&balance.ask.of, balance.stage);
+    let (bodies, stage) = (&balance.ask.of, balance.stage);
     let pairs: Vec<[Expr; 2]> = match balance.ask.conserved {
         Conservable::Momentum => {
             let ends = |position: &usize| {
-                let [before, after] = [1, 2].map(|side| builder.total_momentum(of, stage + side, *position));
+                let [before, after] = [1, 2].map(|side| builder.total_momentum(bodies, stage + side, *position));
                 Some([before?, after?])
             };
             balance.axes.iter().filter_map(ends).collect()
         }
-        Conservable::Energy => vec![[0, 1].map(|side| builder.total_kinetic(of, stage, side))],
+        Conservable::Energy => vec![[0, 1].map(|side| builder.total_kinetic(bodies, stage, side))],
         Conservable::AngularMomentum => {
-            let [before, after] = [1, 2].map(|side| builder.total_moment(of, balance.about, stage, side));
+            let [before, after] = [1, 2].map(|side| builder.total_moment(bodies, balance.about, stage, side));
             before.into_iter().flatten().zip(after.into_iter().flatten()).map(|(from, to)| [from, to]).collect()
         }
     };
@@ -214,9 +214,9 @@ fn moving_alike<'i>(acting: &[&'i Influence], balance: &Balance<'_>, builder: &B
 fn on_system<'b>(balance: &Balance<'_>, builder: &'b Builder<'_>) -> Vec<&'b Influence> {
     let scene = builder.scene();
     let is_in = |influence: &Influence| {
-        let of = &balance.ask.of;
-        of.contains(&influence.on)
-            || scene.members(&influence.on).iter().any(|member| of.iter().any(|body| body == member))
+        let bodies = &balance.ask.of;
+        bodies.contains(&influence.on)
+            || scene.members(&influence.on).iter().any(|member| bodies.iter().any(|body| body == member))
     };
     builder.influences().iter().filter(|influence| influence.stage == balance.stage && is_in(influence)).collect()
 }

@@ -16,10 +16,10 @@ const NO: usize = 1;
 
 /// The mistakes that lead to the wrong answer on whether a quantity is conserved in a stage.
 pub(crate) fn conserved(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Option<Behind> {
-    let of = &balance.ask.of;
-    let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if of.contains(other));
+    let bodies = &balance.ask.of;
+    let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if bodies.contains(other));
     let on_it: Vec<Agent> = (builder.impulses().iter())
-        .filter(|impulse| impulse.stage == balance.stage && of.contains(&impulse.on))
+        .filter(|impulse| impulse.stage == balance.stage && bodies.contains(&impulse.on))
         .map(|impulse| impulse.by.clone())
         .collect();
     let from_outside: Vec<&Agent> = on_it.iter().filter(|agent| !inner(agent)).collect();

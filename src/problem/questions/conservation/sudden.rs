@@ -93,11 +93,11 @@ fn equality(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>, sides
 
 /// The impulses on the system from outside: what is said of each, and its components.
 fn outside(balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<(String, Vec<Expr>)> {
-    let of = &balance.ask.of;
-    let on = |name: &str| builder.scene().members(name).iter().any(|member| of.iter().any(|body| body == member));
+    let bodies = &balance.ask.of;
+    let on = |name: &str| builder.scene().members(name).iter().any(|member| bodies.iter().any(|body| body == member));
     let acts = builder.impulses().iter().filter(|impulse| {
-        let is_within = matches!(&impulse.by, Agent::Body(other) if of.contains(other) || on(other));
-        impulse.stage == balance.stage && (of.contains(&impulse.on) || on(&impulse.on)) && !is_within
+        let is_within = matches!(&impulse.by, Agent::Body(other) if bodies.contains(other) || on(other));
+        impulse.stage == balance.stage && (bodies.contains(&impulse.on) || on(&impulse.on)) && !is_within
     });
     let said = acts.map(|impulse| {
         let name = builder.name_of(&impulse.on);
@@ -108,10 +108,10 @@ fn outside(balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<(String, Vec<Exp
 
 /// Whether everything that takes part in the stage belongs to the system.
 fn takes_in_all(balance: &Balance<'_>, builder: &Builder<'_>) -> bool {
-    let of = &balance.ask.of;
+    let system = &balance.ask.of;
     let is_in = |body: &&str| {
-        of.iter().any(|other| other == body || builder.scene().members(other).contains(body))
-            || builder.scene().members(body).iter().all(|member| of.iter().any(|other| other == member))
+        system.iter().any(|other| other == body || builder.scene().members(other).contains(body))
+            || builder.scene().members(body).iter().all(|member| system.iter().any(|other| other == member))
     };
     // What a stage makes later consists of bodies that are looked at themselves.
     let declared = builder.scene().bodies.keys().map(String::as_str);

@@ -87,7 +87,7 @@ impl Run {
 
     /// The same in parts that meet where the state is zero.
     pub fn at_zeros(self) -> Vec<Self> {
-        let of = |points| Self { stretch: self.stretch, points };
+        let piece_of = |points| Self { stretch: self.stretch, points };
         let (mut parts, mut piece): (_, Vec<Point>) = (Vec::new(), Vec::new());
         for point in self.points {
             let zero = match piece.last() {
@@ -97,11 +97,11 @@ impl Run {
             };
             if let Some(zero) = zero {
                 piece.extend((piece.last().is_some_and(|last| last.time < zero.time)).then_some(zero));
-                parts.push(of(std::mem::replace(&mut piece, vec![zero])));
+                parts.push(piece_of(std::mem::replace(&mut piece, vec![zero])));
             }
             piece.push(point);
         }
-        parts.push(of(piece));
+        parts.push(piece_of(piece));
         parts
     }
 }

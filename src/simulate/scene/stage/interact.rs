@@ -125,10 +125,10 @@ impl StageRun<'_> {
         let integrator = self.integrator(time / 8.0);
         let end = self.try_out(&system, integrator, &Until::Time(time))?.state;
         let whole: f64 = particles.iter().filter_map(|particle| particle.mass).sum();
-        let mean = |of: &dyn Fn(usize, &Particle<'_>) -> Vector| {
+        let mean = |vector: &dyn Fn(usize, &Particle<'_>) -> Vector| {
             let moved =
                 particles.iter().enumerate().filter_map(|(index, particle)| Some((index, particle, particle.mass?)));
-            moved.fold(ZERO, |all, (index, particle, mass)| add(all, times(mass / whole, of(index, particle))))
+            moved.fold(ZERO, |all, (index, particle, mass)| add(all, times(mass / whole, vector(index, particle))))
         };
         let [from, to] = [mean(&|_, particle| particle.place), mean(&|index, _| place(&end, index))];
         let wide = particles.iter().map(|particle| size(particle.place)).fold(size(less(to, from)), f64::max);

@@ -62,13 +62,13 @@ impl StageRun<'_> {
     fn driven<'a>(&mut self, pair: &Pair<'a>, relative: &Relative) -> Result<Pair<'a>, NothingToSimulate> {
         let direction = self.values.towards(relative.direction.as_ref())?;
         let speed = self.values.term(&relative.velocity)?;
-        let of = usize::from(relative.of == pair[1].body.name);
+        let index = usize::from(relative.of == pair[1].body.name);
         let relative_velocity = |pair: &Pair<'_>| {
             let from = match relative.when {
-                When::After => pair[1 - of].after,
-                When::Before => pair[1 - of].body.velocity,
+                When::After => pair[1 - index].after,
+                When::Before => pair[1 - index].body.velocity,
             };
-            less(pair[of].after, from)
+            less(pair[index].after, from)
         };
         self.searched(pair, times(speed, direction), &relative_velocity)
     }
@@ -190,8 +190,8 @@ impl StageRun<'_> {
                 }
             }
         }
-        let energy = |of: fn(&Pushed<'_>) -> Vector| -> f64 {
-            pieces.iter().filter_map(|body| Some(kinetic(body.body.mass?, of(body)))).sum()
+        let energy = |velocity_of: fn(&Pushed<'_>) -> Vector| -> f64 {
+            pieces.iter().filter_map(|body| Some(kinetic(body.body.mass?, velocity_of(body)))).sum()
         };
         let (start, end) = (energy(|body| body.body.velocity), energy(|body| body.after));
         self.note_term(stage.energy.as_ref(), end - start, start + end);

@@ -12,7 +12,7 @@ use crate::scene::system::System;
 use crate::scene::touch::Touch;
 use crate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, unit};
 
-/// How many droplets are counted.
+/// The number of droplets that are counted.
 const DROPLETS: u32 = 1_000;
 
 /// The name of the droplet by which a stream is watched.

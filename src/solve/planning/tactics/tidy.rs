@@ -140,7 +140,7 @@ pub(super) fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
     if term == old { new.clone() } else { term.map_children(|part| replaced(part, old, new)) }
 }
 
-/// How often a symbol is written in a term.
+/// The number of times that a symbol is written in a term.
 pub(super) fn occurrences(expr: &Expr, symbol: Symbol) -> usize {
     match expr {
         Expr::Symbol(written) => usize::from(*written == symbol),
