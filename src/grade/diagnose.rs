@@ -56,11 +56,13 @@ pub fn is_open(verdict: Verdict) -> bool {
 #[must_use]
 pub fn number(expected: &ExpectedNumber, answer: &Answer) -> Option<f64> {
     let Answer::Number(answer) = answer else { return None };
-    let own = answer.directed().to_f64();
+    let directed = answer.directed().to_f64();
     let value = match unit(answer) {
-        None => own,
-        Some(unit) if *unit == expected.unit => own,
-        Some(unit) if unit.dimension() == expected.unit.dimension() => own * unit.turning_as(&expected.unit).to_f64(),
+        None => directed,
+        Some(unit) if *unit == expected.unit => directed,
+        Some(unit) if unit.dimension() == expected.unit.dimension() => {
+            directed * unit.turning_as(&expected.unit).to_f64()
+        }
         Some(_) => return None,
     };
     value.is_finite().then_some(value)
@@ -79,8 +81,8 @@ pub fn components(expected: &ExpectedVector, answer: &Answer) -> Option<Vec<f64>
         Some(unit) if *unit != first.unit => unit.in_terms_of(&first.unit).to_f64(),
         _ => 1.0,
     };
-    let components: Vec<f64> = answer.components.iter().map(|own| own.to_f64() * factor).collect();
-    (components.len() == expected.components.len() && components.iter().all(|own| own.is_finite()))
+    let components: Vec<f64> = answer.components.iter().map(|component| component.to_f64() * factor).collect();
+    (components.len() == expected.components.len() && components.iter().all(|component| component.is_finite()))
         .then_some(components)
 }
 
@@ -136,12 +138,14 @@ pub fn matching(expected: &ExpectedNumber, answer: f64, further: usize, suspects
         .filter(|(_, value)| is_near(expected, answer, **value) && !is_right(expected, **value))
         .map(|(place, value)| Suspect { place, size: value.abs(), away: distance(*value, answer) });
     let near: Vec<Suspect> = near.collect();
-    let finer = |own: &Suspect| if expected.whole { 0.0 } else { self::rounding(own.size, expected.figures + further) };
-    let alike: Vec<usize> = near.iter().filter(|own| own.away <= finer(own)).map(|own| own.place).collect();
+    let finer =
+        |suspect: &Suspect| if expected.whole { 0.0 } else { self::rounding(suspect.size, expected.figures + further) };
+    let alike: Vec<usize> =
+        near.iter().filter(|suspect| suspect.away <= finer(suspect)).map(|suspect| suspect.place).collect();
     if !alike.is_empty() {
         return alike;
     }
-    let limit = |own: &Suspect| rounding(own.size);
+    let limit = |suspect: &Suspect| rounding(suspect.size);
     // Whoever writes further figures has kept them on the way.
     let on_the_way = if further > 0 { ROUNDED_ON_THE_WAY / 10.0 } else { ROUNDED_ON_THE_WAY };
     chosen(&near, &limit, rounding(answer), Some(on_the_way).filter(|_| !expected.whole))
@@ -167,28 +171,30 @@ fn is_right(expected: &ExpectedNumber, suspect: f64) -> bool {
 #[must_use]
 pub fn matching_vectors(expected: &ExpectedVector, answer: &[f64], suspects: &[Vec<f64>]) -> Vec<usize> {
     let figures = expected.components.first().map_or(3, |first| first.figures);
-    let size = |vector: &[f64]| libm::sqrt(vector.iter().map(|own| own * own).sum());
+    let size = |vector: &[f64]| libm::sqrt(vector.iter().map(|part| part * part).sum());
     let distance =
         |one: &[f64], other: &[f64]| size(&one.iter().zip(other).map(|(one, other)| one - other).collect::<Vec<f64>>());
-    let right: Vec<f64> = expected.components.iter().map(|own| own.value).collect();
+    let right: Vec<f64> = expected.components.iter().map(|expected| expected.value).collect();
     // Each component is rounded for itself, so that the vector is off by no more than all of them.
-    let limits: Vec<f64> = suspects.iter().map(|own| own.iter().map(|value| rounding(*value, figures)).sum()).collect();
+    let limits: Vec<f64> =
+        suspects.iter().map(|vector| vector.iter().map(|value| rounding(*value, figures)).sum()).collect();
     let near = suspects
         .iter()
         .enumerate()
-        .map(|(place, own)| Suspect { place, size: size(own), away: distance(own, answer) })
-        .filter(|own| distance(&suspects[own.place], &right) > limits[own.place]);
+        .map(|(place, vector)| Suspect { place, size: size(vector), away: distance(vector, answer) })
+        .filter(|suspect| distance(&suspects[suspect.place], &right) > limits[suspect.place]);
     let own_rounding = answer.iter().map(|value| rounding(*value, figures)).sum();
-    chosen(&near.collect::<Vec<_>>(), &|own| limits[own.place], own_rounding, Some(ROUNDED_ON_THE_WAY))
+    chosen(&near.collect::<Vec<_>>(), &|suspect| limits[suspect.place], own_rounding, Some(ROUNDED_ON_THE_WAY))
 }
 
 /// Those within their limit; else, where values on the way may have been rounded, the nearest with what is beside it.
 fn chosen(near: &[Suspect], limit: &dyn Fn(&Suspect) -> f64, own_rounding: f64, on_the_way: Option<f64>) -> Vec<usize> {
-    let exact: Vec<usize> = near.iter().filter(|own| own.away <= limit(own)).map(|own| own.place).collect();
+    let exact: Vec<usize> =
+        near.iter().filter(|suspect| suspect.away <= limit(suspect)).map(|suspect| suspect.place).collect();
     let Some(on_the_way) = on_the_way.filter(|_| exact.is_empty()) else { return exact };
-    let loose = || near.iter().filter(|own| own.away <= on_the_way * own.size);
-    let nearest = loose().map(|own| own.away).fold(f64::INFINITY, f64::min);
-    loose().filter(|own| own.away <= nearest + own_rounding).map(|own| own.place).collect()
+    let loose = || near.iter().filter(|suspect| suspect.away <= on_the_way * suspect.size);
+    let nearest = loose().map(|suspect| suspect.away).fold(f64::INFINITY, f64::min);
+    loose().filter(|suspect| suspect.away <= nearest + own_rounding).map(|suspect| suspect.place).collect()
 }
 
 /// The share of a value beyond which no rounding leads.
@@ -204,11 +210,11 @@ fn rounding(value: f64, figures: usize) -> f64 {
 /// Whether an answer is the right one cut to two figures, and written with no more: rounding, not a wrong method.
 #[must_use]
 pub fn is_coarse(expected: &ExpectedNumber, written: &Answer, answer: f64) -> bool {
-    let is_whole = |own: &NumberAnswer| match own.written {
+    let is_whole = |written_number: &NumberAnswer| match written_number.written {
         Written::Figures { least, .. } => least >= expected.figures,
         Written::Computed => true,
     };
-    if matches!(written, Answer::Number(own) if is_whole(own)) {
+    if matches!(written, Answer::Number(written_number) if is_whole(written_number)) {
         return false;
     }
     if expected.figures <= 2 || expected.whole || (answer - expected.value).abs() > 0.1 * expected.value.abs() {

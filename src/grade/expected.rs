@@ -249,7 +249,8 @@ impl ExpectedFormula {
     #[must_use]
     pub fn in_letters(&self, answer: &Expr) -> Expr {
         let whole = self.left_out(answer).map_or_else(|| answer.clone(), |unit| answer.clone() * Expr::from(unit));
-        let value = |symbol: Symbol| self.values.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.clone());
+        let value =
+            |symbol: Symbol| self.values.iter().find(|(listed, _)| *listed == symbol).map(|(_, value)| value.clone());
         whole.substitute(&value)
     }
 }

@@ -35,22 +35,22 @@ impl Frequent {
         if let Some(known) = self.0.get_mut(answer) {
             known.count += 1;
         } else if self.0.len() < CANDIDATES {
-            let mistakes = part.diagnosis.as_ref().map(|own| own.codes.clone()).unwrap_or_default();
+            let mistakes = part.diagnosis.as_ref().map(|diagnosis| diagnosis.codes.clone()).unwrap_or_default();
             let fresh = WrongAnswer { answer: answer.clone(), count: 1, verdict: part.verdict.code(), mistakes };
             self.0.insert(answer.clone(), fresh);
         } else {
             // One of every candidate goes with it, so that what stays is more frequent than the rest.
-            self.0.retain(|_, own| {
-                own.count -= 1;
-                own.count > 0
+            self.0.retain(|_, wrong| {
+                wrong.count -= 1;
+                wrong.count > 0
             });
         }
     }
 
     /// Those that were given more than once, the most frequent first.
     pub(super) fn most(&self) -> Vec<WrongAnswer> {
-        let mut several: Vec<WrongAnswer> = self.0.values().filter(|own| own.count > 1).cloned().collect();
-        several.sort_by_key(|own| std::cmp::Reverse(own.count));
+        let mut several: Vec<WrongAnswer> = self.0.values().filter(|wrong| wrong.count > 1).cloned().collect();
+        several.sort_by_key(|wrong| std::cmp::Reverse(wrong.count));
         several.truncate(TOLD);
         several
     }

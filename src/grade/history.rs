@@ -97,13 +97,13 @@ impl History {
     /// The number of the sheet that counts, from 1; nothing where none was handed in.
     #[must_use]
     pub fn counting(&self) -> Option<u32> {
-        self.counting.as_ref().map(|own| own.number)
+        self.counting.as_ref().map(|counting| counting.number)
     }
 
     /// The points of the sheet that counts; nothing where none was handed in.
     #[must_use]
     pub fn points(&self) -> Option<&Rational> {
-        self.counting.as_ref().map(|own| &own.points)
+        self.counting.as_ref().map(|counting| &counting.points)
     }
 
     /// The parts, in the order of the sheet; none before the first attempt.
@@ -118,7 +118,7 @@ impl History {
     pub fn mark(&mut self, typed: &[Typed<'_>], factor: &Rational, rules: &Attempts, mark: &mut Mark<'_>) -> Report {
         self.parts.resize_with(typed.len(), PartHistory::default);
         let mut entries: Vec<Entry> =
-            self.parts.iter().zip(typed).map(|(own, typed)| own.entry(typed.text, rules)).collect();
+            self.parts.iter().zip(typed).map(|(part_history, typed)| part_history.entry(typed.text, rules)).collect();
         let mut report = self.sheet(&entries, typed, rules, mark);
         // What cannot be read leaves the answer from before in its place.
         let mut unread: Vec<PartReport> = Vec::new();
@@ -129,20 +129,21 @@ impl History {
                 unread.push(part.clone());
             }
         }
-        let stands = |(own, entry): (&PartHistory, &Entry)| *entry == Entry::Unread && own.is_answered();
+        let stands = |(history, entry): (&PartHistory, &Entry)| *entry == Entry::Unread && history.is_answered();
         if self.parts.iter().zip(&entries).any(stands) {
             report = self.sheet(&entries, typed, rules, mark);
         }
         let mut unread = unread.into_iter();
-        for ((own, part), (typed, entry)) in self.parts.iter_mut().zip(&mut report.parts).zip(typed.iter().zip(entries))
+        for ((part_history, part), (typed, entry)) in
+            self.parts.iter_mut().zip(&mut report.parts).zip(typed.iter().zip(entries))
         {
             match entry {
-                Entry::Typed => own.take(typed, factor),
-                Entry::Unread => own.put_back(part, unread.next()),
+                Entry::Typed => part_history.take(typed, factor),
+                Entry::Unread => part_history.put_back(part, unread.next()),
                 Entry::Carried | Entry::Locked | Entry::NoneLeft => {}
             }
             part.entry = entry;
-            own.settle(part, typed.text.trim(), rules);
+            part_history.settle(part, typed.text.trim(), rules);
         }
         report.recount();
         self.handed_in = self.handed_in.saturating_add(1);
@@ -153,11 +154,12 @@ impl History {
     /// The report on the sheet that these entries make.
     fn sheet(&self, entries: &[Entry], typed: &[Typed<'_>], rules: &Attempts, mark: &mut Mark<'_>) -> Report {
         let parts = || self.parts.iter().zip(typed).zip(entries);
-        let texts: Vec<&str> =
-            parts().map(|((own, typed), entry)| if *entry == Entry::Typed { typed.text } else { &own.text }).collect();
+        let texts: Vec<&str> = parts()
+            .map(|((part_history, typed), entry)| if *entry == Entry::Typed { typed.text } else { &part_history.text })
+            .collect();
         let sittings: Vec<Sitting> = parts()
-            .map(|((own, _), entry)| {
-                let made = own.made.saturating_add(u32::from(*entry == Entry::Typed));
+            .map(|((part_history, _), entry)| {
+                let made = part_history.made.saturating_add(u32::from(*entry == Entry::Typed));
                 Sitting { hints: 0, closed: !rules.counts(made) }
             })
             .collect();
@@ -167,7 +169,7 @@ impl History {
     /// Lets this sheet count, where it is better than the one that did, or the last is to count. Of two with the same points the one
     /// with more answers counts, then the earlier one.
     fn compare(&mut self, report: &Report, keep: Keep) {
-        let answered = self.parts.iter().filter(|own| own.is_answered()).count();
+        let answered = self.parts.iter().filter(|part_history| part_history.is_answered()).count();
         let is_better = |best: &Counting| (&report.total.0, answered) > (&best.points, best.answered);
         if keep == Keep::Last || self.counting.as_ref().is_none_or(is_better) {
             self.counting = Some(Counting { number: self.handed_in, points: report.total.0.clone(), answered });

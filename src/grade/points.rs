@@ -67,9 +67,9 @@ impl Iterator for Points<'_> {
                     let spread = &low * Rational::from(SPREAD.0) / Rational::from(SPREAD.1);
                     (&low - &spread, high + spread)
                 }
-                Some(own) => {
-                    let (own, reach) = (exact(own), (&high - &low) * Rational::from(NEAR.0) / Rational::from(NEAR.1));
-                    (low.max(&own - &reach), high.min(own + reach))
+                Some(point) => {
+                    let (at, reach) = (exact(point), (&high - &low) * Rational::from(NEAR.0) / Rational::from(NEAR.1));
+                    (low.max(&at - &reach), high.min(at + reach))
                 }
                 None => (low, high),
             };
@@ -84,7 +84,7 @@ pub(super) fn value<R: Real>(formula: &Expr, point: &Point) -> R {
     let exact = |value: &Rational| R::from_exact(&Exact::from(value.clone()));
     let values: Vec<(Symbol, R)> = point.iter().map(|(symbol, value)| (*symbol, exact(value))).collect();
     let of = |symbol: Symbol| {
-        let found = values.iter().find(|(own, _)| *own == symbol);
+        let found = values.iter().find(|(listed, _)| *listed == symbol);
         found.map_or_else(R::not_real, |(_, value)| value.clone())
     };
     evaluate(formula, &of)

@@ -52,7 +52,7 @@ impl Readings {
         }
         let reading = Reading::of(text, asked, mark)?;
         // In words a direction and its number are one.
-        if matches!(asked, ExpectedKind::Number(own) if own.reference.is_none() || reading.answer.is_ok()) {
+        if matches!(asked, ExpectedKind::Number(expected) if expected.reference.is_none() || reading.answer.is_ok()) {
             self.endings.learn(text, mark, &reading.answer);
         }
         self.put(text.to_owned(), reading.clone());

@@ -299,8 +299,8 @@ impl fmt::Display for Report {
             if let Some(understood) = &part.understood {
                 writeln!(out, "    read as: {understood}")?;
             }
-            if let Some(own) = &part.own_values {
-                writeln!(out, "    {own}")?;
+            if let Some(values) = &part.own_values {
+                writeln!(out, "    {values}")?;
             }
         }
         for name in &self.not_asked {

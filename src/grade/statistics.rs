@@ -182,7 +182,7 @@ impl Gathered {
         if let Some(understood) = part.understood.as_ref().filter(|_| examples.len() < EXAMPLES) {
             examples.push(understood.clone());
         }
-        for code in part.diagnosis.iter().flat_map(|own| &own.codes) {
+        for code in part.diagnosis.iter().flat_map(|diagnosis| &diagnosis.codes) {
             let (count, examples) = self.mistakes.entry(code).or_default();
             *count += 1;
             examples.extend(part.understood.clone().filter(|_| examples.len() < EXAMPLES));
@@ -204,7 +204,7 @@ impl Gathering {
             Tally::default()
         };
         match self.students.get_mut(student) {
-            Some(own) => own.add(tally),
+            Some(known) => known.add(tally),
             None => {
                 self.students.insert(student.to_owned(), tally);
             }

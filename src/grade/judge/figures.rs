@@ -52,22 +52,25 @@ fn finding(target: &Target, written: Written, number: &Number, converted: bool) 
 /// is looked at.
 #[must_use]
 pub fn too_few_figures(asked: &ExpectedKind, answer: &Answer) -> Option<usize> {
-    let lacks = |own: &ExpectedNumber, number: &Number, written: Written| {
-        let is_written = matches!(written, Written::Figures { most, .. } if most < own.figures);
-        let counts = own.writing != Writing::Ignore && !own.whole && own.figures >= LEAST_ASKED && !number.is_zero();
-        (is_written && counts).then_some(own.figures)
+    let lacks = |expected: &ExpectedNumber, number: &Number, written: Written| {
+        let is_written = matches!(written, Written::Figures { most, .. } if most < expected.figures);
+        let counts = expected.writing != Writing::Ignore
+            && !expected.whole
+            && expected.figures >= LEAST_ASKED
+            && !number.is_zero();
+        (is_written && counts).then_some(expected.figures)
     };
     match (asked, answer) {
-        (ExpectedKind::Number(own), Answer::Number(answer)) => lacks(own, &answer.number, answer.written),
-        (ExpectedKind::Vector(own), Answer::Vector(answer)) => {
-            let component = own.components.first()?;
+        (ExpectedKind::Number(number), Answer::Number(answer)) => lacks(number, &answer.number, answer.written),
+        (ExpectedKind::Vector(vector), Answer::Vector(answer)) => {
+            let component = vector.components.first()?;
             let size = answer.heading.as_ref().map(|(size, _)| std::slice::from_ref(size));
             let numbers = size.unwrap_or(&answer.components).iter().zip(&answer.written);
             numbers.into_iter().find_map(|(number, written)| lacks(component, number, *written))
         }
-        (ExpectedKind::Interval(own), Answer::Interval(answer)) => {
+        (ExpectedKind::Interval(interval), Answer::Interval(answer)) => {
             // The limits of a quantity itself are whole numbers, which need no figures.
-            let boundary = [&own.low, &own.high].into_iter().flatten().find(|end| !end.is_limit)?;
+            let boundary = [&interval.low, &interval.high].into_iter().flatten().find(|end| !end.is_limit)?;
             let ends = [&answer.low, &answer.high].into_iter().flatten().filter(|end| !end.number.value().is_int());
             ends.into_iter().find_map(|end| lacks(&boundary.number, &end.number, end.written))
         }

@@ -48,7 +48,7 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
             return Judgement::of(Verdict::FormulaDimension, Message::FormulaClash(sentence));
         }
         Ok(dimension) if dimension != expected.dimension && !given.is_zero() => {
-            let [given, asked] = [dimension, expected.dimension].map(|own| dimension_name(own).to_owned());
+            let [given, asked] = [dimension, expected.dimension].map(|dimension| dimension_name(dimension).to_owned());
             return Judgement::of(Verdict::FormulaDimension, Message::FormulaDimension { given, asked });
         }
         Ok(_) => {}
@@ -60,8 +60,8 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
     };
     match compared {
         Compared::Proven => match expected.left_out(&answer.formula) {
-            Some(own) => {
-                let name = expected.symbols.entry(own).name.clone();
+            Some(coherent) => {
+                let name = expected.symbols.entry(coherent).name.clone();
                 Judgement::of(Verdict::Right, Message::Right).noted(Message::BareMultiple(name))
             }
             None => Judgement::of(Verdict::Right, Message::Right),
@@ -83,8 +83,8 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
 
 /// Whether a number stands in the place of the formula whose value it is.
 fn is_value(expected: &ExpectedFormula, given: &Expr) -> bool {
-    let own = given.evaluate(&|_| f64::NAN);
-    given.symbols().is_empty() && expected.value.is_some_and(|value| (own - value).abs() <= TOLERANCE * value.abs())
+    let stated = given.evaluate(&|_| f64::NAN);
+    given.symbols().is_empty() && expected.value.is_some_and(|value| (stated - value).abs() <= TOLERANCE * value.abs())
 }
 
 /// What is known of two formulas.
@@ -162,18 +162,18 @@ fn meet(expected: &ExpectedFormula, given: &Expr, point: &Point) -> Option<(Met,
     if !right.is_real() {
         return None;
     }
-    let own: Bounded = value(given, point);
-    if is_certain(&right) && is_certain(&own) {
-        return Some((parted(&right, &own), Digits::Few));
+    let answered: Bounded = value(given, point);
+    if is_certain(&right) && is_certain(&answered) {
+        return Some((parted(&right, &answered), Digits::Few));
     }
-    if is_certain(&right) && !own.is_real() {
+    if is_certain(&right) && !answered.is_real() {
         return Some((Met::NoValue, Digits::Few));
     }
-    let (right, own): (Precise, Precise) = (value(&expected.formula, point), value(given, point));
-    let found = match (is_finite(&right), is_finite(&own)) {
+    let (right, answered): (Precise, Precise) = (value(&expected.formula, point), value(given, point));
+    let found = match (is_finite(&right), is_finite(&answered)) {
         (false, _) => return None,
         (true, false) => Met::NoValue,
-        (true, true) => parted(&right, &own),
+        (true, true) => parted(&right, &answered),
     };
     Some((found, Digits::Many))
 }
@@ -188,8 +188,8 @@ fn differ<R: Real>(one: &R, other: &R) -> bool {
     matches!(one.sub(other).sign(), Sign::Negative | Sign::Positive)
 }
 
-fn parted<R: Real>(right: &R, own: &R) -> Met {
-    if differ(own, right) { Met::Apart(own.div(right).to_bounded()) } else { Met::Same }
+fn parted<R: Real>(right: &R, answered: &R) -> Met {
+    if differ(answered, right) { Met::Apart(answered.div(right).to_bounded()) } else { Met::Same }
 }
 
 /// What is made of formulas that agree in double precision: a proof, or agreement to many digits.
@@ -201,11 +201,11 @@ fn decide(expected: &ExpectedFormula, given: &Expr, points: &[Point]) -> Compare
     }
     let mut all = true;
     for point in points.iter().take(PRECISE_POINTS) {
-        let (right, own): (Precise, Precise) = (value(&expected.formula, point), value(given, point));
-        if differ(&own, &right) {
+        let (right, answered): (Precise, Precise) = (value(&expected.formula, point), value(given, point));
+        if differ(&answered, &right) {
             return Compared::Different;
         }
-        let difference = own.sub(&right);
+        let difference = answered.sub(&right);
         let bound = difference.to_bounded();
         let known = is_finite(&difference) && right.sign() != Sign::Zero;
         all &= known && bound.value.abs() + bound.error <= AGREEMENT * right.rough().abs();
@@ -224,19 +224,19 @@ fn is_rounded(expected: &ExpectedFormula, answer: &FormulaAnswer) -> bool {
         return false;
     }
     let given = expected.in_letters(&answer.formula);
-    let shifted: Vec<Expr> = answer.shifted.iter().map(|own| expected.in_letters(own)).collect();
+    let shifted: Vec<Expr> = answer.shifted.iter().map(|formula| expected.in_letters(formula)).collect();
     let points = Points::new(expected, &[&expected.formula, &given]).take(MOST_POINTS);
     let mut found = points.filter_map(|point| {
         let right: Bounded = value(&expected.formula, &point);
         if !is_certain(&right) {
             return None;
         }
-        let own: Bounded = value(&given, &point);
-        let moves = shifted.iter().map(|shifted| value::<Bounded>(shifted, &point).sub(&own));
+        let answered: Bounded = value(&given, &point);
+        let moves = shifted.iter().map(|shifted| value::<Bounded>(shifted, &point).sub(&answered));
         let reach: f64 = moves.map(|moved| moved.value.abs() - moved.error).sum();
         // The reach is that of a straight line.
         let reach = (reach * STRAIGHT).min(TOLERANCE * right.value.abs());
-        let apart = own.sub(&right);
+        let apart = answered.sub(&right);
         Some(is_certain(&apart) && apart.value.abs() + apart.error <= reach)
     });
     (0..POINTS).all(|_| found.next() == Some(true))

@@ -64,7 +64,7 @@ mod tests {
     fn equal_formulas_of_a_form_are_judged_once() {
         let mut symbols = SymbolTable::default();
         let name = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
-        let [x, asked] = ["x", "Q"].map(|own| symbols.intern(name(own)));
+        let [x, asked] = ["x", "Q"].map(|text| symbols.intern(name(text)));
         let blank = ExpectedFormula::new(Expr::from(x), Arc::new(symbols), asked, vec![(x, 1.0, 2.0)]);
         let form = |samples: Vec<Vec<Option<f64>>>| ExpectedFormula { samples: samples.into(), ..blank.clone() };
         let answer = |number: i64| {

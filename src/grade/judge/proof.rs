@@ -25,12 +25,12 @@ pub(super) enum Proof {
 /// Tries to prove two formulas equal; not where their forms could grow large.
 pub(super) fn prove(expected: &ExpectedFormula, answer: &Expr) -> Proof {
     let fixed = |symbol: Symbol| {
-        let zero = expected.domain.iter().any(|(own, low, high)| *own == symbol && *low == 0.0 && *high == 0.0);
+        let zero = expected.domain.iter().any(|(bound, low, high)| *bound == symbol && *low == 0.0 && *high == 0.0);
         zero.then(Expr::zero)
     };
     let (right, given) = (expected.formula.substitute(&fixed), answer.substitute(&fixed));
-    let (own, other) = (terms(&right), terms(&given));
-    if own.0 * other.1 + own.1 * other.0 > MOST_TERMS {
+    let (terms_of_right, other) = (terms(&right), terms(&given));
+    if terms_of_right.0 * other.1 + terms_of_right.1 * other.0 > MOST_TERMS {
         return Proof::None;
     }
     if is_rational(&right) && is_rational(&given) {
@@ -40,18 +40,18 @@ pub(super) fn prove(expected: &ExpectedFormula, answer: &Expr) -> Proof {
             None => Proof::None,
         };
     }
-    let positive = |symbol: Symbol| expected.domain.iter().any(|(own, low, _)| *own == symbol && *low > 0.0);
+    let positive = |symbol: Symbol| expected.domain.iter().any(|(bound, low, _)| *bound == symbol && *low > 0.0);
     if equal_where(&right, &given, &positive) { Proof::Equal } else { Proof::None }
 }
 
 /// Whether a formula has neither roots nor functions.
 fn is_rational(formula: &Expr) -> bool {
-    let own = match formula {
+    let is_rational_itself = match formula {
         Expr::Apply(..) | Expr::Piecewise(_) => false,
         Expr::Power(pair) => pair.1.as_number().is_some_and(Rational::is_int),
         _ => true,
     };
-    own && formula.children().all(is_rational)
+    is_rational_itself && formula.children().all(is_rational)
 }
 
 /// About how many terms the canonical form of a formula can have above and below its bar.
@@ -60,9 +60,9 @@ fn terms(formula: &Expr) -> (f64, f64) {
         Expr::Sum(parts) => parts
             .iter()
             .map(terms)
-            .fold((0.0, 1.0), |(above, below), (own, under)| (above * under + own * below, below * under)),
+            .fold((0.0, 1.0), |(above, below), (top, under)| (above * under + top * below, below * under)),
         Expr::Product(parts) => {
-            parts.iter().map(terms).fold((1.0, 1.0), |(above, below), (own, under)| (above * own, below * under))
+            parts.iter().map(terms).fold((1.0, 1.0), |(above, below), (top, under)| (above * top, below * under))
         }
         Expr::Power(pair) => {
             let (above, below) = terms(&pair.0);

@@ -107,12 +107,12 @@ fn part(written: &str, asked: &Unit, first: &Unit, last: &Unit) -> Option<(Numbe
         let size = Number::exact(Rational::ONE / Rational::from(*share));
         return (*first == degree).then_some((size, degree));
     }
-    let own = match by_mark {
+    let unit = match by_mark {
         Some(unit) => unit,
         None => unit(written, 0, written.len(), asked).ok()??,
     };
-    let smaller = own.dimension() == first.dimension() && own.factor().to_f64() < last.factor().to_f64();
-    smaller.then(|| Number::exact(Rational::ONE).scaled(&own.in_terms_of(first)).map(|size| (size, own)))?
+    let smaller = unit.dimension() == first.dimension() && unit.factor().to_f64() < last.factor().to_f64();
+    smaller.then(|| Number::exact(Rational::ONE).scaled(&unit.in_terms_of(first)).map(|size| (size, unit)))?
 }
 
 struct Reader<'t> {
@@ -146,7 +146,7 @@ impl<'t> Reader<'t> {
         while let Some(sign) = self.take(&["+", "-"]) {
             let term = self.product()?;
             let ratio = match (&term.unit, &sum.unit) {
-                (Some(own), Some(first)) if own.dimension() == first.dimension() => own.in_terms_of(first),
+                (Some(unit), Some(first)) if unit.dimension() == first.dimension() => unit.in_terms_of(first),
                 _ => return None,
             };
             let term = term.number.scaled(&ratio)?;

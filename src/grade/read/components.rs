@@ -61,15 +61,15 @@ fn directed(piece: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At
     });
     for (start, _) in words {
         let phrase = piece[start..].trim_matches([' ', '(', ')', '.', ',']);
-        let found = asked.frame.axes.iter().enumerate().find_map(|(axis, own)| {
-            match direction::read(phrase, Some(&own.senses), Some(own.letter)) {
+        let found = asked.frame.axes.iter().enumerate().find_map(|(axis, frame_axis)| {
+            match direction::read(phrase, Some(&frame_axis.senses), Some(frame_axis.letter)) {
                 Phrase::Declared(sense) => Some((axis, sense)),
                 Phrase::None | Phrase::Other => None,
             }
         });
         let Some((axis, sense)) = found else { continue };
-        let own = match unit(piece, length, start, &wanted) {
-            Ok(own) => own,
+        let unit_found = match unit(piece, length, start, &wanted) {
+            Ok(unit_found) => unit_found,
             Err(fault) => return Some(Err(fault)),
         };
         // `4 N` is a force, or northwards.
@@ -86,7 +86,7 @@ fn directed(piece: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At
             number: term.number,
             written: term.form.written(),
             signed: false,
-            unit: own,
+            unit: unit_found,
             pounds_as_mass: false,
             sense: Some(sense),
             heading: None,

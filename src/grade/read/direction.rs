@@ -103,7 +103,8 @@ pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>, axis: Option<char
     }
     let along = along_axis(&bare, phrase);
     // Another axis is another direction.
-    let along = along.map(|(positive, own)| (positive, own.zip(axis).is_none_or(|(own, axis)| own == axis)));
+    let along =
+        along.map(|(positive, letter)| (positive, letter.zip(axis).is_none_or(|(letter, axis)| letter == axis)));
     if let Some([plus, minus]) = senses {
         let sense = |positive| Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() });
         let away = format!("away {bare}");

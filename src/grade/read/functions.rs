@@ -77,8 +77,8 @@ impl Function {
     /// What undoes it: a sine to the power -1 is that, and no reciprocal.
     pub(super) fn inverse(self) -> Option<Self> {
         let of = |name: &str| NAMES.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
-        let (name, _) = NAMES.iter().find(|(_, own)| match (self, own) {
-            (Self::Angle(own), Self::Angle(other)) => std::ptr::fn_addr_eq(own, *other),
+        let (name, _) = NAMES.iter().find(|(_, listed)| match (self, listed) {
+            (Self::Angle(function), Self::Angle(other)) => std::ptr::fn_addr_eq(function, *other),
             _ => false,
         })?;
         of(&format!("a{name}"))

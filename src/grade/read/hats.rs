@@ -55,7 +55,8 @@ fn hat(rest: &str) -> Option<usize> {
     let is_power = || {
         let behind = rest[found.len()..].trim_start_matches(['+', '-', '{', '(']);
         let digits = behind.trim_start_matches(|next: char| next.is_ascii_digit() || next == '.');
-        digits.len() < behind.len() && !digits.trim_start().starts_with(|next| LETTERS.iter().any(|own| own.0 == next))
+        digits.len() < behind.len()
+            && !digits.trim_start().starts_with(|next| LETTERS.iter().any(|letter| letter.0 == next))
     };
     let ends = !behind.is_some_and(char::is_alphanumeric);
     (ends && (*found != "^" || !is_power())).then_some(found.len())
@@ -82,8 +83,8 @@ pub(super) fn without_brackets(text: &str) -> String {
         let lead = from + 1 + inside.len() - inside.trim_start().len();
         let sign = text[..*from].trim_end().len().checked_sub(1).filter(|at| b"+-".contains(&bytes[*at]));
         // Two signs are one.
-        if let (Some(own @ (b'+' | b'-')), Some(at)) = (bytes.get(lead).copied(), sign) {
-            bytes[at] = if own == bytes[at] { b'+' } else { b'-' };
+        if let (Some(sign @ (b'+' | b'-')), Some(at)) = (bytes.get(lead).copied(), sign) {
+            bytes[at] = if sign == bytes[at] { b'+' } else { b'-' };
             bytes[lead] = b' ';
         }
         if vectors > 1 {

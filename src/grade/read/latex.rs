@@ -134,7 +134,7 @@ fn command(name: &str, reader: &mut Arguments<'_>, place: usize, depth: usize, i
         put(angle, false, out);
         out.push("°", here);
     } else if let Some((letter, start)) = VECTORS.contains(&name).then(|| reader.letter()).flatten() {
-        let vector = UNIT_VECTORS.iter().find(|(own, _)| *own == letter);
+        let vector = UNIT_VECTORS.iter().find(|(listed, _)| *listed == letter);
         match vector.filter(|_| name == "hat" || ["i", "j", "k"].contains(&letter.as_str())) {
             Some((_, vector)) => out.push(vector, place + start),
             None => out.push(&letter, place + start),
@@ -142,7 +142,7 @@ fn command(name: &str, reader: &mut Arguments<'_>, place: usize, depth: usize, i
     } else if BARE.contains(&name) || name == "unit" && in_unit {
         let Some(argument) = reader.next() else { return false };
         put(argument, name == "si", out);
-    } else if let Some((_, written)) = SIGNS.iter().find(|(own, _)| *own == name) {
+    } else if let Some((_, written)) = SIGNS.iter().find(|(listed, _)| *listed == name) {
         out.push(written, here);
     } else if FUNCTIONS.contains(&name) {
         out.push(name, here);

@@ -40,7 +40,7 @@ pub(super) fn spaced_exponent(number: &str, text: &str) -> Option<(Decimal, usiz
     let plain = number.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
     (end > 0 && !goes_on && plain)
         .then(|| Decimal::parse(&format!("{number}{}", &text[1..length])).ok())?
-        .map(|own| (own, length))
+        .map(|decimal| (decimal, length))
 }
 
 /// Whether a ten stands here, perhaps with the digits of its lost exponent, not the beginning of 10.5.

@@ -43,12 +43,12 @@ pub(super) fn with_unit(
     read: impl Fn(&str) -> Option<NumberAnswer>,
 ) -> Option<NumberAnswer> {
     let multiple = asked.called.as_ref()?.multiple_of.as_ref()?;
-    let [own, product] = multiple.units.as_ref()?;
+    let [unit_of_part, product] = multiple.units.as_ref()?;
     let signs: Vec<char> = answer.chars().collect();
     let plain = |found: NumberAnswer, fitting: &[&Unit]| match &found.unit {
         None => Some(found),
         Some(unit) => {
-            let fits = fitting.iter().find(|own| own.dimension() == unit.dimension())?;
+            let fits = fitting.iter().find(|other| other.dimension() == unit.dimension())?;
             Some(NumberAnswer { number: found.number.scaled(&unit.in_terms_of(fits))?, unit: None, ..found })
         }
     };
@@ -59,12 +59,12 @@ pub(super) fn with_unit(
             signs[..start].iter().rev().find(|sign| **sign != ' ').is_some_and(|sign| sign.is_alphabetic());
         let left_out = behind_unit.then(|| signs[..start].iter().chain(&signs[end..]).collect());
         let rests = [without_name(signs.clone(), start, end), left_out];
-        rests.into_iter().flatten().find_map(|rest| plain(read(&rest)?, &[own, product]))
+        rests.into_iter().flatten().find_map(|rest| plain(read(&rest)?, &[unit_of_part, product]))
     };
     let alone = || {
         let found = read(answer)?;
         let is_product = found.unit.as_ref().is_some_and(|unit| unit.dimension() == product.dimension());
-        if is_product { Some(found) } else { plain(found, &[own]) }
+        if is_product { Some(found) } else { plain(found, &[unit_of_part]) }
     };
     (0..signs.len()).find_map(taken).or_else(alone)
 }

@@ -33,14 +33,14 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
     let plain = Plain::new(&multiple::without(answer, asked)?)?;
     let plain = if asked.unit.is_plain_angle() { plain.with_degrees() } else { plain };
     let text = plain.text();
-    let own = Asked::of(asked);
-    let found = match value::read(text, own, mark) {
+    let wanted = Asked::of(asked);
+    let found = match value::read(text, wanted, mark) {
         // `8.02 j m/s`: the letter is a unit vector where the joule measures something else.
-        Ok(found) if !measures(&found, asked) => match remarks::along_unit_vector(text, own, mark) {
+        Ok(found) if !measures(&found, asked) => match remarks::along_unit_vector(text, wanted, mark) {
             Some(Ok(along)) if along.unit.is_none() || measures(&along, asked) => Ok(along),
             _ => Ok(found),
         },
-        found => found.or_else(|fault| remarks::read(text, own, mark, fault)),
+        found => found.or_else(|fault| remarks::read(text, wanted, mark, fault)),
     };
     let found = match &asked.reference {
         Some(reference) => found.or_else(|fault| match in_words(text, reference, mark) {

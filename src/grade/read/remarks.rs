@@ -241,14 +241,15 @@ pub(super) fn behind_name(text: &str, asked: &str) -> Result<Option<usize>, Unre
 /// beside `v_A2`. Any other name may be the student's own.
 fn is_another(typed: &str, asked: &str) -> bool {
     let plain = |name: &str| name.chars().filter(|next| next.is_alphanumeric()).collect::<String>();
-    let (own, other) = (plain(typed), plain(asked));
+    let (typed_text, other) = (plain(typed), plain(asked));
     let stem = plain(asked.split('_').next().unwrap_or(asked));
-    let Some(index) = own.strip_prefix(&stem).filter(|_| asked.contains('_')) else { return false };
+    let Some(index) = typed_text.strip_prefix(&stem).filter(|_| asked.contains('_')) else { return false };
     let is_index = |next: char| next.is_uppercase() || next.is_ascii_digit();
     let letters = |name: &str| name.chars().filter(|next| !next.is_ascii_digit()).collect::<String>();
     let axis = asked.rsplit_once('.').map(|(_, axis)| axis).filter(|_| index.len() == 1);
     let of_other_axis = axis.is_some_and(|axis| ["x", "y", "z"].contains(&index) && axis != index);
-    let of_other_time = letters(&own) == letters(&other) && own.len() == other.len() && own != other;
+    let of_other_time =
+        letters(&typed_text) == letters(&other) && typed_text.len() == other.len() && typed_text != other;
     !index.is_empty() && (of_other_axis || of_other_time || index.chars().all(is_index) && !other.contains(index))
 }
 

@@ -184,16 +184,16 @@ fn together(parts: &Parts, behind: Option<Unit>, at: usize) -> At<VectorAnswer> 
     let written = |part: &Option<NumberAnswer>| part.as_ref().map_or(Written::Computed, |part| part.written);
     let value =
         |part: &Option<NumberAnswer>| part.as_ref().map_or(Number::exact(Rational::ZERO), NumberAnswer::directed);
-    let own: Vec<&Unit> = parts.iter().flatten().filter_map(|part| part.unit.as_ref()).collect();
+    let units: Vec<&Unit> = parts.iter().flatten().filter_map(|part| part.unit.as_ref()).collect();
     let present = parts.iter().flatten().count();
     let zeros = parts.iter().flatten().filter(|part| part.number.is_zero() && part.unit.is_none()).count();
-    let unit = match (own.as_slice(), behind) {
+    let unit = match (units.as_slice(), behind) {
         ([], behind) => behind,
         // `1.2i - 3.4j m/s`: the unit behind the last belongs to all.
         ([only], None) if present > 1 && parts.iter().flatten().last().is_some_and(|part| part.unit.is_some()) => {
             Some((*only).clone())
         }
-        ([first, others @ ..], None) if others.iter().all(|unit| unit == first) && own.len() + zeros >= present => {
+        ([first, others @ ..], None) if others.iter().all(|unit| unit == first) && units.len() + zeros >= present => {
             Some((*first).clone())
         }
         _ => return Err((at, UnreadableKind::MixedUnits)),

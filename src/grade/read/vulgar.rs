@@ -21,5 +21,5 @@ const VULGAR: [(char, u32, u32); 15] = [
 
 /// What is above and below the bar of such a character; none of any other.
 pub(super) fn of_character(character: char) -> Option<(u32, u32)> {
-    VULGAR.iter().find(|(own, ..)| *own == character).map(|(_, above, below)| (*above, *below))
+    VULGAR.iter().find(|(vulgar, ..)| *vulgar == character).map(|(_, above, below)| (*above, *below))
 }

@@ -102,7 +102,7 @@ pub(super) fn command(name: &str) -> Option<Command> {
     if name == "sqrt" {
         return Some(Command::Root);
     }
-    if let Some((_, token)) = TOKENS.iter().find(|(own, _)| *own == name) {
+    if let Some((_, token)) = TOKENS.iter().find(|(listed, _)| *listed == name) {
         return Some(Command::Token(token.clone()));
     }
     if let Some(letter) = super::signs::greek(name) {

@@ -190,14 +190,14 @@ impl<'a> Lexer<'a> {
         while inner.at < signs.len() {
             inner.step().map_err(|(at, kind)| (start + at, kind))?;
         }
-        for mut own in inner.found {
-            own.at += start;
-            if let Token::Word(letters) = &mut own.token {
+        for mut lexeme in inner.found {
+            lexeme.at += start;
+            if let Token::Word(letters) = &mut lexeme.token {
                 for letter in letters {
                     letter.at += start;
                 }
             }
-            self.found.push(own);
+            self.found.push(lexeme);
         }
         Ok(())
     }
@@ -219,7 +219,8 @@ impl<'a> Lexer<'a> {
     /// `^\circ`, with braces or without.
     fn takes_circle(&mut self) -> bool {
         let rest: String = self.signs[self.at..].iter().filter(|sign| **sign != ' ').take(8).collect();
-        let Some(length) = ["{\\circ}", "\\circ"].iter().find(|own| rest.starts_with(**own)).map(|own| own.len())
+        let Some(length) =
+            ["{\\circ}", "\\circ"].iter().find(|spelling| rest.starts_with(**spelling)).map(|spelling| spelling.len())
         else {
             return false;
         };

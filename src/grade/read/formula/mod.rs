@@ -66,7 +66,7 @@ pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> 
 
 /// The formula with each decimal that may be rounded larger by half a unit of its last place.
 fn shifted(lexemes: &[Lexeme], end: usize, vocabulary: &Vocabulary<'_>) -> Vec<Expr> {
-    let places = lexemes.iter().enumerate().filter_map(|(place, own)| match &own.token {
+    let places = lexemes.iter().enumerate().filter_map(|(place, lexeme)| match &lexeme.token {
         Token::Number { value, half: Some(half) } => Some((place, value + half)),
         _ => None,
     });

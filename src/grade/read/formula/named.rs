@@ -128,7 +128,7 @@ pub(super) fn spellings() -> impl Iterator<Item = (&'static str, Named, bool)> {
 impl Named {
     /// The function of that name.
     pub(super) fn find(name: &str) -> Option<Self> {
-        SPELT.iter().find(|(spelt, ..)| *spelt == name).map(|(_, own, _)| *own)
+        SPELT.iter().find(|(spelt, ..)| *spelt == name).map(|(_, function, _)| *function)
     }
 
     /// Whether its argument is an angle, for which a plain number is not enough.
@@ -175,7 +175,7 @@ impl Named {
         let apply = Expr::apply;
         let exp = |argument: Expr| apply(Function::Exp, argument);
         let ln = |argument: Expr| apply(Function::Ln, argument);
-        let over = |own: Self| one() / own.of(argument.clone());
+        let over = |function: Self| one() / function.of(argument.clone());
         let square = || argument.clone().powi(2);
         match self {
             Sin => apply(Function::Sin, argument),

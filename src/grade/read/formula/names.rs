@@ -89,8 +89,9 @@ impl<'a> Names<'a> {
 
     /// Whether a word is the letter of what is asked without its index, and names nothing else.
     pub(super) fn is_letter_of_asked(&self, word: &[Letter]) -> bool {
-        let first =
-            |known: &&Known| known.meant == Meant::Asked && known.letters.first() == word.first().map(|own| &own.sign);
+        let first = |known: &&Known| {
+            known.meant == Meant::Asked && known.letters.first() == word.first().map(|letter| &letter.sign)
+        };
         word.len() == 1 && self.whole(word).is_none() && self.known.iter().any(|known| first(&known))
     }
 
@@ -115,42 +116,42 @@ impl<'a> Names<'a> {
 
 /// Names with the number of their instant before their body, `v_1A` for `v_A1`, where nothing else is called so.
 fn turned(known: &[Known]) -> Vec<Known> {
-    let turned = |own: &Known| {
-        let [stem @ .., body, instant] = own.letters.as_slice() else { return None };
+    let turned = |name: &Known| {
+        let [stem @ .., body, instant] = name.letters.as_slice() else { return None };
         let fits = body.is_uppercase() && instant.is_ascii_digit() && !stem.is_empty();
         let letters: Vec<char> = stem.iter().copied().chain([*instant, *body]).collect();
-        (fits && known.iter().all(|other| other.letters != letters)).then_some(Known { letters, meant: own.meant })
+        (fits && known.iter().all(|other| other.letters != letters)).then_some(Known { letters, meant: name.meant })
     };
     known.iter().filter_map(turned).collect()
 }
 
 /// Names without the number of their instant, `vA` for `v_A1`, where one quantity alone can be meant and it is given.
 fn without_instants(known: &[Known], vocabulary: &Vocabulary<'_>) -> Vec<Known> {
-    let short = |own: &Known| {
-        let (last, rest) = own.letters.split_last()?;
+    let short = |known: &Known| {
+        let (last, rest) = known.letters.split_last()?;
         let is_of_body = rest.len() > 1 && rest.last().is_some_and(|body| body.is_uppercase());
         (last.is_ascii_digit() && is_of_body).then(|| rest.to_vec())
     };
     let is_answer = vocabulary.asked.is_some();
-    let given = known.iter().filter(|own| is_answer && matches!(own.meant, Meant::Given(_)));
-    let alone = |own: &Known| {
-        let letters = short(own)?;
+    let given = known.iter().filter(|known| is_answer && matches!(known.meant, Meant::Given(_)));
+    let alone = |name: &Known| {
+        let letters = short(name)?;
         let is_other = |other: &Known| {
-            other.meant != own.meant && (other.letters == letters || short(other).as_ref() == Some(&letters))
+            other.meant != name.meant && (other.letters == letters || short(other).as_ref() == Some(&letters))
         };
-        (!known.iter().any(is_other)).then_some(Known { letters, meant: own.meant })
+        (!known.iter().any(is_other)).then_some(Known { letters, meant: name.meant })
     };
     given.filter_map(alone).collect()
 }
 
 /// The letters of a name, Greek ones as such: as the file spells it, and as it is printed where that differs.
 pub(super) fn letters(name: &str) -> Vec<Vec<char>> {
-    let own = letters_alone(name);
+    let alone = letters_alone(name);
     if name.contains('(') {
-        return vec![own];
+        return vec![alone];
     }
     let printed = letters_alone(&name_math(name).plain());
-    if printed == own { vec![own] } else { vec![printed, own] }
+    if printed == alone { vec![alone] } else { vec![printed, alone] }
 }
 
 fn letters_alone(name: &str) -> Vec<char> {
@@ -179,9 +180,10 @@ fn matched(name: &[char], word: &[Letter]) -> Option<usize> {
             continue;
         }
         let spelt = signs::spelt(*letter)?;
-        let own = word.get(at..at + spelt.len())?;
-        let same = own.iter().zip(spelt.chars()).all(|(own, sign)| own.sign == sign);
-        let together = own.iter().skip(1).all(|own| own.place == first.place || own.place == Place::Beside);
+        let letters = word.get(at..at + spelt.len())?;
+        let same = letters.iter().zip(spelt.chars()).all(|(letter, sign)| letter.sign == sign);
+        let together =
+            letters.iter().skip(1).all(|letter| letter.place == first.place || letter.place == Place::Beside);
         if !(same && together) {
             return None;
         }

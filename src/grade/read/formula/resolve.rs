@@ -27,7 +27,7 @@ pub(super) fn resolve(mut lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>
         let next = rest.peek();
         let spelt = names::text(word);
         let measures = matches!(
-            found.last().map(|own| &own.token),
+            found.last().map(|lexeme| &lexeme.token),
             Some(Token::Number { .. } | Token::Written { .. } | Token::Close(_))
         );
         if let Some(unit) = angle_unit(&spelt).filter(|_| measures && names.whole(word).is_none()) {
@@ -78,7 +78,7 @@ fn indexed(lexemes: &[Lexeme], names: &Names) -> Option<Vec<Letter>> {
         Token::Number { value, half: None } if value.is_int() => {
             value.numerator().to_string().chars().map(|sign| below((sign, inside.at))).collect()
         }
-        Token::Word(own) => own.iter().map(|letter| below((letter.sign, letter.at))).collect(),
+        Token::Word(word) => word.iter().map(|letter| below((letter.sign, letter.at))).collect(),
         _ => return None,
     };
     let whole = [letters.as_slice(), &index].concat();
@@ -88,10 +88,10 @@ fn indexed(lexemes: &[Lexeme], names: &Names) -> Option<Vec<Letter>> {
 
 /// Where the formula begins, behind `v_B2 =`.
 fn behind_the_name(lexemes: &[Lexeme], names: &Names) -> At<usize> {
-    let Some(equals) = lexemes.iter().position(|own| own.token == Token::Equals).filter(|at| *at <= 1) else {
+    let Some(equals) = lexemes.iter().position(|lexeme| lexeme.token == Token::Equals).filter(|at| *at <= 1) else {
         return Ok(0);
     };
-    match lexemes.first().map(|own| &own.token) {
+    match lexemes.first().map(|lexeme| &lexeme.token) {
         Some(Token::Word(word)) if names.whole(word) == Some(Meant::Asked) || names.is_letter_of_asked(word) => {
             Ok(equals + 1)
         }
@@ -228,15 +228,15 @@ impl Word<'_> {
         let mut found = Vec::new();
         for (spelt, named, own_firm) in named::spellings() {
             let end = at + spelt.len();
-            let stands = self.letters.get(at..end).is_some_and(|own| {
-                own.iter().zip(spelt.chars()).all(|(own, sign)| own.sign == sign)
-                    && own.iter().skip(1).all(|own| own.place == Place::Beside || own.sign.is_ascii_digit())
-                    && own[0].place != Place::Below
+            let stands = self.letters.get(at..end).is_some_and(|word| {
+                word.iter().zip(spelt.chars()).all(|(letter, sign)| letter.sign == sign)
+                    && word.iter().skip(1).all(|letter| letter.place == Place::Beside || letter.sign.is_ascii_digit())
+                    && word[0].place != Place::Below
             });
             if !stands {
                 continue;
             }
-            let digits = self.letters[end..].iter().take_while(|own| own.sign.is_ascii_digit()).count();
+            let digits = self.letters[end..].iter().take_while(|letter| letter.sign.is_ascii_digit()).count();
             let value = names::text(&self.letters[end..end + digits]).parse::<u64>();
             if let (true, Ok(value)) = (named != Named::Log && digits > 0, value) {
                 found.push((vec![(Piece::Function(named), at), (Piece::Number(value), end)], end + digits));

@@ -109,14 +109,14 @@ pub(super) fn greek(word: &str) -> Option<char> {
         "varphi" => "phi",
         "varepsilon" => "epsilon",
         "varrho" => "rho",
-        own => own,
+        other => other,
     };
     GREEK.iter().find(|(_, spelt)| *spelt == word).map(|(letter, _)| *letter)
 }
 
 /// How a Greek letter is spelt.
 pub(super) fn spelt(letter: char) -> Option<&'static str> {
-    GREEK.iter().find(|(own, _)| *own == letter).map(|(_, spelt)| *spelt)
+    GREEK.iter().find(|(listed, _)| *listed == letter).map(|(_, spelt)| *spelt)
 }
 
 /// What is written above the line, on the line.

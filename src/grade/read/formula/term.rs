@@ -180,7 +180,8 @@ impl Numbers<'_> {
             match &lexeme.token {
                 Token::Word(letters) if words < MAX_WORDS => {
                     is_name |= self.names.whole(letters).is_some();
-                    let is_before_word = matches!(lexemes.get(at + 1).map(|own| &own.token), Some(Token::Word(_)));
+                    let is_before_word =
+                        matches!(lexemes.get(at + 1).map(|lexeme| &lexeme.token), Some(Token::Word(_)));
                     // `2 g h` is no number of gram hours, and `v^2/(2 g)` holds no mass.
                     let is_gravity = (is_before_word || is_two) && names::text(letters) == "g";
                     if is_name && (self.letters == Letters::Names || is_gravity) {
@@ -218,9 +219,9 @@ impl Numbers<'_> {
 
 /// The token behind an exponent that begins at a token: a number with its sign, or what stands in brackets.
 fn behind_exponent(lexemes: &[Lexeme], from: usize) -> usize {
-    let is_sign = |at: usize| matches!(lexemes.get(at).map(|own| &own.token), Some(Token::Minus | Token::Plus));
+    let is_sign = |at: usize| matches!(lexemes.get(at).map(|lexeme| &lexeme.token), Some(Token::Minus | Token::Plus));
     let start = from + usize::from(is_sign(from));
-    if !matches!(lexemes.get(start).map(|own| &own.token), Some(Token::Open(_))) {
+    if !matches!(lexemes.get(start).map(|lexeme| &lexeme.token), Some(Token::Open(_))) {
         return (start + 1).min(lexemes.len());
     }
     let mut depth = 0_usize;
@@ -253,7 +254,7 @@ fn whole_exponent(lexemes: &[Lexeme]) -> Option<String> {
 
 /// Whether a bare number is an angle in degrees: the argument of a sine, and more than a whole turn in radians.
 fn is_in_degrees(before: &[Lexeme], value: &Rational, next: Option<&Lexeme>) -> bool {
-    let next = next.map(|own| &own.token);
+    let next = next.map(|lexeme| &lexeme.token);
     let is_closed = matches!(next, Some(Token::Close(_)));
     let function = match before {
         [.., function, open] if is_closed && matches!(open.token, Token::Open(_)) => function,
@@ -261,7 +262,7 @@ fn is_in_degrees(before: &[Lexeme], value: &Rational, next: Option<&Lexeme>) -> 
         [] => return false,
     };
     let is_of_angle = match &function.token {
-        Token::Word(letters) => ANGULAR.iter().any(|own| names::text(letters).ends_with(own)),
+        Token::Word(letters) => ANGULAR.iter().any(|ending| names::text(letters).ends_with(ending)),
         Token::Function(named) => named.takes_angle(),
         _ => false,
     };
@@ -273,7 +274,7 @@ fn is_in_degrees(before: &[Lexeme], value: &Rational, next: Option<&Lexeme>) -> 
 
 /// `* 10^3` behind a number: the factor, and the token behind it.
 fn power_of_ten(lexemes: &[Lexeme], from: usize) -> Option<(Rational, usize)> {
-    let token = |at: usize| lexemes.get(at).map(|own| &own.token);
+    let token = |at: usize| lexemes.get(at).map(|lexeme| &lexeme.token);
     let is_ten = matches!(token(from + 1), Some(Token::Number { value, half: None }) if *value == Rational::from(10));
     if token(from) != Some(&Token::Times) || !is_ten || token(from + 2) != Some(&Token::Power) {
         return None;

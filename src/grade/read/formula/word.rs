@@ -146,7 +146,7 @@ impl Lexer<'_> {
         if self.signs.get(end) != Some(&'_') || !digit && group.is_none() {
             return Ok(false);
         }
-        let Some(Token::Word(letters)) = self.found.last().map(|own| own.token.clone()) else { return Ok(false) };
+        let Some(Token::Word(letters)) = self.found.last().map(|lexeme| lexeme.token.clone()) else { return Ok(false) };
         let mut letters = letters;
         self.at = end + 1;
         self.below(&mut letters)?;
