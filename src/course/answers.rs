@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use momentous_grade::HintsSeen;
 use momentous_grade::PartHistory;
-use momentous_grade::Seen;
 use momentous_quantity::Rational;
 
 use super::handed_in::{Draft, HintShown};
@@ -52,7 +52,7 @@ pub fn worth(
     let shown = |part_of_hint: Option<&str>| hints.iter().filter(|hint| hint.part.as_deref() == part_of_hint).count();
     let [hints, further] =
         [None, Some(part)].map(|part_of_hint| u32::try_from(shown(part_of_hint)).unwrap_or(u32::MAX));
-    Some(rules.left(history.map_or(0, PartHistory::made), Seen { hints, further }) * factor)
+    Some(rules.left(history.map_or(0, PartHistory::made), HintsSeen { hints, further }) * factor)
 }
 
 /// Whether what a student saved is to be handed in at a moment by itself: the policy says so, no more is taken from the student, and it was

@@ -2,9 +2,9 @@
 
 use momentous_grade::DecimalMark;
 use momentous_grade::FeedbackTime;
+use momentous_grade::HintsSeen;
 use momentous_grade::History;
 use momentous_grade::Report;
-use momentous_grade::Seen;
 use momentous_grade::Typed;
 use momentous_problem::Part;
 use momentous_problem::Worked;
@@ -73,7 +73,7 @@ impl Marker {
             // Whether a formula can be judged tells something of the right one.
             let by_reading = rules.told == FeedbackTime::Later && !text.trim().is_empty();
             let readable = by_reading.then(|| matches!(echo(worked, part, text, self.mark), Some(Ok(_))));
-            Typed { text, seen: Seen { hints: attempt.hints, further }, readable }
+            Typed { text, seen: HintsSeen { hints: attempt.hints, further }, readable }
         };
         let typed: Vec<Typed<'_>> = worked.form.parts.iter().map(of_part).collect();
         let not_asked: Vec<(&str, &str)> = answers.iter().filter(|(part, _)| !ids.contains(part)).copied().collect();

@@ -11,7 +11,7 @@ use super::judge::BESIDE_A_WHOLE_NUMBER;
 use super::read::{Answer, NumberAnswer, Written};
 use super::verdict::Verdict;
 
-/// What a wrong answer comes from, most likely.
+/// Sources of a wrong answer, most likely first.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Diagnosis {
     /// The mistakes that lead to this answer, by their stable codes. They cannot be told apart with these numbers, and so
@@ -19,7 +19,7 @@ pub struct Diagnosis {
     pub codes: Vec<&'static str>,
     /// The step to look at, as a noun phrase; none where the mistake is outside the laws.
     pub step: Option<String>,
-    /// What to tell the student, a question first, each hint plainer than the one before. None holds the right value.
+    /// The hints to the student, a question first, each plainer than the one before. None holds the right value.
     pub hints: Vec<String>,
 }
 
@@ -86,7 +86,7 @@ pub fn components(expected: &ExpectedVector, answer: &Answer) -> Option<Vec<f64>
         .then_some(components)
 }
 
-/// What a mistake makes of an answer, as marking compares it with what was written.
+/// The answer that a mistake leads to, as marking compares it with what was written.
 struct Suspect {
     place: usize,
     size: f64,

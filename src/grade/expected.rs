@@ -1,4 +1,4 @@
-//! What a right answer is: all that marking needs to know of a solved variant.
+//! The right answer: all that marking needs to know of a solved variant.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use momentous_quantity::Rational;
 use momentous_quantity::Tolerance;
 use momentous_quantity::Unit;
 
-/// What is expected as the answer to one part of a question.
+/// The expected answer to one part of a question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
     /// How the part is called in answers: `v_A2`.
@@ -78,9 +78,9 @@ pub struct ExpectedNumber {
     pub whole: bool,
     /// Which units will do.
     pub units: Units,
-    /// What is made of the figures with which a right value is written.
+    /// The treatment of the figures with which a right value is written.
     pub writing: Writing,
-    /// Of a direction: how it is counted, so that it may be answered in words: `36° N of E`.
+    /// The reference of a direction, so that it may be answered in words: `36° N of E`.
     pub reference: Option<Reference>,
     /// How it is called, where it has a name.
     pub called: Option<Arc<Called>>,
@@ -117,11 +117,11 @@ pub enum Units {
     /// Any.
     #[default]
     Any,
-    /// That of the question.
+    /// The form that the question asks for.
     AsAsked,
 }
 
-/// What is made of the figures with which a right value is written.
+/// The treatment of the figures with which a right value is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Writing {
     /// Nothing.
@@ -198,16 +198,17 @@ pub struct ExpectedFormula {
     pub symbols: Arc<SymbolTable>,
     /// The quantity that is asked, which may not stand in its own formula.
     pub asked: Symbol,
-    /// What it may contain, each with the least and the greatest value that it has in the problem, in SI units.
+    /// The symbols that it may contain, each with the least and the greatest value that it has in the problem, in SI units.
     pub domain: Vec<(Symbol, f64, f64)>,
     /// Values of the symbols of `domain`, in its order, in variants of the problem: formulas are compared near them. A missing
     /// value may be any in its range; where there are no variants, all may.
     pub samples: Arc<[Vec<Option<f64>>]>,
-    /// What else it may contain, each with what it stands for: a number that the sheet tells, or a term in the symbols above.
+    /// The other symbols that it may contain, each with what it stands for: a number that the sheet tells, or a term in the
+    /// symbols above.
     pub values: Vec<(Symbol, Expr)>,
     /// The quantity of which the answer is asked as a multiple: the bare multiple is as good.
     pub multiple_of: Option<Symbol>,
-    /// What it measures.
+    /// The dimension that it measures.
     pub dimension: Dimension,
     /// Its value with the numbers of the variant, in SI units, where it is a pure number.
     pub value: Option<f64>,
@@ -280,7 +281,7 @@ pub struct ExpectedInterval {
 /// An end of an interval.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExpectedEnd {
-    /// Where it is.
+    /// Its value.
     pub number: ExpectedNumber,
     /// Whether it belongs to the interval.
     pub closed: bool,

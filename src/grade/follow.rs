@@ -11,11 +11,11 @@ pub struct Follows {
     pub from: Vec<String>,
     /// The laws that the answer satisfies with them.
     pub by: Vec<&'static str>,
-    /// What is impossible about the earlier answers, as a clause: `cart A would pass through cart B`.
+    /// The impossibility in the earlier answers, as a clause: `cart A would pass through cart B`.
     pub unphysical: Option<String>,
 }
 
-/// What the student is told. It holds no value.
+/// The message to the student. It holds no value.
 impl fmt::Display for Follows {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (from, by) = (self.from.join(" and "), self.by.join(" and "));

@@ -18,7 +18,7 @@ pub(super) struct Frequent(BTreeMap<String, WrongAnswer>);
 /// A wrong answer that several students gave.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WrongAnswer {
-    /// What was understood.
+    /// The answer as it was understood.
     pub answer: String,
     /// How often it was given, at least: where there are very many different ones, some are missed.
     pub count: u64,

@@ -8,11 +8,11 @@ use momentous_quantity::exact;
 
 use super::messages::Message;
 use super::report::{Entry, PartReport, Report};
-use super::rubric::{Attempts, FeedbackTime, Keep, Seen};
+use super::rubric::{Attempts, FeedbackTime, HintsSeen, Keep};
 use super::sitting::Sitting;
 use super::verdict::Verdict;
 
-/// What a student has handed in at one variant so far. With it the next attempt is marked without marking those before it again.
+/// The history of a student at one variant so far. With it the next attempt is marked without marking those before it again.
 ///
 /// An attempt is a whole sheet. Parts that are left empty keep the answer that was given before, so that each sheet is marked as
 /// a whole, follow-through included. A right part is locked.
@@ -36,7 +36,7 @@ struct Counting {
     answered: usize,
 }
 
-/// What a student has handed in at one part so far.
+/// The history of a student at one part so far.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PartHistory {
     /// The answer that stands; empty where there is none.
@@ -54,20 +54,20 @@ pub struct PartHistory {
 struct Entered {
     /// Attempts that were counted at the part before.
     made: u32,
-    /// What had been seen by then.
-    seen: Seen,
+    /// The hints seen by then.
+    seen: HintsSeen,
     /// The share of the points that the time of the attempt leaves.
     #[serde(with = "exact")]
     factor: Rational,
 }
 
-/// What is typed at one part in an attempt.
+/// The text typed at one part in an attempt.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Typed<'a> {
     /// The text; empty where nothing is typed.
     pub text: &'a str,
     /// The hints seen by then.
-    pub seen: Seen,
+    pub seen: HintsSeen,
     /// Whether the text can be read, where that is known; else marking tells.
     pub readable: Option<bool>,
 }
@@ -77,12 +77,12 @@ pub type Mark<'a> = dyn FnMut(&[&str], &[Sitting]) -> Report + 'a;
 
 impl Default for Entered {
     fn default() -> Self {
-        Self { made: 0, seen: Seen::default(), factor: Rational::ONE }
+        Self { made: 0, seen: HintsSeen::default(), factor: Rational::ONE }
     }
 }
 
 impl History {
-    /// That of a student who has made so many attempts at each part which are not known any more.
+    /// The history of a student who has made so many attempts at each part which are not known any more.
     #[must_use]
     pub fn after(made: u32, parts: usize) -> Self {
         Self { parts: vec![PartHistory { made, ..PartHistory::default() }; parts], ..Self::default() }
@@ -202,7 +202,7 @@ impl PartHistory {
         !self.locked && rules.counts(self.made)
     }
 
-    /// What becomes of a text that is typed, before anybody reads it.
+    /// The entry of a typed text, before anybody reads it.
     #[must_use]
     pub fn entry(&self, text: &str, rules: &Attempts) -> Entry {
         let text = text.trim();

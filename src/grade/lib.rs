@@ -43,7 +43,7 @@ pub use read::{
 pub use reading::{Reading, Readings};
 pub use report::{Entry, InputFault, PartReport, Report, grade, grade_read, not_right, some_values};
 pub use rows::RowCounts;
-pub use rubric::{Attempts, FeedbackTime, Keep, Rubric, Seen};
+pub use rubric::{Attempts, FeedbackTime, HintsSeen, Keep, Rubric};
 pub use sitting::Sitting;
 pub use statistics::{Gathering, Item, ItemStatistics, MistakeCount, Statistics, VerdictCount};
 pub use verdict::Verdict;

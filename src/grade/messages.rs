@@ -25,7 +25,7 @@ pub enum Message {
     FiguresWanted(usize),
     /// More figures than asked; how many are.
     TooManyFigures(usize),
-    /// As many figures as asked, and the last is not right.
+    /// The answer has as many figures as asked, and the last is not right.
     LastFigure,
     /// A formula that agrees with the right one, without a proof.
     Agrees,
@@ -43,9 +43,9 @@ pub enum Message {
     RoundingSlip,
     /// Some of several values are right, not all, or there are too many.
     SomeValues,
-    /// What is wrong with an angle, a vector or an interval, without anything to fill in.
+    /// A slip with an angle, a vector or an interval, without anything to fill in.
     Slip(Verdict),
-    /// What lies on the other side of the right boundary.
+    /// The answer holds on the other side of the right boundary.
     OtherSide,
     /// Components exchanged; whether they are normal and tangential ones.
     ComponentsExchanged {
@@ -56,9 +56,9 @@ pub enum Message {
     BodiesSwapped,
     /// A formula that measures something else.
     FormulaDimension {
-        /// What it measures, with its article.
+        /// The measure of the answer, with its article.
         given: String,
-        /// What is asked, with its article.
+        /// The measure that is asked, with its article.
         asked: String,
     },
     /// A formula whose parts cannot stand together; the sentence that says which.
@@ -69,7 +69,7 @@ pub enum Message {
     Late(u32),
     /// No attempt was left.
     NoAttemptLeft,
-    /// What cannot be read leaves an earlier answer in its place.
+    /// A text that cannot be read leaves an earlier answer in its place.
     EarlierStands,
     /// An answer was right before, and stays so.
     RightBefore,
@@ -87,9 +87,9 @@ pub enum Message {
     UnitWrong(String),
     /// A unit of something else.
     UnitWrongDimension {
-        /// What the written unit measures, with its article.
+        /// The measure of the written unit, with its article.
         given: String,
-        /// What is asked, with its article.
+        /// The measure that is asked, with its article.
         asked: String,
     },
     /// A unit where a multiple of a quantity is asked.

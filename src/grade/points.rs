@@ -15,7 +15,7 @@ use super::expected::ExpectedFormula;
 const SPREAD: (i64, i64) = (1, 2);
 /// A point lies within this share of a given's range around a variant's own value: less than a step, as a rule.
 const NEAR: (i64, i64) = (1, 1024);
-/// So many points are tried where a formula may have no value; at so many of them with many digits.
+/// The points tried where a formula may have no value; at so many of them with many digits.
 const TRIED: usize = 400;
 const TRIED_AT_LENGTH: usize = 12;
 /// The smallest denominator of a point's place within its range; the largest is twice as large.
@@ -84,8 +84,8 @@ pub(super) fn value<R: Real>(formula: &Expr, point: &Point) -> R {
     let exact = |value: &Rational| R::from_exact(&Exact::from(value.clone()));
     let values: Vec<(Symbol, R)> = point.iter().map(|(symbol, value)| (*symbol, exact(value))).collect();
     let of = |symbol: Symbol| {
-        let found = values.iter().find(|(listed, _)| *listed == symbol);
-        found.map_or_else(R::not_real, |(_, value)| value.clone())
+        let entry = values.iter().find(|(listed, _)| *listed == symbol);
+        entry.map_or_else(R::not_real, |(_, value)| value.clone())
     };
     evaluate(formula, &of)
 }

@@ -5,15 +5,15 @@ use std::collections::HashMap;
 use super::expected::ExpectedKind;
 use super::read::{Answer, DecimalMark, Endings, Unreadable, read};
 
-/// So many readings of one part make a generation.
+/// The number of readings of one part in a generation.
 const MOST: usize = 1024;
 
 /// An answer as it was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// What was understood, or why nothing was.
+    /// The answer as it was understood, or why it was not.
     pub answer: Result<Answer, Unreadable>,
-    /// What was understood, in words; why nothing was, where it cannot be read.
+    /// The reading in words; why there is none, where it cannot be read.
     pub told: String,
 }
 
@@ -21,9 +21,9 @@ pub struct Reading {
 /// same way, and need not be read again; of a number with something behind it, only the number.
 #[derive(Clone, Debug, Default)]
 pub struct Readings {
-    /// Of answers to a number.
+    /// The endings of answers to a number.
     endings: Endings,
-    /// What was met lately, and what was met before that; what is not met again while one generation fills is forgotten.
+    /// The readings met lately, and those met before that; one that is not met again while a generation fills is forgotten.
     young: HashMap<String, Reading>,
     old: HashMap<String, Reading>,
 }

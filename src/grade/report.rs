@@ -21,7 +21,7 @@ use super::rubric::Rubric;
 use super::swapped;
 use super::verdict::Verdict;
 
-/// What was found about every part, in the order of the question.
+/// The reports on every part, in the order of the question.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Report {
     /// The parts.
@@ -34,22 +34,22 @@ pub struct Report {
     pub not_asked: Vec<String>,
 }
 
-/// What was found about one part.
+/// The report on one part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PartReport {
     /// How the part is called in answers.
     pub id: String,
-    /// What was found.
+    /// The verdict.
     pub verdict: Verdict,
     /// The points reached.
     pub points: Points,
     /// The points that can be reached.
     pub out_of: u32,
-    /// What was understood of the answer, where it could be read.
+    /// The reading of the answer, where it could be read.
     pub understood: Option<String>,
-    /// Where and why the answer cannot be read.
+    /// The place and the reason where the answer cannot be read.
     pub fault: Option<InputFault>,
-    /// What the student is told; it never holds the right value.
+    /// The message to the student; it never holds the right value.
     pub message: Cow<'static, str>,
     /// Which usual mistake leads to a wrong answer, where one does.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -57,7 +57,7 @@ pub struct PartReport {
     /// From which earlier answers of the student's own a wrong answer follows, where it does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub follows: Option<Follows>,
-    /// What would have followed from the student's own earlier answers; said only once the question is closed.
+    /// The values that would have followed from the student's own earlier answers; said only once the question is closed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own_values: Option<String>,
     /// How the answer came into this attempt.
@@ -77,7 +77,7 @@ pub enum Entry {
     Typed,
     /// Nothing new was typed: it is that of an earlier attempt.
     Carried,
-    /// What was typed cannot be read: it is that of an earlier attempt, where there is one.
+    /// The typed text cannot be read: the report is that of an earlier attempt, where there is one.
     Unread,
     /// It was right in an earlier attempt, so that what was typed is not looked at.
     Locked,
@@ -94,7 +94,7 @@ impl Entry {
     }
 }
 
-/// Where and why an answer cannot be read.
+/// The place and the reason where an answer cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct InputFault {
     /// The character of the answer, counted from 1.
@@ -161,13 +161,13 @@ pub fn grade_read(
     report
 }
 
-/// What is found where some of several values are right, and not all of them, or where there are too many.
+/// The message where some of several values are right, and not all of them, or where there are too many.
 #[must_use]
 pub fn some_values() -> (Verdict, Cow<'static, str>) {
     (Verdict::SomeValues, English.message(&Message::SomeValues))
 }
 
-/// What is said of what is wrong, where nothing more is known of it.
+/// The message about a wrong answer where nothing more is known of it.
 #[must_use]
 pub fn not_right() -> Cow<'static, str> {
     English.message(&Message::Wrong)
@@ -255,7 +255,7 @@ impl PartReport {
 }
 
 impl Report {
-    /// Of answers on a sheet that the student was not given: these parts, with no points, and none of them counts.
+    /// A report on answers on a sheet that the student was not given: these parts, with no points, and none of them counts.
     pub fn not_issued<'a>(parts: impl Iterator<Item = (&'a str, u32)>) -> Self {
         let message = English.message(&Message::NotIssued);
         let part = |(id, out_of)| {
@@ -291,7 +291,7 @@ impl Report {
     }
 }
 
-/// As text, a part a paragraph, the total last.
+/// Prints the report, a part a paragraph, the total last.
 impl fmt::Display for Report {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         for part in &self.parts {

@@ -1,4 +1,4 @@
-//! What became of the rows of a file of submissions.
+//! The fate of the rows of a file of submissions.
 
 use std::fmt;
 use std::ops::AddAssign;

@@ -1,4 +1,4 @@
-//! What a partly right answer is worth, and what attempts and hints cost.
+//! The worth of a partly right answer, and the cost of attempts and hints.
 
 use std::collections::BTreeMap;
 
@@ -39,7 +39,7 @@ pub struct Attempts {
 
 /// The hints that a student has seen by the time of an attempt.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Seen {
+pub struct HintsSeen {
     /// The author's.
     pub hints: u32,
     /// Further ones, on wrong answers.
@@ -117,8 +117,8 @@ impl Rubric {
 impl Attempts {
     /// The fraction of the points that is left at an attempt, after so many before it and the hints that were seen.
     #[must_use]
-    pub fn left(&self, attempts: u32, seen: Seen) -> Rational {
-        if attempts == 0 && seen == Seen::default() {
+    pub fn left(&self, attempts: u32, seen: HintsSeen) -> Rational {
+        if attempts == 0 && seen == HintsSeen::default() {
             return Rational::ONE;
         }
         let cost = &self.penalty * Rational::from(attempts)

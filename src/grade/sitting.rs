@@ -1,6 +1,6 @@
 //! In which position a student is who hands in an answer.
 
-/// What marking says more of, besides the verdict on a part.
+/// The further remarks of marking, besides the verdict on a part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sitting {
     /// How many further hints the student has asked for on a wrong answer.

@@ -1,4 +1,4 @@
-//! What a class's answers say about the questions: how easy each part was, how well it tells students apart, and which wrong
+//! Statistics of a class's answers to the questions: how easy each part was, how well it tells students apart, and which wrong
 //! answers were common. It is gathered answer by answer, in memory that grows with the students and the parts only.
 
 use std::collections::BTreeMap;
@@ -41,7 +41,7 @@ pub struct Gathering {
 /// The statistics of everything that was gathered.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Statistics {
-    /// What became of the rows of the file.
+    /// The fate of the rows of the file.
     pub rows: RowCounts,
     /// Marked answers.
     pub answers: u64,
@@ -83,11 +83,11 @@ pub struct ItemStatistics {
 pub struct MistakeCount {
     /// The stable code of the mistake.
     pub mistake: &'static str,
-    /// What the student does, as it follows a subject.
+    /// The mistake as it follows a subject.
     pub does: &'static str,
     /// How often.
     pub count: u64,
-    /// What was understood of the first few.
+    /// The first few answers as they were understood.
     pub examples: Vec<String>,
 }
 
@@ -100,7 +100,7 @@ pub struct VerdictCount {
     pub right: bool,
     /// How often.
     pub count: u64,
-    /// What was understood of the first few.
+    /// The first few answers as they were understood.
     pub examples: Vec<String>,
 }
 

@@ -12,7 +12,7 @@ const PHASES: [&str; 2] = ["def", "rest"];
 /// An answer that was read and is not right, with the position of its part.
 pub(super) type NotRight<'a> = (usize, &'a Answer);
 
-/// What was exchanged.
+/// The parts that were exchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Exchanged {
     /// The values of two bodies.
@@ -61,14 +61,14 @@ pub(super) fn find(expected: &[Expected], not_right: &[NotRight<'_>]) -> Vec<(us
         let are_bodies = || body(one).is_some() && body(other).is_some() && body(one) != body(other);
         if is_one_vector { Some(Exchanged::Components) } else { are_bodies().then_some(Exchanged::Bodies) }
     };
-    let mut found = Vec::new();
+    let mut exchanges = Vec::new();
     for (position, (one, answer)) in not_right.iter().enumerate() {
         for (other, theirs) in not_right.iter().skip(position + 1) {
             let exchanged = of(*one, *other).filter(|_| same_quantity(*one, *other));
             if let Some(exchanged) = exchanged.filter(|_| is_right_for(*other, answer) && is_right_for(*one, theirs)) {
-                found.extend([*one, *other].map(|place| (place, exchanged)));
+                exchanges.extend([*one, *other].map(|place| (place, exchanged)));
             }
         }
     }
-    found
+    exchanges
 }

@@ -1,11 +1,11 @@
-//! What marking found: one stable code for each kind of finding.
+//! Verdicts of marking: one stable code for each kind of finding.
 
 use std::fmt;
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// What was found about the answer to one part. The codes are stable: tools match on them.
+/// The verdict on the answer to one part. The codes are stable: tools match on them.
 ///
 /// ```
 /// use momentous_grade::Verdict;
@@ -62,7 +62,7 @@ enum Worth {
     All,
     /// This fraction, which a rubric may change.
     Part(u8, u8),
-    /// None, whatever the rubric says.
+    /// No points, whatever the rubric says.
     Nothing,
 }
 
@@ -212,7 +212,7 @@ impl Verdict {
         TABLE.iter().find(|row| row.1 == code).map(|row| row.0)
     }
 
-    /// What it means, in a clause.
+    /// Its meaning, in a clause.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         self.row().2

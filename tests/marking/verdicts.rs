@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use momentous::grade::{
-    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, History, Keep, Rubric, Seen, Typed, Verdict,
-    grade, judge, read,
+    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, HintsSeen, History, Keep, Rubric, Typed,
+    Verdict, grade, judge, read,
 };
 use momentous::quantity::{Decimal, Printed, Quantity, Rational, Tolerance, Unit};
 use proptest::prelude::*;
@@ -211,7 +211,7 @@ fn attempts_at(texts: &[&str], rubric: &Rubric, hints: u32) -> (String, String) 
     let mut history = History::default();
     let mut reports = Vec::new();
     for text in texts {
-        let typed = [Typed { text, seen: Seen { hints, further: 0 }, readable: None }];
+        let typed = [Typed { text, seen: HintsSeen { hints, further: 0 }, readable: None }];
         reports.push(history.mark(&typed, &Rational::ONE, &rubric.attempts, &mut |texts, _| {
             grade(&part(), &answers(texts[0]), DecimalMark::Point, rubric)
         }));

@@ -7,8 +7,8 @@ use crate::exercise::Exercise;
 use crate::exercise::HandedOut;
 use crate::exercise::Marker;
 use crate::exercise::Try;
+use crate::grade::HintsSeen;
 use crate::grade::Report;
-use crate::grade::Seen;
 
 use super::problems::OpenProblem;
 use super::register::{Entry, Question};
@@ -100,7 +100,7 @@ impl<'p> Form<'p> {
 /// The answers of a submission, and the hints that were seen.
 fn attempt_of(entry: &Entry) -> Try<'_> {
     let answers: Vec<(&str, &str)> = entry.submission.answers().collect();
-    let Seen { hints, further } = entry.facts.seen;
+    let HintsSeen { hints, further } = entry.facts.seen;
     let further_hints = match further {
         0 => Vec::new(),
         hints => answers.iter().map(|(part, _)| (*part, hints)).collect(),

@@ -19,8 +19,8 @@ use crate::exercise::Together;
 use crate::exercise::VariantRef;
 use crate::exercise::WORK;
 use crate::exercise::excerpt;
+use crate::grade::HintsSeen;
 use crate::grade::PartReport;
-use crate::grade::Seen;
 use crate::problem::Scheme;
 use crate::render::SeedWord;
 
@@ -51,7 +51,7 @@ pub(super) struct Facts {
     /// The number that the attempt says it has.
     pub attempt: Option<u32>,
     /// The hints that were seen.
-    pub seen: Seen,
+    pub seen: HintsSeen,
     /// The points of the parts in a homework.
     pub worth: Option<Arc<Worth>>,
 }
@@ -178,7 +178,7 @@ impl Register {
         let question = opened.question(submission)?;
         let attempt = submission.number(Key::Attempt, 1)?;
         let [hints, further] = [submission.number(Key::Hints, 0)?, submission.number(Key::FurtherHints, 0)?];
-        let seen = Seen { hints: hints.unwrap_or(0), further: further.unwrap_or(0) };
+        let seen = HintsSeen { hints: hints.unwrap_or(0), further: further.unwrap_or(0) };
         opened.asks(submission, question)?;
         let (student, variant) = (submission.key(Key::Student), opened.variant(question));
         let said = self.said(submission)?;

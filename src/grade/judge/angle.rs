@@ -4,7 +4,7 @@ use super::super::number::Number;
 use super::super::verdict::Verdict;
 use super::closeness::Target;
 
-/// What each slip makes of a direction.
+/// The values of a direction by each slip.
 pub(super) fn slips(target: &Target) -> Vec<(Verdict, f64)> {
     let Some(turn) = target.turn() else { return Vec::new() };
     let right = target.value();

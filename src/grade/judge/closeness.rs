@@ -179,7 +179,7 @@ fn gives_nothing_away(expected: &ExpectedNumber) -> bool {
     expected.whole || expected.tolerance == Tolerance::ToFigures
 }
 
-/// What a relative tolerance is a fraction of: the value, or what cancels in it where it is nothing.
+/// The reference of a relative tolerance: the value, or what cancels in it where it is nothing.
 pub(super) fn reference(value: f64, scale: f64) -> f64 {
     if value == 0.0 { scale } else { value.abs() }
 }

@@ -21,7 +21,7 @@ use super::proof::{Proof, prove};
 const POINTS: usize = 20;
 /// At so many of them, to many digits.
 const PRECISE_POINTS: usize = 2;
-/// So many points are tried to find them, where the right formula has a value in a part of the range only.
+/// The points tried to find them, where the right formula has a value in a part of the range only.
 const MOST_POINTS: usize = 4000;
 /// At so many points values are computed with many digits, at most.
 const MOST_PRECISE: usize = 6;
@@ -87,7 +87,7 @@ fn is_value(expected: &ExpectedFormula, given: &Expr) -> bool {
     given.symbols().is_empty() && expected.value.is_some_and(|value| (stated - value).abs() <= TOLERANCE * value.abs())
 }
 
-/// What is known of two formulas.
+/// The comparison of two formulas.
 #[derive(Clone, Copy, Debug)]
 enum Compared {
     /// Algebra proves them equal.
@@ -103,8 +103,8 @@ enum Compared {
 }
 
 /// Two values at a point.
-enum Met {
-    /// As far as is known they are the same.
+enum AtPoint {
+    /// They are the same as far as is known.
     Same,
     /// They differ, with the ratio of the student's to the right one.
     Apart(Bounded),
@@ -117,13 +117,13 @@ fn compare(expected: &ExpectedFormula, given: &Expr, kept: &mut Vec<Point>) -> C
     let (mut met, mut precise) = (0, 0);
     let (mut missing, mut apart): (bool, Option<Bounded>) = (false, None);
     for point in Points::new(expected, &[&expected.formula, given]).take(MOST_POINTS) {
-        let Some((found, digits)) = meet(expected, given, &point) else { continue };
+        let Some((comparison, digits)) = meet(expected, given, &point) else { continue };
         precise += usize::from(digits == Digits::Many);
         met += if digits == Digits::Many { POINTS / PRECISE_POINTS } else { 1 };
-        match found {
-            Met::Same => kept.push(point),
-            Met::NoValue => missing = true,
-            Met::Apart(ratio) => {
+        match comparison {
+            AtPoint::Same => kept.push(point),
+            AtPoint::NoValue => missing = true,
+            AtPoint::Apart(ratio) => {
                 let first = *apart.get_or_insert(ratio);
                 // What may be zero is no factor.
                 let is_factor = is_certain(&ratio) && matches!(ratio.sign(), Sign::Negative | Sign::Positive);
@@ -152,12 +152,12 @@ fn compare(expected: &ExpectedFormula, given: &Expr, kept: &mut Vec<Point>) -> C
 enum Digits {
     /// Those of a double.
     Few,
-    /// As many as there are.
+    /// All of them.
     Many,
 }
 
 /// The two values at a point; `None` where the right formula has none.
-fn meet(expected: &ExpectedFormula, given: &Expr, point: &Point) -> Option<(Met, Digits)> {
+fn meet(expected: &ExpectedFormula, given: &Expr, point: &Point) -> Option<(AtPoint, Digits)> {
     let right: Bounded = value(&expected.formula, point);
     if !right.is_real() {
         return None;
@@ -167,15 +167,15 @@ fn meet(expected: &ExpectedFormula, given: &Expr, point: &Point) -> Option<(Met,
         return Some((parted(&right, &answered), Digits::Few));
     }
     if is_certain(&right) && !answered.is_real() {
-        return Some((Met::NoValue, Digits::Few));
+        return Some((AtPoint::NoValue, Digits::Few));
     }
     let (right, answered): (Precise, Precise) = (value(&expected.formula, point), value(given, point));
-    let found = match (is_finite(&right), is_finite(&answered)) {
+    let comparison = match (is_finite(&right), is_finite(&answered)) {
         (false, _) => return None,
-        (true, false) => Met::NoValue,
+        (true, false) => AtPoint::NoValue,
         (true, true) => parted(&right, &answered),
     };
-    Some((found, Digits::Many))
+    Some((comparison, Digits::Many))
 }
 
 /// Whether there is a bound on a value: one with many digits may be finite where no double is.
@@ -188,11 +188,11 @@ fn differ<R: Real>(one: &R, other: &R) -> bool {
     matches!(one.sub(other).sign(), Sign::Negative | Sign::Positive)
 }
 
-fn parted<R: Real>(right: &R, answered: &R) -> Met {
-    if differ(answered, right) { Met::Apart(answered.div(right).to_bounded()) } else { Met::Same }
+fn parted<R: Real>(right: &R, answered: &R) -> AtPoint {
+    if differ(answered, right) { AtPoint::Apart(answered.div(right).to_bounded()) } else { AtPoint::Same }
 }
 
-/// What is made of formulas that agree in double precision: a proof, or agreement to many digits.
+/// Decides about formulas that agree in double precision: a proof, or agreement to many digits.
 fn decide(expected: &ExpectedFormula, given: &Expr, points: &[Point]) -> Compared {
     match prove(expected, given) {
         Proof::Equal => return Compared::Proven,

@@ -7,7 +7,7 @@ use super::super::expected::ExpectedFormula;
 use super::super::read::FormulaAnswer;
 use super::judgement::Judgement;
 
-/// So many are remembered before all are forgotten.
+/// The number that is remembered before all are forgotten.
 const MOST: usize = 64;
 
 /// A formula that was judged, against what.
@@ -37,8 +37,8 @@ pub(super) fn judged(
             && known.expected == *expected
             && known.expected.values == expected.values
     };
-    let found = CACHE.with_borrow(|known| known.iter().find(is_same).map(|known| known.judgement.clone()));
-    found.unwrap_or_else(|| {
+    let cached = CACHE.with_borrow(|known| known.iter().find(is_same).map(|known| known.judgement.clone()));
+    cached.unwrap_or_else(|| {
         let judgement = judge();
         CACHE.with_borrow_mut(|known| {
             if known.len() >= MOST {

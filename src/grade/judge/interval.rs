@@ -7,14 +7,15 @@ use super::super::verdict::Verdict;
 use super::judgement::Judgement;
 use super::number;
 
-/// What was found about an end: nothing where neither the question nor the answer has one.
-type Found = Option<Judgement>;
+/// The judgement of an end: none where neither the question nor the answer has one.
+type EndJudgement = Option<Judgement>;
 
 /// Judges an interval.
 pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Judgement {
     let ends = [(&expected.low, &answer.low), (&expected.high, &answer.high)];
-    let found: Vec<Found> = ends.iter().map(|(asked, given)| end(asked.as_ref(), given.as_ref(), answer)).collect();
-    let judged: Vec<&Judgement> = found.iter().flatten().collect();
+    let judgements: Vec<EndJudgement> =
+        ends.iter().map(|(asked, given)| end(asked.as_ref(), given.as_ref(), answer)).collect();
+    let judged: Vec<&Judgement> = judgements.iter().flatten().collect();
     let right = judged.iter().filter(|judgement| judgement.verdict.is_right()).count();
     if right == judged.len() && right > 0 {
         let differs = |(asked, given): &(&Option<ExpectedEnd>, &Option<EndAnswer>)| {
@@ -49,12 +50,13 @@ fn is_other_side(expected: &ExpectedInterval, answer: &IntervalAnswer) -> bool {
     let crossed = [(&expected.low, &answer.high), (&expected.high, &answer.low)];
     let meets = |asked: &Option<ExpectedEnd>, given: &Option<EndAnswer>| {
         let boundary = asked.as_ref().filter(|asked| !asked.is_limit);
-        boundary.is_some() && end(boundary, given.as_ref(), answer).is_some_and(|found| found.verdict.is_right())
+        boundary.is_some()
+            && end(boundary, given.as_ref(), answer).is_some_and(|judgement| judgement.verdict.is_right())
     };
     crossed.into_iter().any(|(asked, given)| meets(asked, given))
 }
 
-fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &IntervalAnswer) -> Found {
+fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &IntervalAnswer) -> EndJudgement {
     match (asked, given) {
         (None, None) => None,
         (Some(asked), None) if asked.is_limit => None,

@@ -1,4 +1,4 @@
-//! What is found about an answer: a verdict, and what is told of it.
+//! Judgements of an answer: a verdict, and what is told of it.
 
 use std::borrow::Cow;
 
@@ -6,14 +6,14 @@ use super::super::catalogue::{Catalogue, English};
 use super::super::messages::Message;
 use super::super::verdict::Verdict;
 
-/// What was found about an answer.
+/// The judgement of an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Judgement {
     /// The verdict that is reported.
     pub verdict: Verdict,
     /// A second finding that costs points too: a missing unit beside a missing sign.
     pub also: Option<Verdict>,
-    /// What the student is told, the most important first.
+    /// The messages to the student, the most important first.
     pub messages: Vec<Message>,
 }
 
@@ -24,7 +24,7 @@ impl Judgement {
         self.verdict == Verdict::Right && !self.messages.contains(&Message::LastFigure)
     }
 
-    /// What the student is told, in words.
+    /// The message to the student, in words.
     #[must_use]
     pub fn feedback(&self) -> Cow<'static, str> {
         match self.messages.as_slice() {

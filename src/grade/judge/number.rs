@@ -16,9 +16,9 @@ use super::figures;
 use super::judgement::Judgement;
 use super::slip;
 
-/// What was found about the number alone, in a unit that fits.
+/// The position of the number alone, in a unit that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Found {
+enum Position {
     Right,
     Rounded,
     NegativeMagnitude,
@@ -43,7 +43,7 @@ pub(super) fn judge(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgeme
     let converted = if ratio.is_one() { Some(directed.clone()) } else { directed.scaled(&ratio) };
     let Some(number) = converted else { return wrong(expected, answer) };
     let judged = compare(&target, answer, &number);
-    if judged != Found::Elsewhere {
+    if judged != Position::Elsewhere {
         return fitting(&target, answer, &number, judged, !ratio.is_one());
     }
     let power = slip::power_of_ten(&target, &number);
@@ -51,7 +51,7 @@ pub(super) fn judge(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgeme
         return Judgement::of(Verdict::UnitPrefix, Message::UnitPrefix);
     }
     let as_written = compare(&target, answer, &directed);
-    if as_written != Found::Elsewhere {
+    if as_written != Position::Elsewhere {
         let judgement = fitting(&target, answer, &directed, as_written, false);
         return judgement.with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string()));
     }
@@ -80,37 +80,41 @@ fn is_rounding_slip(target: &Target, answer: &NumberAnswer, number: &Number) -> 
     plain && !number.is_zero() && (number.to_f64() - target.value()).abs() <= reach * (1.0 + f64::EPSILON)
 }
 
-/// Where the number stands: at the right value, or at its opposite.
-fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
+/// Finds where the number stands: at the right value, or at its opposite.
+fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Position {
     let expected = target.expected;
     if target.within_tolerance(number) {
-        return Found::Right;
+        return Position::Right;
     }
     if target.within_allowance(number) {
-        return Found::Rounded;
+        return Position::Rounded;
     }
     let opposite = number.clone().negated();
     let turned = expected.cyclic && !expected.is_magnitude();
     if turned || expected.whole || !(target.within_tolerance(&opposite) || target.within_allowance(&opposite)) {
-        return Found::Elsewhere;
+        return Position::Elsewhere;
     }
     if expected.is_magnitude() {
-        return Found::NegativeMagnitude;
+        return Position::NegativeMagnitude;
     }
     // A bare magnitude says nothing of direction; a sign or a word says the wrong one.
-    if answer.signed || answer.sense.is_some() || number.is_negative() { Found::SenseReversed } else { Found::Sense }
+    if answer.signed || answer.sense.is_some() || number.is_negative() {
+        Position::SenseReversed
+    } else {
+        Position::Sense
+    }
 }
 
 /// The judgement on a number, in the unit that is asked; whether it was converted from another.
-fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found, converted: bool) -> Judgement {
+fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, position: Position, converted: bool) -> Judgement {
     let expected = target.expected;
-    let judgement = match found {
-        Found::Right => Judgement::of(Verdict::Right, Message::Right),
-        Found::Rounded => Judgement::of(Verdict::RightRounded, Message::RightRounded),
-        Found::NegativeMagnitude => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
-        Found::Sense => Judgement::of(Verdict::Sense, Message::Sense(expected.senses.clone())),
-        Found::SenseReversed => Judgement::of(Verdict::SenseReversed, Message::reversed(expected.senses.as_ref())),
-        Found::Elsewhere => return wrong(expected, answer),
+    let judgement = match position {
+        Position::Right => Judgement::of(Verdict::Right, Message::Right),
+        Position::Rounded => Judgement::of(Verdict::RightRounded, Message::RightRounded),
+        Position::NegativeMagnitude => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
+        Position::Sense => Judgement::of(Verdict::Sense, Message::Sense(expected.senses.clone())),
+        Position::SenseReversed => Judgement::of(Verdict::SenseReversed, Message::reversed(expected.senses.as_ref())),
+        Position::Elsewhere => return wrong(expected, answer),
     };
     if !judgement.verdict.is_right() {
         return if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
@@ -120,8 +124,8 @@ fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found
     }
     let judgement = if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
     // Of a magnitude the minus sign has been noted: its figures are judged without it.
-    let number = match found {
-        Found::NegativeMagnitude => &number.clone().negated(),
+    let number = match position {
+        Position::NegativeMagnitude => &number.clone().negated(),
         _ => number,
     };
     figures::judged(judgement, target, answer.written, number, converted)
@@ -139,7 +143,7 @@ fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
         && let Some(number) = directed.scaled(&Unit::none().in_terms_of(unit))
     {
         let as_pure = compare(target, answer, &number);
-        if as_pure != Found::Elsewhere {
+        if as_pure != Position::Elsewhere {
             return fitting(target, answer, &number, as_pure, true);
         }
     }
@@ -156,9 +160,10 @@ fn other_dimension(answer: &NumberAnswer, unit: &Unit, target: &Target) -> Judge
     let directed = answer.directed();
     let asked = &target.expected.unit;
     let as_written = compare(target, answer, &directed);
-    let in_base_units =
-        directed.scaled(&unit.in_terms_of(asked)).map_or(Found::Elsewhere, |number| compare(target, answer, &number));
-    let found = if as_written == Found::Elsewhere { in_base_units } else { as_written };
+    let in_base_units = directed
+        .scaled(&unit.in_terms_of(asked))
+        .map_or(Position::Elsewhere, |number| compare(target, answer, &number));
+    let position = if as_written == Position::Elsewhere { in_base_units } else { as_written };
     let multiple = target.expected.called.as_ref().and_then(|called| called.multiple_of.as_ref());
     let message = match multiple {
         Some(multiple) => Message::NoMultiple {
@@ -170,7 +175,7 @@ fn other_dimension(answer: &NumberAnswer, unit: &Unit, target: &Target) -> Judge
             asked: dimension_name(asked.dimension()).to_owned(),
         },
     };
-    fitting(target, answer, &directed, found, true).with_unit(Verdict::UnitWrongDimension, message)
+    fitting(target, answer, &directed, position, true).with_unit(Verdict::UnitWrongDimension, message)
 }
 
 fn wrong(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {

@@ -11,7 +11,7 @@ use super::super::expected::ExpectedFormula;
 /// Two formulas whose canonical forms may have more terms than this are compared at points only.
 const MOST_TERMS: f64 = 300.0;
 
-/// What algebra says of two formulas.
+/// The result of algebra on two formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Proof {
     /// They are equal wherever both have a value.

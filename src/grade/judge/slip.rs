@@ -8,7 +8,7 @@ use super::closeness::Target;
 
 /// The largest slip that is looked for.
 const LARGEST: isize = 9;
-/// Where an answer may be away from the right value by no more than this share of it, only the nearest power of ten can be right.
+/// The share of the right value within which an answer must lie for the nearest power of ten alone to be right.
 const NARROW: f64 = 0.5;
 /// The powers of ten up to there.
 const POWERS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];

@@ -21,7 +21,7 @@ pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgeme
     let Some(first) = expected.components.first() else { return Judgement::of(Verdict::Wrong, Message::Wrong) };
     let asked = &first.unit;
     let unit = answer.unit.clone().unwrap_or_default();
-    let as_written = found(expected, &answer.components);
+    let as_written = verdict(expected, &answer.components);
     let with_unit = |verdict: Verdict, message: Message| judged(as_written, expected).with_unit(verdict, message);
     if unit.is_none() && !asked.is_none() {
         let nothing = answer.components.iter().all(Number::is_zero) && as_written == Some(Verdict::Right);
@@ -38,12 +38,12 @@ pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgeme
     let Some(converted) = converted(answer, &unit, asked) else {
         return Judgement::of(Verdict::Wrong, Message::Wrong);
     };
-    match found(expected, &converted) {
+    match verdict(expected, &converted) {
         Some(verdict) if verdict.is_right() && first.units == Units::AsAsked && unit.factor() != asked.factor() => {
             Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(asked.to_string()))
         }
         None if as_written.is_some() => with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string())),
-        found => judged(found, expected),
+        verdict => judged(verdict, expected),
     }
 }
 
@@ -52,9 +52,9 @@ fn converted(answer: &VectorAnswer, unit: &Unit, asked: &Unit) -> Option<Vec<Num
     answer.components.iter().map(|component| component.scaled(&ratio)).collect()
 }
 
-fn judged(found: Option<Verdict>, expected: &ExpectedVector) -> Judgement {
+fn judged(result: Option<Verdict>, expected: &ExpectedVector) -> Judgement {
     let of_contact = expected.frame.axes.iter().any(|axis| axis.letter == 'n');
-    match found {
+    match result {
         Some(Verdict::Right) => Judgement::of(Verdict::Right, Message::Right),
         Some(Verdict::RightRounded) => Judgement::of(Verdict::RightRounded, Message::RightRounded),
         Some(Verdict::SenseReversed) => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
@@ -66,8 +66,8 @@ fn judged(found: Option<Verdict>, expected: &ExpectedVector) -> Judgement {
     }
 }
 
-/// What the components are, in the unit that is asked.
-fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
+/// The verdict on the components, in the unit that is asked.
+fn verdict(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
     let right: Vec<f64> = expected.components.iter().map(|component| component.value).collect();
     if right.len() != given.len() {
         return None;

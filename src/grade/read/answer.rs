@@ -1,4 +1,4 @@
-//! What was understood of an answer.
+//! Answers as they were understood.
 
 use momentous_expr::Expr;
 use momentous_quantity::Printed;
@@ -84,7 +84,7 @@ pub struct IntervalAnswer {
 /// An end of an interval.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EndAnswer {
-    /// Where it is.
+    /// Its value.
     pub number: Number,
     /// How it was written.
     pub written: Written,
@@ -95,14 +95,15 @@ pub struct EndAnswer {
 /// How a number was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Written {
-    /// As a decimal, with this many significant figures. In an integer such as `1200` trailing zeros may or may not count.
+    /// Written as a decimal, with this many significant figures. In an integer such as `1200` trailing zeros may or may not
+    /// count.
     Figures {
         /// The fewest that the writing can mean.
         least: usize,
         /// The most that the writing can mean.
         most: usize,
     },
-    /// As a calculation or a fraction, which has no figures.
+    /// Written as a calculation or a fraction, which has no figures.
     Computed,
 }
 
@@ -125,7 +126,7 @@ pub struct ChoiceAnswer {
 }
 
 impl Answer {
-    /// What was understood, in words: `3.1 metres per second to the left`.
+    /// The reading in words: `3.1 metres per second to the left`.
     #[must_use]
     pub fn echo(&self) -> String {
         match self {

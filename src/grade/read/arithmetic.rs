@@ -72,9 +72,9 @@ impl<'text> Reader<'text> {
     }
 
     fn take(&mut self, sign: &str) -> bool {
-        let found = self.rest().starts_with(sign);
-        self.at += if found { sign.len() } else { 0 };
-        found
+        let is_there = self.rest().starts_with(sign);
+        self.at += if is_there { sign.len() } else { 0 };
+        is_there
     }
 
     fn fault<T>(&self, kind: UnreadableKind) -> At<T> {

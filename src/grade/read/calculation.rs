@@ -38,18 +38,18 @@ struct Quantity {
 
 /// Reads a calculation; nothing where the text is none, or does not give what is asked.
 pub(super) fn read(text: &str, asked: &Unit, mark: DecimalMark) -> Option<At<NumberAnswer>> {
-    let found = in_several_units(text, asked, mark).or_else(|| {
+    let answer = in_several_units(text, asked, mark).or_else(|| {
         let mut reader = Reader { text, at: 0, asked, mark, depth: 0, parts: 0 };
-        let found = reader.sum()?;
-        (reader.rest().trim().is_empty() && reader.parts > 1).then_some(found)
+        let sum = reader.sum()?;
+        (reader.rest().trim().is_empty() && reader.parts > 1).then_some(sum)
     })?;
-    let unit = found.unit.filter(|unit| unit.dimension() == asked.dimension())?;
-    if let Err(kind) = check_size(&found.number) {
+    let unit = answer.unit.filter(|unit| unit.dimension() == asked.dimension())?;
+    if let Err(kind) = check_size(&answer.number) {
         return Some(Err((0, kind)));
     }
     Some(Ok(NumberAnswer {
-        signed: found.number.is_negative(),
-        number: found.number,
+        signed: answer.number.is_negative(),
+        number: answer.number,
         written: Written::Computed,
         unit: Some(unit),
         pounds_as_mass: false,
@@ -188,10 +188,10 @@ impl<'t> Reader<'t> {
             Err(_) => return self.bracket(),
         };
         let end = self.unit_end();
-        let found = unit(self.text, self.at, end, self.asked).ok()?;
+        let unit_here = unit(self.text, self.at, end, self.asked).ok()?;
         self.at = end;
-        let found = found.or_else(|| if form == Form::Arc { Some(Unit::radian()) } else { None });
-        Some(Quantity { number, unit: found })
+        let unit_here = unit_here.or_else(|| if form == Form::Arc { Some(Unit::radian()) } else { None });
+        Some(Quantity { number, unit: unit_here })
     }
 
     fn bracket(&mut self) -> Option<Quantity> {
@@ -205,7 +205,7 @@ impl<'t> Reader<'t> {
         Some(Quantity { number: if minus { inner.number.negated() } else { inner.number }, ..inner })
     }
 
-    /// Where the unit here ends: at a sign between values, or at a bracket that was opened before.
+    /// The end of the unit here: at a sign between values, or at a bracket that was opened before.
     fn unit_end(&self) -> usize {
         let rest = self.rest();
         let mut depth = 0;

@@ -12,7 +12,7 @@ const DENYING: [&str; 5] = ["not", "no", "never", "neither", "without"];
 /// The fewest letters of a word by which an option is known from its end.
 const SHORTEST_ENDING: usize = 4;
 
-/// What is called in several ways, and the word for it here.
+/// The other names of something, and the word for it here.
 const SAME: [(&str, &str); 5] = [
     ("perfectly inelastic", "perfectly plastic"),
     ("completely inelastic", "perfectly plastic"),
@@ -27,8 +27,8 @@ pub(super) fn read(answer: &str, question: &str, options: &[String]) -> Result<C
         return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong(MAX_LENGTH) });
     }
     let same = |text: String| SAME.iter().fold(text, |text, (other, word)| text.replace(other, word));
-    let found = meant(&normal(answer), options, &normal);
-    found
+    let by_text = meant(&normal(answer), options, &normal);
+    by_text
         .or_else(|fault| match fault.kind {
             UnreadableKind::NoOption(_) => meant(&same(normal(answer)), options, &|option| same(normal(option))),
             _ => Err(fault),
@@ -51,8 +51,8 @@ fn by_last_words(written: &str, options: &[String]) -> Option<ChoiceAnswer> {
     };
     let long =
         written.chars().count() >= SHORTEST_ENDING && written.chars().all(|next| next.is_alphabetic() || next == ' ');
-    let mut found = options.iter().enumerate().filter(|(_, text)| long && ends(&normal(text)).is_some());
-    match (found.next(), found.next()) {
+    let mut matching = options.iter().enumerate().filter(|(_, text)| long && ends(&normal(text)).is_some());
+    match (matching.next(), matching.next()) {
         (Some((option, text)), None) => Some(ChoiceAnswer { option, text: text.clone() }),
         _ => None,
     }
@@ -85,14 +85,14 @@ fn letters(text: &str) -> String {
 
 fn meant(written: &str, options: &[String], plain: &dyn Fn(&str) -> String) -> Result<ChoiceAnswer, Unreadable> {
     let fault = |kind| Unreadable { at: 0, kind };
-    let found = |option: usize| options.get(option).map(|text| ChoiceAnswer { option, text: text.clone() });
+    let chosen = |option: usize| options.get(option).map(|text| ChoiceAnswer { option, text: text.clone() });
     let texts: Vec<String> = options.iter().map(|option| plain(option)).collect();
     if let Some(exact) = texts.iter().position(|text| text == written) {
         // `2` may be the second option or the option `2`.
         let by_place = place(written, options.len()).filter(|place| *place != exact);
         return match by_place {
             Some(_) => Err(fault(UnreadableKind::SeveralOptions)),
-            None => found(exact).ok_or(fault(UnreadableKind::NoOption(options.len()))),
+            None => chosen(exact).ok_or(fault(UnreadableKind::NoOption(options.len()))),
         };
     }
     let is_beginning = |text: &&String| !written.is_empty() && begins(text, written);
@@ -103,7 +103,7 @@ fn meant(written: &str, options: &[String], plain: &dyn Fn(&str) -> String) -> R
     let meant = if meant.is_empty() { place(written, options.len()).into_iter().collect() } else { meant };
     let meant = if meant.is_empty() { positions(&texts, |text| is_beginning(&text)) } else { meant };
     match meant.as_slice() {
-        [one] => found(*one).ok_or(fault(UnreadableKind::NoOption(options.len()))),
+        [one] => chosen(*one).ok_or(fault(UnreadableKind::NoOption(options.len()))),
         [] => Err(fault(UnreadableKind::NoOption(options.len()))),
         _ => Err(fault(UnreadableKind::SeveralOptions)),
     }

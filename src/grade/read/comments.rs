@@ -71,15 +71,15 @@ const BETWEEN_SIDES: [&str; 12] = [
     "southwest",
     "sw",
 ];
-/// What one moves along.
+/// The ways along which one moves.
 const ALONG: [&str; 12] =
     ["track", "road", "floor", "ice", "table", "slope", "ramp", "ground", "bench", "rail", "rails", "line"];
-/// What one gets into.
+/// The things into which one gets.
 const INTO: [&str; 14] = [
     "target", "ground", "soil", "earth", "sand", "snow", "clay", "mud", "wood", "block", "straw", "gel", "wall",
     "material",
 ];
-/// What is counted.
+/// The things that are counted.
 const COUNTED: [&str; 14] = [
     "bounce",
     "bounces",
@@ -109,7 +109,7 @@ const PLACES: [&str; 13] = [
 /// How a place ends that is written with digits.
 const ENDS_OF_PLACES: [&str; 4] = ["st", "nd", "rd", "th"];
 
-/// Where the value ends before a comment.
+/// The end of the value before a comment.
 pub(super) fn start(text: &str, asked: Asked<'_>) -> Option<usize> {
     let text = text.trim_end_matches(ENDS);
     let starts: Vec<usize> = text.match_indices(' ').map(|(at, _)| at).collect();

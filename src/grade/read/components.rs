@@ -34,7 +34,7 @@ pub(super) fn by_directions(text: &str, asked: &ExpectedVector, mark: DecimalMar
         let end = starts.get(place + 1).copied().unwrap_or(text.len());
         let piece = without_between(&text[*start..end]);
         let (axis, part) = match directed(piece, asked, mark)? {
-            Ok(found) => found,
+            Ok(directed) => directed,
             Err((at, kind)) => return Some(Err((start + at, kind))),
         };
         match parts.get_mut(axis) {
@@ -61,13 +61,13 @@ fn directed(piece: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At
     });
     for (start, _) in words {
         let phrase = piece[start..].trim_matches([' ', '(', ')', '.', ',']);
-        let found = asked.frame.axes.iter().enumerate().find_map(|(axis, frame_axis)| {
+        let axis_and_sense = asked.frame.axes.iter().enumerate().find_map(|(axis, frame_axis)| {
             match direction::read(phrase, Some(&frame_axis.senses), Some(frame_axis.letter)) {
                 Phrase::Declared(sense) => Some((axis, sense)),
                 Phrase::None | Phrase::Other => None,
             }
         });
-        let Some((axis, sense)) = found else { continue };
+        let Some((axis, sense)) = axis_and_sense else { continue };
         let unit_found = match unit(piece, length, start, &wanted) {
             Ok(unit_found) => unit_found,
             Err(fault) => return Some(Err(fault)),
@@ -96,7 +96,7 @@ fn directed(piece: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At
     None
 }
 
-/// Where the numbers of a text begin; nothing where one of them cannot be read.
+/// The beginnings of the numbers of a text; none where one of them cannot be read.
 fn numbers(text: &str, mark: DecimalMark) -> Option<Vec<usize>> {
     let mut starts = Vec::new();
     let (mut at, mut before) = (0, ' ');

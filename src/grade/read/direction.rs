@@ -74,7 +74,7 @@ const FILLERS: &[&str] = &[
     "of",
 ];
 
-/// What a phrase says about direction.
+/// The meaning of a phrase about direction.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Phrase {
     /// Nothing: it is no direction.

@@ -1,4 +1,4 @@
-//! What stands behind a plain number, read once: people write few units and directions, behind many numbers.
+//! Endings of plain numbers, read once: people write few units and directions, behind many numbers.
 
 use momentous_quantity::Decimal;
 use momentous_quantity::Unit;
@@ -8,7 +8,7 @@ use super::answer::{Answer, NumberAnswer, Sense, Written, echo_number, join};
 use super::numeral::DecimalMark;
 use super::unreadable::{Unreadable, UnreadableKind};
 
-/// So many endings are remembered before all are forgotten.
+/// The number of endings that are remembered before all are forgotten.
 const MOST: usize = 32;
 /// The longest plain number, in characters: its digits fit a machine word.
 const LONGEST: usize = 15;
@@ -28,7 +28,7 @@ struct Known {
     ending: Result<Ending, Fault>,
 }
 
-/// What an ending says.
+/// The meaning of an ending.
 #[derive(Clone, Debug)]
 struct Ending {
     unit: Option<Unit>,

@@ -9,7 +9,7 @@ use super::super::number::Number;
 pub(super) enum Function {
     SquareRoot,
     Absolute,
-    /// Of an angle.
+    /// A function of an angle.
     Angle(fn(f64) -> f64),
     /// An angle, in radians.
     Arc(fn(f64) -> f64),
@@ -74,7 +74,7 @@ impl Function {
         matches!(self, Self::Arc(_))
     }
 
-    /// What undoes it: a sine to the power -1 is that, and no reciprocal.
+    /// The inverse function: a sine to the power -1 is that, and no reciprocal.
     pub(super) fn inverse(self) -> Option<Self> {
         let of = |name: &str| NAMES.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
         let (name, _) = NAMES.iter().find(|(_, listed)| match (self, listed) {

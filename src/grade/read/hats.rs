@@ -4,7 +4,7 @@ use super::unit_vectors::unit_vectors;
 
 /// The letters of the axes, and the two bytes that are read for each.
 const LETTERS: [(char, &str); 6] = [('i', "î"), ('j', "ĵ"), ('k', "k "), ('x', "î"), ('y', "ĵ"), ('z', "k ")];
-/// What is typed for a hat, the longer first.
+/// The texts typed for a hat, the longer first.
 const HATS: [&str; 9] = ["_hat", "-hat", " hat", "hat", "-cap", " cap", "_cap", "cap", "^"];
 /// The factor -1, as it stands before brackets.
 const MINUS_ONE: [&str; 4] = ["(-1)", "[-1]", "(-1.0)", "-1"];
@@ -22,7 +22,7 @@ pub(super) fn put_on(text: &str) -> String {
         let before = plain.chars().next_back().unwrap_or(' ');
         let read =
             LETTERS.iter().find(|(letter, _)| *letter == next).filter(|_| !before.is_alphabetic() && before != '_');
-        let found = read.and_then(|(_, vector)| Some((vector, hat(&rest[1..])?)));
+        let hatted = read.and_then(|(_, vector)| Some((vector, hat(&rest[1..])?)));
         let named = NAMED.iter().find(|(name, _)| rest.starts_with(name) && !before.is_alphanumeric());
         let ends = |name: &str| !rest[name.len()..].starts_with(|next: char| next.is_alphanumeric());
         if let Some((name, vector)) = named.filter(|(name, _)| ends(name)) {
@@ -31,7 +31,7 @@ pub(super) fn put_on(text: &str) -> String {
             rest = &rest[name.len()..];
             continue;
         }
-        let taken = match found {
+        let taken = match hatted {
             Some((vector, hat)) => {
                 plain.push_str(vector);
                 plain.extend(std::iter::repeat_n(' ', 1 + hat - vector.len()));
@@ -49,17 +49,17 @@ pub(super) fn put_on(text: &str) -> String {
 
 /// How long the hat is that is spelt here.
 fn hat(rest: &str) -> Option<usize> {
-    let found = HATS.iter().find(|hat| rest.starts_with(**hat))?;
-    let behind = rest[found.len()..].chars().next();
+    let hat = HATS.iter().find(|hat| rest.starts_with(**hat))?;
+    let behind = rest[hat.len()..].chars().next();
     // `x^2` and `x^-1` are powers; behind `i^ + 8 j^` no number follows the sign but that of the next term.
     let is_power = || {
-        let behind = rest[found.len()..].trim_start_matches(['+', '-', '{', '(']);
+        let behind = rest[hat.len()..].trim_start_matches(['+', '-', '{', '(']);
         let digits = behind.trim_start_matches(|next: char| next.is_ascii_digit() || next == '.');
         digits.len() < behind.len()
             && !digits.trim_start().starts_with(|next| LETTERS.iter().any(|letter| letter.0 == next))
     };
     let ends = !behind.is_some_and(char::is_alphanumeric);
-    (ends && (*found != "^" || !is_power())).then_some(found.len())
+    (ends && (*hat != "^" || !is_power())).then_some(hat.len())
 }
 
 /// The text without brackets round its terms: `-i+(8j)`, `(-1i)+(8j)`, `-(i - 8j)`. Brackets round the whole stay, and so do those
@@ -99,33 +99,33 @@ pub(super) fn without_brackets(text: &str) -> String {
 
 /// A sign for the factor -1 before brackets: `(-1)(i - 8j)`.
 fn with_sign_for_factor(text: &str) -> String {
-    let found = groups(text).into_iter().find_map(|(from, to)| {
+    let group = groups(text).into_iter().find_map(|(from, to)| {
         let before = text[..from].trim_end_matches([' ', '*', '·', '×']);
         let rest = MINUS_ONE.iter().find_map(|factor| before.strip_suffix(factor))?;
         let is_factor = !rest.ends_with(|last: char| last.is_alphanumeric() || ".)".contains(last));
         (is_factor && unit_vectors(&text[from..=to]).len() > 1).then_some((rest.len(), from))
     });
-    match found {
+    match group {
         Some((start, from)) => format!("{}-{}{}", &text[..start], " ".repeat(from - start - 1), &text[from..]),
         None => text.to_owned(),
     }
 }
 
-/// Where brackets open and close that stand in no others.
+/// The brackets that stand in no others, where they open and close.
 fn groups(text: &str) -> Vec<(usize, usize)> {
-    let mut found = Vec::new();
+    let mut groups = Vec::new();
     let mut open: Option<(usize, char)> = None;
     for (at, next) in text.char_indices() {
         match open {
             None => open = BRACKETS.iter().find(|(first, _)| *first == next).map(|(_, last)| (at, *last)),
             Some((from, last)) if next == last => {
-                found.push((from, at));
+                groups.push((from, at));
                 open = None;
             }
             Some(_) => {}
         }
     }
-    found
+    groups
 }
 
 #[cfg(test)]

@@ -176,7 +176,7 @@ fn quarter(base: Side, counter: bool) -> Side {
 }
 
 fn words(text: &str, frame: &Frame, mark: DecimalMark) -> At<Vec<(usize, Word)>> {
-    let mut found = Vec::new();
+    let mut words = Vec::new();
     let mut at = 0;
     while let Some(next) = text[at..].chars().next() {
         if [' ', ',', '(', ')', '∠', '@'].contains(&next) {
@@ -184,13 +184,13 @@ fn words(text: &str, frame: &Frame, mark: DecimalMark) -> At<Vec<(usize, Word)>>
             continue;
         }
         if let Some((word, length)) = axis_sign(&text[at..], frame) {
-            found.push((at, word));
+            words.push((at, word));
             at += length;
             continue;
         }
         if arithmetic::begins_number(&text[at..]) {
             let (word, length) = angle(&text[at..], mark).map_err(|(shift, kind)| (at + shift, kind))?;
-            found.push((at, word));
+            words.push((at, word));
             at += length;
             continue;
         }
@@ -207,18 +207,18 @@ fn words(text: &str, frame: &Frame, mark: DecimalMark) -> At<Vec<(usize, Word)>>
             let Some((Word::Side((axis, true)), taken)) = axis_sign(rest, frame) else {
                 return Err((at, UnreadableKind::Direction));
             };
-            found.push((at, Word::Side((axis, lower == "positive"))));
+            words.push((at, Word::Side((axis, lower == "positive"))));
             at = start + taken;
             continue;
         }
         if !FILLERS.contains(&lower.as_str()) {
-            found.extend(named(word, at, frame)?);
+            words.extend(named(word, at, frame)?);
         } else if word == "angle" && text[at + length..].trim_start().starts_with("of ") {
             at += 3;
         }
         at += length;
     }
-    Ok(found)
+    Ok(words)
 }
 
 /// `+x`, `-y`, or the letter alone.
@@ -251,7 +251,7 @@ fn angle(text: &str, mark: DecimalMark) -> At<(Word, usize)> {
     Ok((Word::Angle { degrees, form: term.form, signed, unit: unit.is_some(), bearing }, taken))
 }
 
-/// What a word says: one side of an axis, two at once as in `NE`, or how to turn.
+/// The meaning of a word: one side of an axis, two at once as in `NE`, or how to turn.
 fn named(word: &str, at: usize, frame: &Frame) -> At<Vec<(usize, Word)>> {
     let lower = word.to_lowercase();
     let one = match lower.as_str() {

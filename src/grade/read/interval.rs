@@ -110,12 +110,12 @@ type Piece<'a> = (usize, &'a str);
 impl<'a> Reader<'a> {
     fn interval(&self) -> At<IntervalAnswer> {
         let whole = Self::without_words(trimmed((0, self.text)));
-        if let Some(found) = self.signs(whole)? {
-            return Ok(found);
+        if let Some(interval) = self.signs(whole)? {
+            return Ok(interval);
         }
         let (at, text) = self.without_name(whole);
-        if let Some(found) = self.brackets((at, text))? {
-            return Ok(found);
+        if let Some(interval) = self.brackets((at, text))? {
+            return Ok(interval);
         }
         let word = |(word, upper, closed): &(&str, bool, bool)| {
             let rest = text.strip_prefix(word).filter(|rest| !rest.starts_with(char::is_alphabetic))?;
@@ -216,12 +216,12 @@ impl<'a> Reader<'a> {
         let behind = &text[end + 1..];
         let start = self.piece(behind).0;
         let unit = unit(behind, 0, behind.len(), &self.asked.unit).map_err(|(shift, kind)| (start + shift, kind))?;
-        let mut found = self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, closed)?;
-        if unit.is_some() && found.unit.is_some() {
+        let mut interval = self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, closed)?;
+        if unit.is_some() && interval.unit.is_some() {
             return Err((start, UnreadableKind::MixedUnits));
         }
-        found.unit = found.unit.or(unit);
-        Ok(Some(found))
+        interval.unit = interval.unit.or(unit);
+        Ok(Some(interval))
     }
 
     fn made(&self, low: End, high: End, closed: [Option<bool>; 2]) -> At<IntervalAnswer> {

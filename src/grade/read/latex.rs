@@ -181,7 +181,7 @@ struct Arguments<'t> {
 }
 
 impl<'t> Arguments<'t> {
-    /// What stands in braces here, or the one character; with its place.
+    /// The text in braces here, or the one character; with its place.
     fn next(&mut self) -> Option<(usize, &'t [char])> {
         while self.text.get(self.at) == Some(&' ') {
             self.at += 1;

@@ -1,4 +1,4 @@
-//! What may stand behind the digits of a number: a fraction, as in `2 1/2` and `2½`, or a power of ten behind a space.
+//! Additions behind the digits of a number: a fraction, as in `2 1/2` and `2½`, or a power of ten behind a space.
 
 use momentous_quantity::Decimal;
 use momentous_quantity::Rational;

@@ -14,7 +14,7 @@ use super::vulgar::of_character;
 const TIMES: [&str; 9] = ["*", "·", "×", "⋅", "∙", "\\cdot", "\\times", "\\,", "~"];
 /// The word before a quantity of which something is a part.
 const OF: &str = " of";
-/// What joins the letters of a name and its index.
+/// The signs that join the letters of a name and its index.
 const JOINTS: [char; 5] = ['_', '{', '}', ',', '\\'];
 const SIGNS: [char; 4] = ['+', '-', '−', '–'];
 
@@ -45,11 +45,11 @@ pub(super) fn with_unit(
     let multiple = asked.called.as_ref()?.multiple_of.as_ref()?;
     let [unit_of_part, product] = multiple.units.as_ref()?;
     let signs: Vec<char> = answer.chars().collect();
-    let plain = |found: NumberAnswer, fitting: &[&Unit]| match &found.unit {
-        None => Some(found),
+    let plain = |answer: NumberAnswer, fitting: &[&Unit]| match &answer.unit {
+        None => Some(answer),
         Some(unit) => {
             let fits = fitting.iter().find(|other| other.dimension() == unit.dimension())?;
-            Some(NumberAnswer { number: found.number.scaled(&unit.in_terms_of(fits))?, unit: None, ..found })
+            Some(NumberAnswer { number: answer.number.scaled(&unit.in_terms_of(fits))?, unit: None, ..answer })
         }
     };
     let taken = |start: usize| {
@@ -62,9 +62,9 @@ pub(super) fn with_unit(
         rests.into_iter().flatten().find_map(|rest| plain(read(&rest)?, &[unit_of_part, product]))
     };
     let alone = || {
-        let found = read(answer)?;
-        let is_product = found.unit.as_ref().is_some_and(|unit| unit.dimension() == product.dimension());
-        if is_product { Some(found) } else { plain(found, &[unit_of_part]) }
+        let value = read(answer)?;
+        let is_product = value.unit.as_ref().is_some_and(|unit| unit.dimension() == product.dimension());
+        if is_product { Some(value) } else { plain(value, &[unit_of_part]) }
     };
     (0..signs.len()).find_map(taken).or_else(alone)
 }
@@ -106,8 +106,8 @@ fn without_name(mut signs: Vec<char>, start: usize, end: usize) -> Option<String
     (!is_sum(&signs)).then(|| signs.into_iter().collect())
 }
 
-/// Where the name ends that begins at this character, in whatever spelling: `v_A1`, `vA1`, `v_{A,1}`, `v_A₁`. A unit may follow it
-/// without a space.
+/// The end of the name that begins at this character, in whatever spelling: `v_A1`, `vA1`, `v_{A,1}`, `v_A₁`. A unit may follow
+/// it without a space.
 fn name_at(signs: &[char], start: usize, name: &str, before_unit: bool) -> Option<usize> {
     let is_part = |sign: &char| sign.is_alphabetic() || *sign == '_' || *sign == '\\';
     if start.checked_sub(1).and_then(|before| signs.get(before)).is_some_and(is_part) {

@@ -129,10 +129,10 @@ fn plain_mark(written: &str, mark: DecimalMark) -> Result<String, UnreadableKind
 }
 
 /// A number with a single mark, which may begin the decimals or group thousands.
-fn one_mark(written: &str, found: char, mark: DecimalMark) -> Result<String, UnreadableKind> {
+fn one_mark(written: &str, sign: char, mark: DecimalMark) -> Result<String, UnreadableKind> {
     let decimal = || Ok(written.replace(',', "."));
-    let ungrouped = || grouped(written, found);
-    match (mark, found) {
+    let ungrouped = || grouped(written, sign);
+    match (mark, sign) {
         (DecimalMark::Point | DecimalMark::Either, '.') | (DecimalMark::Comma, ',') => decimal(),
         // Nobody groups thousands behind a zero.
         (DecimalMark::Point, _) if written.starts_with("0,") => decimal(),

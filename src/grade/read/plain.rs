@@ -6,7 +6,7 @@ use super::unreadable::{Unreadable, UnreadableKind};
 /// The longest answer that is read, in characters.
 pub const MAX_LENGTH: usize = 200;
 
-/// What may end an answer, as it ends a sentence.
+/// The signs that may end an answer, as they end a sentence.
 pub(super) const ENDS: [char; 6] = [' ', ',', '.', '!', ';', '?'];
 
 /// The text with one kind of minus sign, space and multiplication dot, and without what LaTeX adds.
@@ -17,7 +17,7 @@ pub(super) struct Plain {
     places: Vec<usize>,
 }
 
-/// What stands for something plainer. Longer writings come before those that begin like them.
+/// The texts that stand for something plainer. Longer writings come before those that begin like them.
 const REPLACED: &[(&str, &str)] = &[
     ("^{\\circ}", "°"),
     ("{}^\\circ", "°"),
@@ -50,7 +50,7 @@ const WRAPPERS: &[(&str, &str)] = &[("\\mathrm{", "("), ("\\text{", "("), ("\\un
 
 /// The sign of a degree.
 const DEGREE: &str = "°";
-/// What is written for it.
+/// The texts written for it.
 const ZEROS_FOR_DEGREES: [&str; 4] = ["^{0}", "^(0)", "^0", "⁰"];
 
 /// The offset between a full-width form and the ASCII character that it shows.

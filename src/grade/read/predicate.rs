@@ -3,7 +3,7 @@
 use super::answer::ChoiceAnswer;
 use super::yes_or_no::{answer_of, first_word};
 
-/// What questions ask whether it holds.
+/// The predicates about which questions ask.
 const PREDICATES: [&str; 3] = ["conserved", "impulsive", "constant"];
 /// Words that say nothing beside a predicate. Alone, a pronoun and a verb agree.
 const PRONOUNS: [&str; 5] = ["it", "they", "this", "that", "the"];
@@ -38,8 +38,8 @@ pub(super) fn in_its_words(written: &str, question: &str, options: &[String]) ->
         return None;
     }
     let holds = |option: &String| answer_of(first_word(&option.to_lowercase())) == Some(denied == 0);
-    let mut found = options.iter().enumerate().filter(|(_, option)| holds(option));
-    match (found.next(), found.next()) {
+    let mut matching = options.iter().enumerate().filter(|(_, option)| holds(option));
+    match (matching.next(), matching.next()) {
         (Some((option, text)), None) => Some(ChoiceAnswer { option, text: text.clone() }),
         _ => None,
     }

@@ -24,31 +24,31 @@ const TURNS: [&str; 2] = ["clockwise", "cw"];
 pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> Result<NumberAnswer, Unreadable> {
     let alone = |text: &str| {
         let plain = Plain::new(text).ok()?;
-        let found = value::read(plain.text(), Asked::of(asked), mark);
-        found.or_else(|fault| remarks::read(plain.text(), Asked::of(asked), mark, fault)).ok()
+        let value = value::read(plain.text(), Asked::of(asked), mark);
+        value.or_else(|fault| remarks::read(plain.text(), Asked::of(asked), mark, fault)).ok()
     };
-    if let Some(found) = multiple::with_unit(answer, asked, alone) {
-        return Ok(found);
+    if let Some(number) = multiple::with_unit(answer, asked, alone) {
+        return Ok(number);
     }
     let plain = Plain::new(&multiple::without(answer, asked)?)?;
     let plain = if asked.unit.is_plain_angle() { plain.with_degrees() } else { plain };
     let text = plain.text();
     let wanted = Asked::of(asked);
-    let found = match value::read(text, wanted, mark) {
+    let result = match value::read(text, wanted, mark) {
         // `8.02 j m/s`: the letter is a unit vector where the joule measures something else.
-        Ok(found) if !measures(&found, asked) => match remarks::along_unit_vector(text, wanted, mark) {
+        Ok(value) if !measures(&value, asked) => match remarks::along_unit_vector(text, wanted, mark) {
             Some(Ok(along)) if along.unit.is_none() || measures(&along, asked) => Ok(along),
-            _ => Ok(found),
+            _ => Ok(value),
         },
-        found => found.or_else(|fault| remarks::read(text, wanted, mark, fault)),
+        result => result.or_else(|fault| remarks::read(text, wanted, mark, fault)),
     };
     let found = match &asked.reference {
-        Some(reference) => found.or_else(|fault| match in_words(text, reference, mark) {
+        Some(reference) => result.or_else(|fault| match in_words(text, reference, mark) {
             // A direction that is not understood is no quantity without a direction.
             Err((_, UnreadableKind::Direction)) if !matches!(fault.1, UnreadableKind::NoDirection(_)) => Err(fault),
             words => words,
         }),
-        None => found,
+        None => result,
     };
     found.map_err(|(at, kind)| plain.fault(at, multiple::reason(kind, asked)))
 }

@@ -115,7 +115,7 @@ const REASONS: [&str; 106] = [
 ];
 /// The word that denies; what there can be none of follows it.
 const NO: &str = "no";
-/// What there can be none of in a reason for yes.
+/// The things of which there can be none in a reason for yes.
 const NONE_OF: [&str; 12] = [
     "external",
     "outer",
@@ -162,8 +162,8 @@ fn with_coefficient(written: &str, options: &[String]) -> Option<ChoiceAnswer> {
 
 /// The one option of which that holds.
 fn only(options: &[String], holds: impl Fn(&str) -> bool) -> Option<ChoiceAnswer> {
-    let mut found = options.iter().enumerate().filter(|(_, text)| holds(&text.to_lowercase()));
-    match (found.next(), found.next()) {
+    let mut matching = options.iter().enumerate().filter(|(_, text)| holds(&text.to_lowercase()));
+    match (matching.next(), matching.next()) {
         (Some((option, text)), None) => Some(ChoiceAnswer { option, text: text.clone() }),
         _ => None,
     }

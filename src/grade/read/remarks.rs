@@ -1,4 +1,4 @@
-//! What people write around a number that says nothing of it: `v = about 3.2 m/s (2 s.f.)`; and numbers in words.
+//! Words around a number that say nothing of it: `v = about 3.2 m/s (2 s.f.)`; and numbers in words.
 
 use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
@@ -101,14 +101,14 @@ pub(super) fn read(
     mark: DecimalMark,
     fault: (usize, UnreadableKind),
 ) -> At<NumberAnswer> {
-    if let Some(found) = in_brackets(text, asked, mark) {
-        return found;
+    if let Some(answer) = in_brackets(text, asked, mark) {
+        return answer;
     }
     if fault.1.is_doubt() {
         return Err(fault);
     }
-    if let Some(found) = along_unit_vector(text, asked, mark).or_else(|| explained(text, asked, mark)) {
-        return found;
+    if let Some(answer) = along_unit_vector(text, asked, mark).or_else(|| explained(text, asked, mark)) {
+        return answer;
     }
     let mut to = text.trim_end_matches(ENDS).len();
     let mut from = to - text[..to].trim_start().len();
@@ -140,11 +140,11 @@ pub(super) fn read(
     let minus = MINUS.iter().find_map(|word| without_case(inner, word));
     if let Some(rest) = minus {
         let start = from + inner.len() - rest.len();
-        let found = value::read(rest, asked, mark).map_err(|(at, kind)| (start + at, kind))?;
-        if found.signed || found.sense.is_some() {
+        let value = value::read(rest, asked, mark).map_err(|(at, kind)| (start + at, kind))?;
+        if value.signed || value.sense.is_some() {
             return Err((from, UnreadableKind::SignAndDirection));
         }
-        return Ok(NumberAnswer { number: found.number.negated(), signed: true, ..found });
+        return Ok(NumberAnswer { number: value.number.negated(), signed: true, ..value });
     }
     let again = if (from, to) == whole {
         Err(fault)
@@ -153,14 +153,14 @@ pub(super) fn read(
     };
     // A sign says nothing of a size beside a direction in words.
     let again = match again {
-        Ok(found) if comment.is_some() && found.signed && asked.senses.is_none() => {
+        Ok(value) if comment.is_some() && value.signed && asked.senses.is_none() => {
             Err((from, UnreadableKind::SignAndDirection))
         }
         again => again,
     };
     let again = again.or_else(|fault| in_several_units(inner, asked, mark).ok_or(fault));
     again.or_else(|fault| match calculation::read(inner, asked.unit, mark).filter(|_| !fault.1.is_doubt()) {
-        Some(found) => found.map_err(|(at, kind)| (from + at, kind)),
+        Some(result) => result.map_err(|(at, kind)| (from + at, kind)),
         None => Err(fault),
     })
 }
@@ -169,8 +169,8 @@ pub(super) fn read(
 fn in_several_units(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<NumberAnswer> {
     text.match_indices(' ').find_map(|(at, _)| {
         let Phrase::Declared(sense) = asked.direction(&text[at..]) else { return None };
-        let found = calculation::read(&text[..at], asked.unit, mark)?.ok()?;
-        (!found.signed).then_some(NumberAnswer { sense: Some(sense), ..found })
+        let value = calculation::read(&text[..at], asked.unit, mark)?.ok()?;
+        (!value.signed).then_some(NumberAnswer { sense: Some(sense), ..value })
     })
 }
 
@@ -179,14 +179,14 @@ fn in_brackets(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Num
     let bare = text.trim_end_matches(ENDS).strip_suffix(')')?;
     let at = bare.rfind('(')?;
     let Phrase::Declared(sense) = asked.direction(&bare[at + 1..]) else { return None };
-    let found = value::read(text[..at].trim_end(), asked, mark).ok().filter(|found| found.signed)?;
-    Some(agreeing(found, &sense, at))
+    let value = value::read(text[..at].trim_end(), asked, mark).ok().filter(|value| value.signed)?;
+    Some(agreeing(value, &sense, at))
 }
 
 /// The value where its sign says the direction beside it.
-fn agreeing(found: NumberAnswer, sense: &Sense, at: usize) -> At<NumberAnswer> {
-    let agree = found.number.is_zero() || found.number.is_negative() != sense.positive;
-    if agree { Ok(found) } else { Err((at, UnreadableKind::SignAndDirection)) }
+fn agreeing(value: NumberAnswer, sense: &Sense, at: usize) -> At<NumberAnswer> {
+    let agree = value.number.is_zero() || value.number.is_negative() != sense.positive;
+    if agree { Ok(value) } else { Err((at, UnreadableKind::SignAndDirection)) }
 }
 
 /// `-0.25 m/s, i.e. to the left`: a value, and in words what its sign means. The two must agree; words alone tell the direction.
@@ -195,15 +195,15 @@ fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Numbe
     let phrase = text[at + word.len()..].trim_matches([' ', ',', '.', ':', ')']);
     let Phrase::Declared(sense) = asked.direction(phrase) else { return None };
     let value = text[..at].trim_end_matches([' ', ',', ';', '(', ':']);
-    let found = match value::read(value, asked, mark) {
-        Ok(found) if found.sense.is_none() => found,
+    let value = match value::read(value, asked, mark) {
+        Ok(value) if value.sense.is_none() => value,
         Ok(_) => return None,
         Err(fault) => return Some(Err(fault)),
     };
-    if !found.signed {
-        return Some(Ok(NumberAnswer { sense: Some(sense), ..found }));
+    if !value.signed {
+        return Some(Ok(NumberAnswer { sense: Some(sense), ..value }));
     }
-    Some(agreeing(found, &sense, at))
+    Some(agreeing(value, &sense, at))
 }
 
 /// `-3.2 î m/s`: a component with the unit vector of its axis.
@@ -220,7 +220,7 @@ pub(super) fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark)
     Some(value::read(&format!("{}{:width$}{}", &text[..start], "", &text[end..], width = end - start), asked, mark))
 }
 
-/// Where the value begins behind its name and an equals sign; the fault is another name than the one that is asked.
+/// The beginning of the value behind its name and an equals sign; the fault is another name than the one that is asked.
 pub(super) fn behind_name(text: &str, asked: &str) -> Result<Option<usize>, UnreadableKind> {
     let Some((at, sign)) = text.char_indices().find(|(_, next)| EQUALS.contains(next)) else { return Ok(None) };
     let (name, start) = (text[..at].trim(), at + sign.len_utf8());
@@ -253,7 +253,7 @@ fn is_another(typed: &str, asked: &str) -> bool {
     !index.is_empty() && (of_other_axis || of_other_time || index.chars().all(is_index) && !other.contains(index))
 }
 
-/// Where the number begins behind words that say nothing of it.
+/// The beginning of the number behind words that say nothing of it.
 fn behind_words(text: &str) -> Option<usize> {
     let bare = text.trim_start_matches([' ', '=']);
     let rest = BEFORE.iter().find_map(|word| without_case(bare, word)).unwrap_or(bare);
@@ -262,7 +262,7 @@ fn behind_words(text: &str) -> Option<usize> {
     (ends && rest.len() < text.len()).then(|| text.len() - rest.trim_start().len())
 }
 
-/// Where the number ends before words that say nothing of it.
+/// The end of the number before words that say nothing of it.
 fn before_remark(text: &str, asked: Asked<'_>) -> Option<usize> {
     let bare = text.trim_end_matches(ENDS);
     let is_energy = asked.unit.dimension() == Dimension::ENERGY && asked.senses.is_none();
@@ -310,7 +310,7 @@ fn in_words(text: &str, asked: Asked<'_>) -> Option<NumberAnswer> {
     })
 }
 
-/// What is behind a word at the start, in whatever case it is written.
+/// The text behind a word at the start, in whatever case it is written.
 fn without_case<'t>(text: &'t str, word: &str) -> Option<&'t str> {
     let start = text.get(..word.len())?;
     start.eq_ignore_ascii_case(word).then(|| &text[word.len()..])

@@ -2,7 +2,7 @@
 
 use super::arithmetic;
 
-/// What stands between two values.
+/// The texts between two values.
 const BETWEEN: [&str; 8] = [" or ", " and ", ";", ", ", " oder ", " und ", " / ", " & "];
 
 /// The values of an answer, each as a text of its own: a unit behind the last belongs to all, and `±` is both signs.
@@ -55,7 +55,7 @@ fn with_words<'t>(answer: &'t str, pieces: &[&'t str]) -> Vec<&'t str> {
     joined
 }
 
-/// What stands behind the digits at the start: a unit, perhaps with a direction. Nothing where it is part of a calculation.
+/// The text behind the digits at the start: a unit, perhaps with a direction. None where it is part of a calculation.
 fn behind_number(text: &str) -> &str {
     let text = text.rsplit_once('=').map_or(text, |(_, value)| value.trim_start());
     let end = text.rfind(|last: char| last.is_ascii_digit() || last == ')').map_or(0, |at| at + 1);

@@ -8,7 +8,7 @@ use momentous_quantity::Unit;
 use momentous_quantity::UnitFault;
 use momentous_quantity::UnitFaultKind;
 
-/// So many are remembered before all are forgotten.
+/// The number that is remembered before all are forgotten.
 const MOST: usize = 256;
 
 thread_local! {

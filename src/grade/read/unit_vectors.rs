@@ -1,12 +1,12 @@
-//! Where a text names unit vectors.
+//! Unit vectors in a text.
 
 /// Unit vectors along the first, second and third axis, the longer writings first.
 const UNIT_VECTORS: [&[&str]; 3] =
     [&["i\u{302}", "x\u{302}", "î", "i"], &["j\u{302}", "y\u{302}", "ĵ", "ŷ", "j"], &["k\u{302}", "z\u{302}", "k"]];
 
-/// Where unit vectors stand: the axis, and the bytes.
+/// The places of unit vectors: the axis, and the bytes.
 pub(super) fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
-    let mut found = Vec::new();
+    let mut places = Vec::new();
     let mut before = ' ';
     for (at, next) in text.char_indices() {
         let names =
@@ -18,10 +18,10 @@ pub(super) fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
             if !text[end..].starts_with(|next: char| next.is_alphanumeric() || next == '\u{302}')
                 && !text[at..].starts_with("i.e")
             {
-                found.push((axis, at, end));
+                places.push((axis, at, end));
             }
         }
         before = next;
     }
-    found
+    places
 }

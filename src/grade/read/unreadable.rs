@@ -7,11 +7,11 @@ use momentous_quantity::UnitFault;
 pub struct Unreadable {
     /// The character of the answer, counted from 0.
     pub at: usize,
-    /// What is wrong there.
+    /// The fault there.
     pub kind: UnreadableKind,
 }
 
-/// What can be wrong with the text of an answer.
+/// The faults of an answer's text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnreadableKind {
@@ -37,9 +37,9 @@ pub enum UnreadableKind {
     LostExponent,
     /// `1190-1210`: a range or a difference.
     RangeOrDifference,
-    /// What can be read in two ways; each as it is written without doubt.
+    /// A text that can be read in two ways; each as it is written without doubt.
     Ambiguous([String; 2]),
-    /// What does not belong behind a number, or is missing there.
+    /// A sign that does not belong behind a number, or is missing there.
     Behind(String),
     /// `1/2 sqrt(3)`: a product after a fraction bar, without a sign.
     ProductAfterBar,
@@ -99,9 +99,9 @@ pub enum UnreadableKind {
     },
     /// Letters that can be read as different names or products of names.
     AmbiguousName {
-        /// What was typed.
+        /// The typed name.
         name: String,
-        /// What it can be, with every sign of multiplication.
+        /// The readings that it can have, with every sign of multiplication.
         readings: Vec<String>,
     },
     /// A formula that can be read in two ways; both, with every bracket.
@@ -120,17 +120,17 @@ pub enum UnreadableKind {
     NotEuler,
     /// A formula with more parts than are read.
     TooManyParts,
-    /// What does not belong into a formula.
+    /// A text that does not belong into a formula.
     NotAFormula,
     /// No number, name or bracket where one must stand.
     NoTerm,
-    /// None of the options, or a number beyond them; how many there are.
+    /// No option has this name or number; the number of options.
     NoOption(usize),
     /// More than one of the options.
     SeveralOptions,
 }
 
-/// What is read of a text, or what is wrong with it and at which byte.
+/// The reading of a text, or its fault and at which byte.
 pub(super) type At<T> = Result<T, (usize, UnreadableKind)>;
 
 impl UnreadableKind {

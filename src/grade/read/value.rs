@@ -17,12 +17,12 @@ use super::unreadable::UnreadableKind;
 const MOST_WORDS: usize = 9;
 /// The largest power of ten of an answer, either way.
 const LARGEST: f64 = 1e300;
-/// What says that an answer is not one value.
+/// The signs that an answer is not one value.
 const NOT_ONE_VALUE: [char; 7] = ['±', '<', '>', '≤', '≥', '∓', '≠'];
 /// Signs between a value and its uncertainty.
 const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "\\pm"];
 
-/// What reading may know of what is asked.
+/// The facts about the question that reading may know.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked<'a> {
     pub(super) unit: &'a Unit,
@@ -38,7 +38,7 @@ pub(super) struct Asked<'a> {
 }
 
 impl<'a> Asked<'a> {
-    /// What the part says.
+    /// The facts about that part.
     pub(super) fn of(number: &'a ExpectedNumber) -> Self {
         let called = number.called.as_ref();
         let name = called.map_or("", |called| &called.name);
@@ -53,7 +53,7 @@ impl<'a> Asked<'a> {
         Self { unit, senses: None, axis: None, hangs: None, motion: None, name: "" }
     }
 
-    /// What a phrase says about direction.
+    /// The meaning of a phrase about direction.
     pub(super) fn direction(&self, phrase: &str) -> Phrase {
         let said = direction::read(phrase, self.senses, self.axis);
         let in_space = || self.hangs.and_then(|hangs| direction::read(phrase, Some(hangs), None).declared());
@@ -194,15 +194,15 @@ fn unit_and_direction(
         return Ok((Some(whole), None));
     }
     let words = spans(text, end);
-    let mut found = None;
+    let mut sense_found = None;
     for (start, _) in words.iter().rev().take(MOST_WORDS) {
         let phrase = text[*start..].trim_end_matches(ENDS).trim_end_matches([')', '.', ' ']);
         // The longest phrase counts: `towards the wall` ends like `away from the wall`.
         if let Some(sense) = declared(phrase, *start, asked)? {
-            found = Some((sense, *start, phrase));
+            sense_found = Some((sense, *start, phrase));
         }
     }
-    let Some((sense, start, phrase)) = found else {
+    let Some((sense, start, phrase)) = sense_found else {
         return match before_unit(text, end, asked) {
             Some((sense, start)) => Ok((unit(start, text.len())?, Some((sense, end)))),
             None => Ok((unit(end, text.len())?, None)),
@@ -248,7 +248,7 @@ fn declared(phrase: &str, at: usize, asked: Asked<'_>) -> Result<Option<Sense>, 
     }
 }
 
-/// Where the words and arrows from a byte on begin and end.
+/// The spans of words and arrows from a byte on.
 fn spans(text: &str, from: usize) -> Vec<(usize, usize)> {
     let mut spans: Vec<(usize, usize)> = Vec::new();
     let mut open = false;

@@ -61,8 +61,8 @@ fn read_plain(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<Vecto
     if let Some(parts) = components::by_directions(&text[start..], asked, mark) {
         return together(&parts.map_err(at(start))?, None, start);
     }
-    if let Some(found) = bare_pair(&text[start..], asked, mark) {
-        return found.map_err(at(start));
+    if let Some(pair) = bare_pair(&text[start..], asked, mark) {
+        return pair.map_err(at(start));
     }
     polar(&text[start..], asked, mark).map_err(at(start))
 }
@@ -85,7 +85,7 @@ fn is_angle(part: &NumberAnswer) -> bool {
     part.unit.as_ref().is_some_and(Unit::is_plain_angle)
 }
 
-/// Where the inside of the brackets around the components begins and ends, and where what is behind them begins.
+/// The span inside the brackets around the components, and the beginning of what is behind them.
 fn bracketed(text: &str, start: usize) -> Option<(usize, usize, usize)> {
     let first = text[start..].chars().next()?;
     let (_, close) = BRACKETS.iter().find(|(open, _)| *open == first)?;
@@ -210,8 +210,8 @@ fn together(parts: &Parts, behind: Option<Unit>, at: usize) -> At<VectorAnswer> 
 fn sum(text: &str, asked: &ExpectedVector, mark: DecimalMark, behind: Option<Unit>) -> At<VectorAnswer> {
     let mut parts: Parts = vec![None; asked.components.len()];
     let mut from = 0;
-    let found = unit_vectors(text);
-    for (position, (axis, start, end)) in found.iter().enumerate() {
+    let vectors = unit_vectors(text);
+    for (position, (axis, start, end)) in vectors.iter().enumerate() {
         let lead = from + text[from..].len() - text[from..].trim_start().len();
         let coefficient = text[lead..*start].trim_end().trim_end_matches(['*', '·', '×']).trim_end();
         let sign = coefficient.trim_end();

@@ -19,7 +19,7 @@ const VULGAR: [(char, u32, u32); 15] = [
     ('⅞', 7, 8),
 ];
 
-/// What is above and below the bar of such a character; none of any other.
+/// The numbers above and below the bar of such a character; none of any other.
 pub(super) fn of_character(character: char) -> Option<(u32, u32)> {
     VULGAR.iter().find(|(vulgar, ..)| *vulgar == character).map(|(_, above, below)| (*above, *below))
 }

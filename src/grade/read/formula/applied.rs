@@ -9,9 +9,9 @@ use super::grammar::{Grammar, Term, is_small};
 use super::named::Named;
 use super::token::Token;
 
-/// What stands before an argument.
+/// The operator before an argument.
 struct Operator<'a> {
-    /// What it makes of the argument.
+    /// The function of the argument.
     of: &'a dyn Fn(Expr) -> Expr,
     /// Whether the argument is an angle.
     angle: bool,

@@ -3,7 +3,7 @@
 use super::named::Named;
 use super::token::Token;
 
-/// What a command means.
+/// The meaning of a command.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Command {
     /// A letter of a name.

@@ -128,8 +128,8 @@ impl<'a> Lexer<'a> {
         let start = self.at;
         let belongs = |sign: &&char| sign.is_ascii_digit() || ".,' _eE+-".contains(**sign);
         let text: String = self.signs[start..].iter().take_while(belongs).collect();
-        let found = numeral::read(&text, self.mark).map_err(|(at, kind)| (start + at, kind))?;
-        let written: String = text.chars().take(found.length).collect();
+        let numeral = numeral::read(&text, self.mark).map_err(|(at, kind)| (start + at, kind))?;
+        let written: String = text.chars().take(numeral.length).collect();
         let digits = written.split_once(['e', 'E']).map_or(&written[..], |(digits, _)| digits);
         if self.own_e && digits.len() < written.len() {
             let power = written.replacen(['e', 'E'], "*10^", 1);
@@ -137,9 +137,9 @@ impl<'a> Lexer<'a> {
             let readings = vec![power, product];
             return Err((start, UnreadableKind::AmbiguousName { name: written.clone(), readings }));
         }
-        self.at += found.length;
+        self.at += numeral.length;
         self.lost_product(digits, start)?;
-        self.push(Token::Number { value: found.decimal.to_rational(), half: half_unit(&written) }, start);
+        self.push(Token::Number { value: numeral.decimal.to_rational(), half: half_unit(&written) }, start);
         Ok(())
     }
 
@@ -167,7 +167,7 @@ impl<'a> Lexer<'a> {
         self.push(Token::Number { value, half: None }, at);
     }
 
-    /// What is written above the line is a power in brackets.
+    /// Puts a power that is written above the line into brackets.
     fn raised(&mut self) -> At<()> {
         let start = self.at;
         let raised: Vec<char> = self.signs[start..].iter().map_while(|sign| signs::unraised(*sign)).collect();

@@ -152,7 +152,7 @@ impl Named {
         }
     }
 
-    /// What the power -1 of its name means.
+    /// The meaning of the power -1 of its name.
     pub(super) fn inverse(self) -> Option<Self> {
         Some(match self {
             Sin => Arcsin,

@@ -22,12 +22,12 @@ struct Known {
     meant: Meant,
 }
 
-/// What a name stands for.
+/// The meaning of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meant {
     /// A quantity of the sheet.
     Given(Symbol),
-    /// What is asked.
+    /// The quantity that is asked.
     Asked,
     /// The ratio of a circle's circumference to its diameter.
     Pi,
@@ -73,7 +73,7 @@ impl<'a> Names<'a> {
         self.known.iter().filter_map(move |known| matched(&known.letters, rest).map(|length| (known.meant, length)))
     }
 
-    /// What a whole word names, where it is one name.
+    /// The meaning of a whole word, where it is one name.
     pub(super) fn whole(&self, word: &[Letter]) -> Option<Meant> {
         self.at(word, 0).find(|(_, length)| *length == word.len()).map(|(meant, _)| meant)
     }

@@ -15,45 +15,45 @@ const MANY: u8 = 2;
 /// The tokens without their words: names, functions and units of angles in their place.
 pub(super) fn resolve(mut lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
     let start = behind_the_name(&lexemes, names)?;
-    let mut found: Vec<Lexeme> = Vec::with_capacity(lexemes.len());
+    let mut resolved: Vec<Lexeme> = Vec::with_capacity(lexemes.len());
     lexemes.drain(..start);
     take_indices(&mut lexemes, names);
     let mut rest = lexemes.into_iter().peekable();
     while let Some(lexeme) = rest.next() {
         let Token::Word(word) = &lexeme.token else {
-            found.push(lexeme);
+            resolved.push(lexeme);
             continue;
         };
         let next = rest.peek();
         let spelt = names::text(word);
         let measures = matches!(
-            found.last().map(|lexeme| &lexeme.token),
+            resolved.last().map(|lexeme| &lexeme.token),
             Some(Token::Number { .. } | Token::Written { .. } | Token::Close(_))
         );
         if let Some(unit) = angle_unit(&spelt).filter(|_| measures && names.whole(word).is_none()) {
-            found.push(Lexeme { token: unit, ..lexeme });
+            resolved.push(Lexeme { token: unit, ..lexeme });
             continue;
         }
         if matches!(spelt.as_str(), "frac" | "dfrac") && next.is_some_and(|next| next.token == Token::Open('}')) {
-            found.push(Lexeme { token: Token::Fraction, ..lexeme });
+            resolved.push(Lexeme { token: Token::Fraction, ..lexeme });
             continue;
         }
         let apart = lexeme.gap && next.is_some_and(|next| next.gap);
         if apart && matches!(spelt.as_str(), "x" | "X") && names.whole(word).is_none() {
-            found.push(Lexeme { token: Token::Times, ..lexeme });
+            resolved.push(Lexeme { token: Token::Times, ..lexeme });
             continue;
         }
         if let Some(token) = names.alone(word) {
-            found.push(Lexeme { token, ..lexeme });
+            resolved.push(Lexeme { token, ..lexeme });
             continue;
         }
         let reader = Word { names, letters: word, next: next.map(|next| &next.token) };
         let mut gap = lexeme.gap;
         for (token, at) in reader.read()? {
-            found.push(Lexeme { token, at, gap: std::mem::take(&mut gap) });
+            resolved.push(Lexeme { token, at, gap: std::mem::take(&mut gap) });
         }
     }
-    Ok(found)
+    Ok(resolved)
 }
 
 /// Gives words their indices in brackets: `m[1]` and `m(1)`, where these are names and `m` alone is none.
@@ -86,7 +86,7 @@ fn indexed(lexemes: &[Lexeme], names: &Names) -> Option<Vec<Letter>> {
     (close.token == Token::Close(*end) && !open.gap && is_name).then_some(whole)
 }
 
-/// Where the formula begins, behind `v_B2 =`.
+/// The beginning of the formula, behind `v_B2 =`.
 fn behind_the_name(lexemes: &[Lexeme], names: &Names) -> At<usize> {
     let Some(equals) = lexemes.iter().position(|lexeme| lexeme.token == Token::Equals).filter(|at| *at <= 1) else {
         return Ok(0);
@@ -123,7 +123,7 @@ enum Piece {
 struct Word<'a> {
     names: &'a Names<'a>,
     letters: &'a [Letter],
-    /// What stands behind it.
+    /// The token behind it.
     next: Option<&'a Token>,
 }
 
@@ -196,21 +196,21 @@ impl Word<'_> {
         let mut ways = vec![0_u8; self.letters.len() + 1];
         ways[self.letters.len()] = 1;
         for at in (0..self.letters.len()).rev() {
-            let found = self.pieces(at).into_iter().map(|(_, end)| ways.get(end).copied().unwrap_or(0));
-            ways[at] = found.fold(0, u8::saturating_add).min(MANY);
+            let counts = self.pieces(at).into_iter().map(|(_, end)| ways.get(end).copied().unwrap_or(0));
+            ways[at] = counts.fold(0, u8::saturating_add).min(MANY);
         }
         ways
     }
 
     /// The first readings of the word.
     fn readings(&self, ways: &[u8], most: usize) -> Vec<Vec<(Piece, usize)>> {
-        let mut found: Vec<Vec<(Piece, usize)>> = Vec::new();
+        let mut readings: Vec<Vec<(Piece, usize)>> = Vec::new();
         let mut open: Vec<(usize, Vec<(Piece, usize)>)> = vec![(0, Vec::new())];
         while let Some((at, reading)) = open.pop()
-            && found.len() < most
+            && readings.len() < most
         {
             if at == self.letters.len() {
-                found.push(reading);
+                readings.push(reading);
                 continue;
             }
             for (pieces, end) in self.pieces(at) {
@@ -219,13 +219,13 @@ impl Word<'_> {
                 }
             }
         }
-        found
+        readings
     }
 
-    /// What may stand at a letter, and where it ends. A number stands behind a function only: `sin2θ`.
+    /// The pieces that may stand at a letter, with their ends. A number stands behind a function only: `sin2θ`.
     fn pieces(&self, at: usize) -> Vec<(Vec<(Piece, usize)>, usize)> {
         let mut firm = 0;
-        let mut found = Vec::new();
+        let mut ways_on = Vec::new();
         for (spelt, named, own_firm) in named::spellings() {
             let end = at + spelt.len();
             let stands = self.letters.get(at..end).is_some_and(|word| {
@@ -239,9 +239,9 @@ impl Word<'_> {
             let digits = self.letters[end..].iter().take_while(|letter| letter.sign.is_ascii_digit()).count();
             let value = names::text(&self.letters[end..end + digits]).parse::<u64>();
             if let (true, Ok(value)) = (named != Named::Log && digits > 0, value) {
-                found.push((vec![(Piece::Function(named), at), (Piece::Number(value), end)], end + digits));
+                ways_on.push((vec![(Piece::Function(named), at), (Piece::Number(value), end)], end + digits));
             } else if digits == 0 && self.argument_follows(end) {
-                found.push((vec![(Piece::Function(named), at)], end));
+                ways_on.push((vec![(Piece::Function(named), at)], end));
             } else {
                 continue;
             }
@@ -250,17 +250,17 @@ impl Word<'_> {
             }
         }
         // `atan2(y, x)` is no arctangent of 2, and `log10(x)` none of 10.
-        if let Some(longest) = found.iter().filter(|(pieces, _)| pieces.len() == 1).map(|(_, end)| *end).max() {
-            found.retain(|(pieces, end)| pieces.len() == 1 || *end > longest);
+        if let Some(longest) = ways_on.iter().filter(|(pieces, _)| pieces.len() == 1).map(|(_, end)| *end).max() {
+            ways_on.retain(|(pieces, end)| pieces.len() == 1 || *end > longest);
         }
         let names = self.names.at(self.letters, at).filter(|(_, length)| *length >= firm);
-        found.extend(names.map(|(meant, length)| (vec![(Piece::Name(meant), at)], at + length)));
+        ways_on.extend(names.map(|(meant, length)| (vec![(Piece::Name(meant), at)], at + length)));
         let is_euler = |letter: &Letter| matches!(letter.sign, 'e' | 'E') && letter.place != Place::Below;
         let last = at + 1 == self.letters.len() && is_euler(&self.letters[at]);
         if last && self.next == Some(&Token::Power) && !self.names.has_own_e() {
-            found.push((vec![(Piece::Euler, at)], at + 1));
+            ways_on.push((vec![(Piece::Euler, at)], at + 1));
         }
-        found
+        ways_on
     }
 
     fn argument_follows(&self, end: usize) -> bool {

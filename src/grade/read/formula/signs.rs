@@ -64,7 +64,7 @@ const UNRAISED: &str = "0123456789-+()nxtk";
 const LOWERED: &str = "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
 const UNLOWERED: &str = "0123456789aehijklmnoprstuvx";
 
-/// What says nothing: marks of direction and signs that are not printed.
+/// The sign in place of those that mean nothing: marks of direction and signs that are not printed.
 pub(super) const NOTHING: char = '\u{200b}';
 
 /// The offset between a full-width form and the ASCII character that it shows.
@@ -119,17 +119,17 @@ pub(super) fn spelt(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(listed, _)| *listed == letter).map(|(_, spelt)| *spelt)
 }
 
-/// What is written above the line, on the line.
+/// The character on the line for one above it.
 pub(super) fn unraised(character: char) -> Option<char> {
     RAISED.chars().zip(UNRAISED.chars()).find(|(raised, _)| *raised == character).map(|(_, meant)| meant)
 }
 
-/// What is written below the line, on the line.
+/// The character on the line for one below it.
 pub(super) fn unlowered(character: char) -> Option<char> {
     LOWERED.chars().zip(UNLOWERED.chars()).find(|(lowered, _)| *lowered == character).map(|(_, meant)| meant)
 }
 
-/// What a fraction of one character has above and below its bar.
+/// The numbers above and below the bar of a fraction of one character.
 pub(super) fn fraction(character: char) -> Option<(i64, u32)> {
     of_character(character).map(|(above, below)| (i64::from(above), below))
 }

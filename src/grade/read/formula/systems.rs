@@ -2,7 +2,7 @@
 
 use super::signs::NOTHING;
 
-/// What stands before the name of a function of a library.
+/// The prefixes of functions of libraries.
 const LIBRARIES: [&str; 5] = ["math.", "Math.", "np.", "numpy.", "cmath."];
 /// Euler's number as letters of its own.
 const EULER: [char; 2] = ['\u{212f}', '\u{2147}'];

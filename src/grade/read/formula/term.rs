@@ -87,7 +87,7 @@ pub fn read_term(
         return Err(Unreadable { at: MAX_FORMULA, kind: UnreadableKind::TooLong(MAX_FORMULA) });
     }
     let fault = |(at, kind)| Unreadable { at, kind };
-    let (lexemes, found) = {
+    let (lexemes, numbers_taken) = {
         let known = Vocabulary {
             symbols,
             names: names.to_vec(),
@@ -97,11 +97,11 @@ pub fn read_term(
         };
         let names = Names::new(&known);
         let lexemes = lexer::lexemes(text, mark, names.has_own_e()).map_err(fault)?;
-        let mut found = Numbers { names: &names, letters: manner.letters, taken: Vec::new(), is_doubtful: false };
-        let lexemes = found.replace(&lexemes);
-        (resolve::resolve(lexemes, &names).map_err(fault)?, (found.taken, found.is_doubtful))
+        let mut numbers = Numbers { names: &names, letters: manner.letters, taken: Vec::new(), is_doubtful: false };
+        let lexemes = numbers.replace(&lexemes);
+        (resolve::resolve(lexemes, &names).map_err(fault)?, (numbers.taken, numbers.is_doubtful))
     };
-    let (numbers, is_doubtful) = found;
+    let (numbers, is_doubtful) = numbers_taken;
     let numbers: Vec<WrittenNumber> = numbers
         .into_iter()
         .map(|Number { value, unit, half }| {

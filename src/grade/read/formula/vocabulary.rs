@@ -15,11 +15,11 @@ pub(super) struct Vocabulary<'a> {
     pub(super) asked: Option<Symbol>,
     /// The symbols that stand for numbers of the text, in their order.
     pub(super) numbers: Vec<Symbol>,
-    /// Where a factor belongs that stands behind a fraction bar without a sign.
+    /// The place of a factor that stands behind a fraction bar without a sign.
     pub(super) behind_bars: BehindBars,
 }
 
-/// Where a factor belongs that stands behind a fraction bar without a sign: `a/b c`.
+/// The place of a factor that stands behind a fraction bar without a sign: `a/b c`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BehindBars {
     /// It is asked back.

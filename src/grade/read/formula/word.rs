@@ -51,7 +51,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Of a difference `Δ t` the letter behind the space.
+    /// Takes the letter behind the space of a difference `Δ t`.
     fn letter_behind_spaces(&mut self) -> bool {
         let rest = self.signs[self.at..].iter();
         let spaces = rest.take_while(|sign| **sign == ' ').count();
