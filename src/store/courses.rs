@@ -99,9 +99,9 @@ impl Store {
     /// Where the database refuses.
     pub async fn elsewhere(&self, course: Key<Course>) -> Result<Vec<Membership>, StoreFault> {
         let statement = query(
-            "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member own \
-             JOIN member m ON m.person = own.person AND m.course <> own.course JOIN person p ON p.key = m.person \
-             JOIN course c ON c.key = m.course WHERE own.course = $1 ORDER BY m.key",
+            "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member here \
+             JOIN member m ON m.person = here.person AND m.course <> here.course JOIN person p ON p.key = m.person \
+             JOIN course c ON c.key = m.course WHERE here.course = $1 ORDER BY m.key",
         );
         let all = self.memberships(statement.bind(course.to_string())).await?;
         Ok(all.into_iter().filter(|membership| membership.member.left.is_none()).collect())

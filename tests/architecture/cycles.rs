@@ -86,8 +86,8 @@ impl Tree {
     fn needs(&self, module: &Module) -> BTreeMap<&str, String> {
         let room = |file: &str| file.split('/').nth(1).map(str::to_owned);
         let found = module.used.iter().filter_map(|path| self.defined(path));
-        let own = found.filter(|(other, _)| other.file != module.file && room(&other.file) == room(&module.file));
-        own.map(|(other, item)| (other.file.as_str(), item)).collect()
+        let of_room = found.filter(|(other, _)| other.file != module.file && room(&other.file) == room(&module.file));
+        of_room.map(|(other, item)| (other.file.as_str(), item)).collect()
     }
 
     /// The groups of files each of which needs all others of its group, if only through others.
@@ -122,7 +122,7 @@ impl Tree {
 
 impl Module {
     /// What a file imports and names, its tests left out. `rustfmt` begins an import of a module at the beginning of a line.
-    fn of(source: &Source, own: &Path, places: &BTreeSet<Path>) -> Self {
+    fn of(source: &Source, here: &Path, places: &BTreeSet<Path>) -> Self {
         let mut module = Self { file: source.file.clone(), ..Self::default() };
         let (mut code, mut statement) = (String::new(), String::new());
         for line in code_of(&source.text).lines() {
@@ -136,7 +136,7 @@ impl Module {
             if let Some(whole) = statement.strip_suffix(';') {
                 let (before, tree) = whole.split_once("use ").unwrap_or_default();
                 for (path, name) in expanded(tree.trim(), &[]) {
-                    let Some(path) = absolute(&path, own, &module.names, places) else { continue };
+                    let Some(path) = absolute(&path, here, &module.names, places) else { continue };
                     if before.is_empty() {
                         module.used.push(path.clone());
                     }
@@ -147,7 +147,7 @@ impl Module {
         }
         let named = mentions(&code).into_iter().filter(|mention| mention.modules == 0 && mention.path.len() > 1);
         let paths: Vec<Path> =
-            named.filter_map(|mention| absolute(&mention.path, own, &module.names, places)).collect();
+            named.filter_map(|mention| absolute(&mention.path, here, &module.names, places)).collect();
         module.used.extend(paths);
         module
     }
@@ -174,19 +174,19 @@ fn expanded(tree: &str, before: &[String]) -> Vec<(Path, String)> {
 }
 
 /// A path from its room's name; none for those of other packages and for what is defined in the file itself.
-fn absolute(path: &[String], own: &Path, names: &BTreeMap<String, Path>, places: &BTreeSet<Path>) -> Option<Path> {
+fn absolute(path: &[String], here: &Path, names: &BTreeMap<String, Path>, places: &BTreeSet<Path>) -> Option<Path> {
     let first = path.first()?.as_str();
-    let child = [own.as_slice(), &path[..1]].concat();
+    let child = [here.as_slice(), &path[..1]].concat();
     match first {
         // The command line is a module of the root package; every other room is a crate.
-        "crate" if own.first().is_some_and(|room| room == "cli") => Some(path[1..].to_vec()),
-        "crate" => Some([own.get(..1)?, &path[1..]].concat()),
-        "self" => Some([own, &path[1..]].concat()),
+        "crate" if here.first().is_some_and(|room| room == "cli") => Some(path[1..].to_vec()),
+        "crate" => Some([here.get(..1)?, &path[1..]].concat()),
+        "self" => Some([here, &path[1..]].concat()),
         "super" => {
             let up = path.iter().take_while(|word| *word == "super").count();
-            Some([own.get(..own.len().checked_sub(up)?)?, &path[up..]].concat())
+            Some([here.get(..here.len().checked_sub(up)?)?, &path[up..]].concat())
         }
-        _ if places.contains(&child) => Some([own, path].concat()),
+        _ if places.contains(&child) => Some([here, path].concat()),
         name => names.get(name).map(|start| [start.as_slice(), &path[1..]].concat()),
     }
 }

@@ -139,9 +139,9 @@ fn wildcards(source: &Source) -> Vec<Violation> {
     let lines: Vec<&str> = source.text.lines().collect();
     let mut found = Vec::new();
     for (at, line) in lines.iter().enumerate().filter(|(_, line)| line.contains("match ") && line.ends_with('{')) {
-        let body = lines[at + 1..].iter().take_while(|own| own.is_empty() || indent(own) > indent(line));
-        let arms = body.enumerate().filter(|(_, own)| indent(own) == indent(line) + 4);
-        let arms: Vec<(usize, &str)> = arms.map(|(below, own)| (at + 2 + below, own.trim_start())).collect();
+        let body = lines[at + 1..].iter().take_while(|below| below.is_empty() || indent(below) > indent(line));
+        let arms = body.enumerate().filter(|(_, line_below)| indent(line_below) == indent(line) + 4);
+        let arms: Vec<(usize, &str)> = arms.map(|(below, arm)| (at + 2 + below, arm.trim_start())).collect();
         let of_stage = |(_, arm): &(usize, &str)| arm.starts_with("Stage::") || arm.starts_with("Some(Stage::");
         // A name alone takes everything, too.
         let takes_all = |arm: &str| {
@@ -164,8 +164,8 @@ fn breaking_the_rules_is_noticed() {
     let read = looks(&source(
         "fn f() {\n    name.starts_with(\"v_\");\n    names.starts_with(&[a]);\n    map.contains(key);\n}",
     ));
-    assert_eq!(read.iter().map(|own| own.line).collect::<Vec<_>>(), [2]);
-    let lines = |text: &str| wildcards(&source(text)).iter().map(|own| own.line).collect::<Vec<_>>();
+    assert_eq!(read.iter().map(|wildcard| wildcard.line).collect::<Vec<_>>(), [2]);
+    let lines = |text: &str| wildcards(&source(text)).iter().map(|wildcard| wildcard.line).collect::<Vec<_>>();
     assert_eq!(lines("match stage {\n    Stage::Fall(_) => 1,\n    _ => 2,\n}\nmatch a {\n    _ => 3,\n}"), [3]);
     assert_eq!(lines("match stage {\n    Stage::Fall(_) => 1,\n    stage => 2,\n}"), [3]);
 }

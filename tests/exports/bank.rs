@@ -23,7 +23,7 @@ pub fn all_forms() -> &'static [(Arc<Problem>, usize)] {
     FORMS.get_or_init(|| {
         let compiled = |source: Source| Arc::new(compile(load(source).unwrap(), None).unwrap());
         let problems: Vec<Arc<Problem>> = Bank::built_in().sources().cloned().map(compiled).collect();
-        let forms = |own: Arc<Problem>| (0..own.forms().len()).map(move |form| (own.clone(), form));
+        let forms = |problem: Arc<Problem>| (0..problem.forms().len()).map(move |form| (problem.clone(), form));
         problems.into_iter().flat_map(forms).collect()
     })
 }
@@ -84,15 +84,15 @@ pub fn unpacked(package: Vec<u8>) -> Vec<(String, String)> {
 
 /// The file of that name.
 pub fn file<'f>(files: &'f [(String, String)], name: &str) -> &'f str {
-    &files.iter().find(|(own, _)| own == name).unwrap_or_else(|| panic!("no {name}")).1
+    &files.iter().find(|(listed, _)| listed == name).unwrap_or_else(|| panic!("no {name}")).1
 }
 
 /// The numbers of a part.
 pub fn numbers_of(part: &ItemAnswers) -> Vec<&NumberItem> {
     match part {
-        ItemAnswers::Number(own) => vec![own],
+        ItemAnswers::Number(number) => vec![number],
         ItemAnswers::Roots(all) | ItemAnswers::Vector { components: all, .. } => all.iter().collect(),
-        ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|own| &**own).collect(),
+        ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|bound| &**bound).collect(),
         _ => Vec::new(),
     }
 }
@@ -100,7 +100,7 @@ pub fn numbers_of(part: &ItemAnswers) -> Vec<&NumberItem> {
 /// The numbers of an item with the points of their parts, in the order of the fields.
 pub fn numbers(item: &Item) -> Vec<(u32, &NumberItem)> {
     let parts = item.parts.iter();
-    parts.flat_map(|part| numbers_of(&part.answers).into_iter().map(|own| (part.field.points, own))).collect()
+    parts.flat_map(|part| numbers_of(&part.answers).into_iter().map(|number| (part.field.points, number))).collect()
 }
 
 /// The phrases among which the parts of an item ask for a choice, with the place of the right one; of a formula the letters and digits,
@@ -111,10 +111,10 @@ pub fn choices(item: &Item) -> Vec<(Vec<Offered>, usize)> {
             Some((options.iter().cloned().map(Offered::Phrase).collect(), *right))
         }
         ItemAnswers::Formula { right, mistaken } if !mistaken.is_empty() => {
-            let mut all: Vec<&str> = mistaken.iter().map(|(own, _)| own.text.as_str()).collect();
+            let mut all: Vec<&str> = mistaken.iter().map(|(formula, _)| formula.text.as_str()).collect();
             all.push(&right.text);
             all.sort_unstable();
-            let place = all.iter().position(|own| *own == right.text).unwrap();
+            let place = all.iter().position(|text| *text == right.text).unwrap();
             Some((vec![Offered::Formula; all.len()], place))
         }
         _ => None,
@@ -133,7 +133,7 @@ impl Offered {
     /// Whether this is what is shown: a phrase as it is, a formula as mathematics.
     pub fn is_shown_as(&self, text: &str) -> bool {
         match self {
-            Self::Phrase(own) => own == text,
+            Self::Phrase(phrase) => phrase == text,
             Self::Formula => !text.contains(['*', '_']),
         }
     }
@@ -172,7 +172,10 @@ pub fn check(
         assert!((share - worth).abs() <= faith.credit, "{about}: {middle} earns {share}, {window:?}");
         let is_coarse = worth == 0.0 && window.mistakes.is_empty() && window.verdict == Verdict::OrderOfMagnitude;
         if faith.feedback && (faith.coarse || !is_coarse) {
-            assert!(window.feedback.iter().all(|own| said.contains(own.as_str())), "{about}: {said:?} {window:?}");
+            assert!(
+                window.feedback.iter().all(|said_part| said.contains(said_part.as_str())),
+                "{about}: {said:?} {window:?}"
+            );
         }
         mistakes += window.mistakes.len();
         if worth == 1.0 {
@@ -191,7 +194,8 @@ pub fn check(
 
 fn is_in_a_window(number: &NumberItem, value: f64, beside: f64) -> bool {
     let turns = number.turn.map_or(vec![0.0], |turn| vec![0.0, turn, -turn]);
-    let is_within =
-        |own: &Window| turns.iter().any(|turn| (own.low - beside..=own.high + beside).contains(&(value + turn)));
+    let is_within = |window: &Window| {
+        turns.iter().any(|turn| (window.low - beside..=window.high + beside).contains(&(value + turn)))
+    };
     number.windows.iter().any(is_within)
 }

@@ -45,21 +45,22 @@ pub fn tries<'i>(numbers: &[(u32, &'i NumberItem)], mistakes: usize) -> Vec<Try<
             all.push(Try { name, answers });
         }
     };
-    let answer = |value, own: &'i Window, points| Answer { value, share: share(own, points), said: &own.feedback };
-    for (name, end) in [("low", (|own| own.low) as fn(&Window) -> f64), ("high", |own| own.high)] {
+    let answer =
+        |value, window: &'i Window, points| Answer { value, share: share(window, points), said: &window.feedback };
+    for (name, end) in [("low", (|window| window.low) as fn(&Window) -> f64), ("high", |window| window.high)] {
         add(name, &|points, number| {
-            let full = number.windows.iter().find(|own| share(own, points) >= 1.0)?;
+            let full = number.windows.iter().find(|window| share(window, points) >= 1.0)?;
             Some(answer(end(full), full, points))
         });
     }
     add("outside", &|_, number| {
-        let value = number.windows.iter().fold(1e9, |outside, own| outside + own.high.abs());
+        let value = number.windows.iter().fold(1e9, |outside, window| outside + window.high.abs());
         Some(Answer { value, share: 0.0, said: &[] })
     });
     for place in 0..mistakes {
         add("mistake", &|points, number| {
-            let own = number.windows.iter().filter(|own| !own.mistakes.is_empty()).nth(place)?;
-            Some(answer(own.low + (own.high - own.low) / 2.0, own, points))
+            let window = number.windows.iter().filter(|window| !window.mistakes.is_empty()).nth(place)?;
+            Some(answer(window.low + (window.high - window.low) / 2.0, window, points))
         });
     }
     all

@@ -39,7 +39,7 @@ fn components_and_several_values_are_labelled_at_their_fields() {
         assert!(text.contains("the smaller") && text.contains("the greater"), "{}", target.name);
         let text = written(target.name, std::slice::from_ref(&vector));
         let labels = [["x:", "y:"], ["\u{2013} x", "\u{2013} y"], ["\\u2013 x", "\\u2013 y"]];
-        assert!(labels.iter().any(|own| own.iter().all(|label| text.contains(label))), "{}", target.name);
+        assert!(labels.iter().any(|several| several.iter().all(|label| text.contains(label))), "{}", target.name);
     }
 }
 

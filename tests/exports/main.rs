@@ -31,7 +31,7 @@ mod texts;
 mod xml;
 
 fn questions(root: &Node) -> Vec<&Node> {
-    root.all("question").filter(|own| own.attribute("type") != "category").collect()
+    root.all("question").filter(|question| question.attribute("type") != "category").collect()
 }
 
 /// Marks every form of the bank in a target.

@@ -52,7 +52,8 @@ pub fn marked_as_here(target: &str, items: &[Item]) -> Met {
 
 /// The points of the parts that go along.
 fn points_asked(item: &Item) -> u32 {
-    let is_left_out = |own: &ItemAnswers| matches!(own, ItemAnswers::Formula { mistaken, .. } if mistaken.is_empty());
+    let is_left_out =
+        |answers: &ItemAnswers| matches!(answers, ItemAnswers::Formula { mistaken, .. } if mistaken.is_empty());
     item.parts.iter().filter(|part| !is_left_out(&part.answers)).map(|part| part.field.points).sum()
 }
 
@@ -72,12 +73,12 @@ fn in_moodle(items: &[Item]) -> Met {
         let shown = question.at(&["generalfeedback"]).unwrap().all("file").count();
         assert_eq!(solution.matches("@@PLUGINFILE@@").count(), shown, "{about}");
         let solution = decoded(solution);
-        assert!(item.solution.sections.iter().all(|own| solution.contains(&own.heading)), "{about}");
+        assert!(item.solution.sections.iter().all(|section| solution.contains(&section.heading)), "{about}");
         assert!(decoded(question.text_at(&["questiontext", "text"])).contains(&item.code), "{about}");
         let fields = moodle::fields(question);
-        let weights: u32 = fields.iter().map(|own| own.weight).sum();
+        let weights: u32 = fields.iter().map(|field| field.weight).sum();
         assert!(weights > 0 && weights.is_multiple_of(points_asked(item)), "{about}: {weights}");
-        let (asked, choosing): (Vec<&Field>, Vec<&Field>) = fields.iter().partition(|own| !own.is_choice);
+        let (asked, choosing): (Vec<&Field>, Vec<&Field>) = fields.iter().partition(|field| !field.is_choice);
         let numbers = numbers(item);
         assert_eq!(asked.len(), numbers.len(), "{about}");
         met.numbers += numbers.len();
@@ -96,7 +97,7 @@ fn in_moodle(items: &[Item]) -> Met {
             }
         }
         for field in choosing {
-            assert_eq!(field.answers.iter().filter(|own| own.fraction == 100.0).count(), 1, "{about}");
+            assert_eq!(field.answers.iter().filter(|answer| answer.fraction == 100.0).count(), 1, "{about}");
             met.choices += 1;
         }
     }
@@ -116,7 +117,7 @@ fn in_qti(target: &str, items: &[Item]) -> Met {
         met.numbers += numbers(item).len();
         met.choices += choices(item).len();
         let solution = written.feedback("SOLUTION", "solution").unwrap();
-        assert!(item.solution.sections.iter().all(|own| solution.contains(&own.heading)), "{about}");
+        assert!(item.solution.sections.iter().all(|section| solution.contains(&section.heading)), "{about}");
     }
     let manifest = xml::read(file(&files, "imsmanifest.xml"));
     let mut listed = Vec::new();
@@ -146,17 +147,17 @@ fn check_qti(item: &Item, written: &qti::Item, about: &str) -> usize {
         let told = name.replace("RESPONSE", "FEEDBACK");
         mistakes += check(number, points, WHOLE, about, |value| {
             let marked = written.mark(&[(name, &value.to_string())]);
-            let said = marked.outcomes.get(&told).map(|own| written.feedback(&told, own).unwrap());
+            let said = marked.outcomes.get(&told).map(|outcome| written.feedback(&told, outcome).unwrap());
             (marked.score / full, said.unwrap_or_default())
         });
     }
     for ((name, right), (options, place)) in choosing.into_iter().zip(choices(item)) {
         let found = written.choices(name);
-        assert!(found.iter().zip(&options).all(|((_, text), own)| own.is_shown_as(text)), "{about}: {found:?}");
+        assert!(found.iter().zip(&options).all(|((_, text), option)| option.is_shown_as(text)), "{about}: {found:?}");
         assert_eq!(found.len(), options.len(), "{about}");
         assert_eq!(found[place].0, *right, "{about}");
-        for (own, _) in &found {
-            assert_eq!(written.mark(&[(name, own)]).score > 0.0, own == right, "{about}");
+        for (name_of_option, _) in &found {
+            assert_eq!(written.mark(&[(name, name_of_option)]).score > 0.0, name_of_option == right, "{about}");
         }
     }
     mistakes
@@ -168,30 +169,33 @@ fn in_canvas(items: &[Item]) -> Met {
     let quiz = format!("quiz-{}", items[0].code);
     let root = xml::read(file(&files, &format!("{quiz}/{quiz}.xml")));
     let groups: Vec<&Node> = root.at(&["assessment", "section"]).unwrap().all("section").collect();
-    assert!(groups.iter().all(|own| own.all("item").count() <= items.len()));
+    assert!(groups.iter().all(|group| group.all("item").count() <= items.len()));
     for item in items {
-        let own: Vec<&Node> = groups
+        let groups_of_item: Vec<&Node> = groups
             .iter()
             .flat_map(|group| group.all("item"))
-            .filter(|own| own.attribute("ident").starts_with(&item.code))
+            .filter(|group| group.attribute("ident").starts_with(&item.code))
             .collect();
         let (numerical, choosing): (Vec<&Node>, Vec<&Node>) =
-            own.into_iter().partition(|own| own.at(&["presentation", "response_str"]).is_some());
+            groups_of_item.into_iter().partition(|group| group.at(&["presentation", "response_str"]).is_some());
         let numbers = numbers(item);
         assert_eq!(numerical.len(), numbers.len());
         for (written, (points, number)) in numerical.into_iter().zip(numbers) {
             let mark = |value: f64| (if canvas_takes(written, value) { 1.0 } else { 0.0 }, String::new());
             let mut full = number.clone();
             // Canvas knows no credit: what earns less than everything earns nothing.
-            full.windows.retain(|own| own.points.0 == Rational::from(points));
+            full.windows.retain(|window| window.points.0 == Rational::from(points));
             check(&full, points, Faith { feedback: false, ..WHOLE }, &item.code, mark);
             met.numbers += 1;
         }
         for (written, (options, _)) in choosing.into_iter().zip(choices(item)) {
             let labels = written.at(&["presentation", "response_lid", "render_choice"]).unwrap();
-            let texts = labels.all("response_label").map(|own| decoded(own.text_at(&["material", "mattext"])));
+            let texts = labels.all("response_label").map(|label| decoded(label.text_at(&["material", "mattext"])));
             let texts: Vec<String> = texts.collect();
-            assert!(texts.iter().zip(&options).all(|(text, own)| own.is_shown_as(text)), "{texts:?}");
+            assert!(
+                texts.iter().zip(&options).all(|(text, groups_of_item)| groups_of_item.is_shown_as(text)),
+                "{texts:?}"
+            );
             assert_eq!(texts.len(), options.len());
             met.choices += 1;
         }
@@ -201,8 +205,8 @@ fn in_canvas(items: &[Item]) -> Met {
 
 fn canvas_takes(item: &Node, value: f64) -> bool {
     let end = |within: &Node, name| within.text_at(&[name]).parse::<f64>().ok();
-    item.at(&["resprocessing"]).unwrap().all("respcondition").any(|own| {
-        let within = own.at(&["conditionvar"]).unwrap();
+    item.at(&["resprocessing"]).unwrap().all("respcondition").any(|condition| {
+        let within = condition.at(&["conditionvar"]).unwrap();
         let ends = end(within, "vargte").zip(end(within, "varlte"));
         ends.is_some_and(|(low, high)| (low..=high).contains(&value))
     })
@@ -217,7 +221,7 @@ fn in_numbas(items: &[Item]) -> Met {
     assert_eq!(questions.len(), items.len());
     for (item, question) in items.iter().zip(questions) {
         let parts = question["parts"].as_array().unwrap();
-        let entries = parts.iter().filter(|own| own["type"] == "numberentry");
+        let entries = parts.iter().filter(|part| part["type"] == "numberentry");
         let numbers = numbers(item);
         assert_eq!(entries.clone().count(), numbers.len());
         met.numbers += numbers.len();
@@ -241,12 +245,13 @@ pub fn numbas<'i>(items: impl IntoIterator<Item = &'i Item>) -> serde_json::Valu
 /// The first interval that holds the number counts, that of the part itself first.
 fn numbas_mark(part: &serde_json::Value, value: f64) -> (f64, String) {
     let full = part["marks"].as_f64().unwrap();
-    let end = |own: &serde_json::Value, name: &str| own[name].as_str().unwrap().parse::<f64>().unwrap();
+    let end = |entry: &serde_json::Value, name: &str| entry[name].as_str().unwrap().parse::<f64>().unwrap();
     let all = std::iter::once(part).chain(part["alternatives"].as_array().unwrap());
-    let mut fitting = all.filter(|own| (end(own, "minValue")..=end(own, "maxValue")).contains(&value));
-    fitting.next().map_or((0.0, String::new()), |own| {
-        let said = decoded(own["alternativeFeedbackMessage"].as_str().unwrap_or_default());
-        (own["marks"].as_f64().unwrap() / full, said)
+    let mut fitting =
+        all.filter(|alternative| (end(alternative, "minValue")..=end(alternative, "maxValue")).contains(&value));
+    fitting.next().map_or((0.0, String::new()), |alternative| {
+        let said = decoded(alternative["alternativeFeedbackMessage"].as_str().unwrap_or_default());
+        (alternative["marks"].as_f64().unwrap() / full, said)
     })
 }
 
@@ -278,7 +283,10 @@ fn in_prairielearn(items: &[Item]) -> Met {
     for ((worth, feedback, about), found) in asked.iter().zip(marked) {
         assert!((found[0].as_f64().unwrap() - worth).abs() < 1e-9, "{about}: {found} {worth}");
         let said = decoded(found[1].as_str().unwrap());
-        assert!(feedback.iter().all(|own| said.contains(own.as_str())), "{about}: {said} {feedback:?}");
+        assert!(
+            feedback.iter().all(|feedback_part| said.contains(feedback_part.as_str())),
+            "{about}: {said} {feedback:?}"
+        );
     }
     met
 }
@@ -304,24 +312,24 @@ fn in_rexams(items: &[Item]) -> Met {
     assert_eq!(asked.len(), items.len());
     for (item, asked) in items.iter().zip(asked) {
         let [kinds, right, tolerance, points] = [0, 1, 2, 3].map(|place| asked[place].split('|').collect::<Vec<_>>());
-        let all: u32 = points.iter().map(|own| own.parse::<u32>().unwrap()).sum();
+        let all: u32 = points.iter().map(|points| points.parse::<u32>().unwrap()).sum();
         assert!(all.is_multiple_of(points_asked(item)), "{}: {points:?}", item.code);
         let fields = kinds.iter().zip(right.iter().zip(tolerance));
-        let of_numbers = fields.filter(|(kind, _)| **kind == "num").map(|(_, own)| own);
+        let of_numbers = fields.filter(|(kind, _)| **kind == "num").map(|(_, field)| field);
         let numbers = numbers(item);
         assert_eq!(of_numbers.clone().count(), numbers.len(), "{}", item.code);
         for ((right, tolerance), (points, number)) in of_numbers.zip(numbers) {
-            let [right, tolerance]: [f64; 2] = [*right, tolerance].map(|own| own.parse().unwrap());
-            let is_home = |own: &&Window| (own.low..=own.high).contains(&number.right);
+            let [right, tolerance]: [f64; 2] = [*right, tolerance].map(|text| text.parse().unwrap());
+            let is_home = |window: &&Window| (window.low..=window.high).contains(&number.right);
             let full = number.windows.iter().find(is_home).unwrap();
             assert_eq!(full.points.0, Rational::from(points), "{}", item.code);
             let is_right = |value: f64| (value - right).abs() <= tolerance;
             assert!([full.low, full.high, number.right].into_iter().all(is_right), "{}: {full:?}", item.code);
             // The solution is the printed value, which is off the middle by no more than rounding.
             let mut ends = [full.low, full.high];
-            for own in number.windows.iter().filter(|own| own.points.0 == full.points.0) {
-                if own.low <= ends[1] && own.high >= ends[0] {
-                    ends = [ends[0].min(own.low), ends[1].max(own.high)];
+            for window in number.windows.iter().filter(|window| window.points.0 == full.points.0) {
+                if window.low <= ends[1] && window.high >= ends[0] {
+                    ends = [ends[0].min(window.low), ends[1].max(window.high)];
                 }
             }
             let furthest = (right - ends[0]).max(ends[1] - right);

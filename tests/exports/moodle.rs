@@ -36,21 +36,21 @@ pub fn fields(question: &Node) -> Vec<Field> {
     if question.attribute("type") == "cloze" {
         return gaps(question.text_at(&["questiontext", "text"]));
     }
-    let answer = |own: &Node| Answer {
+    let answer = |node: &Node| Answer {
         text: match question.attribute("type") {
-            "numerical" => own.text_at(&["text"]).to_owned(),
-            _ => decoded(own.text_at(&["text"])),
+            "numerical" => node.text_at(&["text"]).to_owned(),
+            _ => decoded(node.text_at(&["text"])),
         },
-        tolerance: own.text_at(&["tolerance"]).parse().unwrap_or(0.0),
-        fraction: own.attribute("fraction").parse().unwrap(),
-        feedback: decoded(own.text_at(&["feedback", "text"])),
+        tolerance: node.text_at(&["tolerance"]).parse().unwrap_or(0.0),
+        fraction: node.attribute("fraction").parse().unwrap(),
+        feedback: decoded(node.text_at(&["feedback", "text"])),
     };
-    let unit = |own: &Node| (own.text_at(&["unit_name"]).to_owned(), own.text_at(&["multiplier"]).parse().unwrap());
+    let unit = |unit: &Node| (unit.text_at(&["unit_name"]).to_owned(), unit.text_at(&["multiplier"]).parse().unwrap());
     vec![Field {
         is_choice: question.attribute("type") == "multichoice",
         weight: question.text_at(&["defaultgrade"]).parse().unwrap(),
         answers: question.all("answer").map(answer).collect(),
-        units: question.at(&["units"]).map(|own| own.all("unit").map(unit).collect()).unwrap_or_default(),
+        units: question.at(&["units"]).map(|node| node.all("unit").map(unit).collect()).unwrap_or_default(),
         penalty: question.text_at(&["unitpenalty"]).parse().unwrap_or(0.0),
     }]
 }
@@ -117,10 +117,10 @@ impl Field {
             .unwrap_or_else(|| panic!("{typed} is no number"));
         let known = self.units.iter().find(|(name, _)| name == unit);
         let in_default = known.map(|(_, multiplier)| number / multiplier);
-        let find = |number: f64| self.answers.iter().find(|own| own.takes(number));
+        let find = |number: f64| self.answers.iter().find(|answer| answer.takes(number));
         let penalty = if self.units.is_empty() { 0.0 } else { self.penalty };
-        let fits = in_default.and_then(find).map(|own| (own, 0.0)).or(find(number).map(|own| (own, penalty)));
-        fits.map_or((0.0, ""), |(own, penalty)| (own.fraction / 100.0 * (1.0 - penalty), &own.feedback))
+        let fits = in_default.and_then(find).map(|fit| (fit, 0.0)).or(find(number).map(|answer| (answer, penalty)));
+        fits.map_or((0.0, ""), |(answer, penalty)| (answer.fraction / 100.0 * (1.0 - penalty), &answer.feedback))
     }
 
     /// What a number in the unit of the question earns.

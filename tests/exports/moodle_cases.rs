@@ -18,8 +18,9 @@ pub fn write(folder: &Path) {
     for items in items.chunk_by(|left, right| left.identity.problem == right.identity.problem) {
         let file = text(exported("moodle", items.iter().copied()));
         let root = xml::read(&file);
-        let questions = root.all("question").filter(|own| own.attribute("type") != "category");
-        let cases: Vec<Value> = items.iter().zip(questions).flat_map(|(item, own)| cases(item, own)).collect();
+        let questions = root.all("question").filter(|question| question.attribute("type") != "category");
+        let cases: Vec<Value> =
+            items.iter().zip(questions).flat_map(|(item, question)| cases(item, question)).collect();
         let path = folder.join(items[0].identity.problem.replace('/', "-"));
         fs::write(path.with_extension("xml"), file).unwrap();
         fs::write(path.with_extension("json"), json!(cases).to_string()).unwrap();
@@ -55,8 +56,8 @@ fn numerical(item: &Item, name: &str, field: &Field) -> Vec<Value> {
         cases.push(json!({ "question": name, "answer": bare, "fraction": fraction }));
         cases.push(json!({ "question": name, "answer": format!("{bare} furlong"), "fraction": fraction }));
     }
-    for own in tries(&[(points, number)], number.windows.len()) {
-        let Some(Some(Answer { value, share, said })) = own.answers.first() else { continue };
+    for attempt in tries(&[(points, number)], number.windows.len()) {
+        let Some(Some(Answer { value, share, said })) = attempt.answers.first() else { continue };
         let fraction = fraction(field, *value, *share);
         let answer = format!("{value} {unit}");
         cases.push(json!({ "question": name, "answer": answer, "fraction": fraction, "feedback_contains": said }));
@@ -65,10 +66,10 @@ fn numerical(item: &Item, name: &str, field: &Field) -> Vec<Value> {
 }
 
 fn choice(name: &str, field: &Field) -> Vec<Value> {
-    let one = |own: &super::moodle::Answer| {
+    let one = |answer: &super::moodle::Answer| {
         json!({
-            "question": name, "answer": own.text, "fraction": own.fraction / 100.0,
-            "feedback_contains": [own.feedback],
+            "question": name, "answer": answer.text, "fraction": answer.fraction / 100.0,
+            "feedback_contains": [answer.feedback],
         })
     };
     field.answers.iter().map(one).collect()
@@ -78,20 +79,20 @@ fn choice(name: &str, field: &Field) -> Vec<Value> {
 fn cloze(item: &Item, name: &str, fields: &[Field]) -> Vec<Value> {
     let gaps = || (1..=fields.len()).map(|place| place.to_string());
     let numbers = numbers(item);
-    let whole: u32 = fields.iter().map(|own| own.weight).sum();
+    let whole: u32 = fields.iter().map(|field| field.weight).sum();
     let mut asked = numbers.iter();
     let right = |field: &Field| {
         if field.is_choice {
-            return field.answers.iter().find(|own| own.fraction >= 100.0).unwrap().text.clone();
+            return field.answers.iter().find(|answer| answer.fraction >= 100.0).unwrap().text.clone();
         }
-        asked.next().map(|(_, own)| format!("{:.*e}", own.figures - 1, own.right)).unwrap()
+        asked.next().map(|(_, number)| format!("{:.*e}", number.figures - 1, number.right)).unwrap()
     };
     let right: Map<String, Value> = gaps().zip(fields.iter().map(right).map(Value::from)).collect();
     let mut cases = vec![json!({ "question": name, "response": right, "fraction": 1.0, "accepted": "complete" })];
-    for own in tries(&numbers, numbers.iter().map(|(_, own)| own.windows.len()).max().unwrap_or(0)) {
+    for attempt in tries(&numbers, numbers.iter().map(|(_, number)| number.windows.len()).max().unwrap_or(0)) {
         let (mut response, mut parts, mut said, mut earned) = (Map::new(), Map::new(), Vec::new(), 0.0);
         let asked = gaps().zip(fields).filter(|(_, field)| !field.is_choice);
-        for ((gap, field), answer) in asked.zip(&own.answers) {
+        for ((gap, field), answer) in asked.zip(&attempt.answers) {
             let Some(Answer { value, share, said: says }) = answer else { continue };
             let share = fraction(field, *value, *share);
             earned += share * f64::from(field.weight) / f64::from(whole);
@@ -104,10 +105,10 @@ fn cloze(item: &Item, name: &str, fields: &[Field]) -> Vec<Value> {
         }));
     }
     for (gap, field) in gaps().zip(fields).filter(|(_, field)| field.is_choice) {
-        for own in &field.answers {
+        for answer in &field.answers {
             cases.push(json!({
-                "question": name, "response": { &gap: own.text }, "parts": { &gap: own.fraction / 100.0 },
-                "feedback_contains": [own.feedback],
+                "question": name, "response": { &gap: answer.text }, "parts": { &gap: answer.fraction / 100.0 },
+                "feedback_contains": [answer.feedback],
             }));
         }
     }

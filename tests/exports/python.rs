@@ -10,7 +10,7 @@ pub const PLAY: &str = include_str!("play.py");
 /// The program, or nothing where there is none; where everything is tested, there has to be one.
 pub fn found() -> Option<String> {
     let name = "python3".to_owned();
-    let answers = Command::new(&name).arg("--version").output().is_ok_and(|own| own.status.success());
+    let answers = Command::new(&name).arg("--version").output().is_ok_and(|output| output.status.success());
     assert!(answers || std::env::var("CI").as_deref() != Ok("true"), "python3 is missing");
     answers.then_some(name)
 }

@@ -43,15 +43,16 @@ impl Item {
     }
 
     pub fn most(&self) -> f64 {
-        let outcome = self.root.all("outcome-declaration").find(|own| own.attribute("identifier") == "MAXSCORE");
+        let outcome =
+            self.root.all("outcome-declaration").find(|declaration| declaration.attribute("identifier") == "MAXSCORE");
         outcome.unwrap().text_at(&["default-value", "value"]).parse().unwrap()
     }
 
     /// The fields in order: names of responses with their right values.
     pub fn responses(&self) -> Vec<(String, String)> {
         let declared = self.root.all("response-declaration");
-        let right = |own: &Node| own.text_at(&["correct-response", "value"]).to_owned();
-        declared.map(|own| (own.attribute("identifier").to_owned(), right(own))).collect()
+        let right = |declaration: &Node| declaration.text_at(&["correct-response", "value"]).to_owned();
+        declared.map(|declaration| (declaration.attribute("identifier").to_owned(), right(declaration))).collect()
     }
 
     /// The choices of a field with their texts.
@@ -59,7 +60,7 @@ impl Item {
         let mut found = Vec::new();
         self.root.walk(&mut |node| {
             if node.name == "choice-interaction" && node.attribute("response-identifier") == response {
-                let choice = |own: &Node| (own.attribute("identifier").to_owned(), own.whole_text());
+                let choice = |choice: &Node| (choice.attribute("identifier").to_owned(), choice.whole_text());
                 found = node.all("simple-choice").map(choice).collect();
             }
         });
@@ -85,11 +86,14 @@ impl Item {
         let mut marked = Marked { score: 0.0, outcomes: BTreeMap::new() };
         for rule in &self.root.at(&["response-processing"]).unwrap().children {
             if rule.name == "response-condition" {
-                let taken = rule.children.iter().find(|own| {
-                    assert!(matches!(own.name.as_str(), "response-if" | "response-else-if"), "{}", own.name);
-                    value(&own.children[0], answers, &marked) == Value::Truth(true)
+                let taken = rule.children.iter().find(|branch| {
+                    assert!(matches!(branch.name.as_str(), "response-if" | "response-else-if"), "{}", branch.name);
+                    value(&branch.children[0], answers, &marked) == Value::Truth(true)
                 });
-                taken.into_iter().flat_map(|own| &own.children[1..]).for_each(|own| set(own, answers, &mut marked));
+                taken
+                    .into_iter()
+                    .flat_map(|branch| &branch.children[1..])
+                    .for_each(|step| set(step, answers, &mut marked));
             } else {
                 set(rule, answers, &mut marked);
             }
@@ -111,7 +115,7 @@ fn set(rule: &Node, answers: &[(&str, &str)], marked: &mut Marked) {
 }
 
 fn value(node: &Node, answers: &[(&str, &str)], marked: &Marked) -> Value {
-    let all: Vec<Value> = node.children.iter().map(|own| value(own, answers, marked)).collect();
+    let all: Vec<Value> = node.children.iter().map(|child| value(child, answers, marked)).collect();
     let compared = || match all[..] {
         [Value::Number(left), Value::Number(right)] => left.partial_cmp(&right),
         // An empty answer counts as zero, as it does in players.
@@ -128,12 +132,14 @@ fn value(node: &Node, answers: &[(&str, &str)], marked: &Marked) -> Value {
         "base-value" => Value::Text(node.text.clone()),
         "is-null" => Value::Truth(all == [Value::Null]),
         "not" => Value::Truth(all == [Value::Truth(false)]),
-        "and" => Value::Truth(all.iter().all(|own| *own == Value::Truth(true))),
+        "and" => Value::Truth(all.iter().all(|truth| *truth == Value::Truth(true))),
         "or" => Value::Truth(all.contains(&Value::Truth(true))),
         "match" => Value::Truth(all[0] == all[1]),
         "gte" => Value::Truth(matches!(compared(), Some(Ordering::Greater | Ordering::Equal))),
         "lte" => Value::Truth(matches!(compared(), Some(Ordering::Less | Ordering::Equal))),
-        "sum" => Value::Number(all.iter().map(|own| if let Value::Number(own) = own { *own } else { 0.0 }).sum()),
+        "sum" => {
+            Value::Number(all.iter().map(|term| if let Value::Number(number) = term { *number } else { 0.0 }).sum())
+        }
         other => panic!("{other}"),
     }
 }

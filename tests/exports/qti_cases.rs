@@ -34,15 +34,15 @@ fn cases(item: &Item, written: &qti::Item) -> Vec<Value> {
     let all: Map<String, Value> = responses.iter().map(|(name, right)| (name.clone(), json!(right))).collect();
     let mut cases = vec![json!({ "name": "printed", "responses": all, "expect": { "SCORE": written.most() } })];
     let asked: Vec<&(String, String)> = responses.iter().filter(|(name, _)| written.choices(name).is_empty()).collect();
-    for own in tries(&numbers(item), MISTAKES) {
+    for attempt in tries(&numbers(item), MISTAKES) {
         let (mut score, mut said, mut given) = (0.0, Vec::new(), Map::new());
-        for ((field, right), answer) in asked.iter().zip(&own.answers) {
+        for ((field, right), answer) in asked.iter().zip(&attempt.answers) {
             let Some(answer) = answer else { continue };
             score += answer.share * written.mark(&[(field, right)]).score;
             said.extend(answer.said.iter().map(|text| text.trim().to_owned()));
             given.insert(field.clone(), json!(answer.value.to_string()));
         }
-        cases.push(json!({ "name": own.name, "responses": given, "expect": { "SCORE": score, "says": said } }));
+        cases.push(json!({ "name": attempt.name, "responses": given, "expect": { "SCORE": score, "says": said } }));
     }
     cases
 }

@@ -28,8 +28,8 @@ fn number(item: &Item, part: usize) -> String {
 /// What a usual mistake leads to, where it is worth nothing.
 fn mistake(item: &Item, part: usize, code: &str) -> String {
     let ItemAnswers::Number(number) = &item.parts[part].answers else { panic!("part {part} is no number") };
-    let is_worthless = |own: &&momentous::exercise::Window| {
-        own.mistakes.contains(&code) && own.points.0 == momentous::quantity::Rational::ZERO
+    let is_worthless = |window: &&momentous::exercise::Window| {
+        window.mistakes.contains(&code) && window.points.0 == momentous::quantity::Rational::ZERO
     };
     let window = number.windows.iter().find(is_worthless).unwrap();
     (window.low + (window.high - window.low) / 2.0).to_string()
@@ -63,7 +63,7 @@ fn responses_of_moodle_are_marked_and_make_a_gradebook() {
     let folder = tempfile::tempdir().unwrap();
     let codes = exported(folder.path(), "moodle");
     let file = fs::read_to_string(folder.path().join("quiz")).unwrap();
-    assert!(codes.iter().all(|own| file.contains(&format!("[{}]", own.code))));
+    assert!(codes.iter().all(|code| file.contains(&format!("[{}]", code.code))));
     let [first, second] = [1, 2].map(|seed| item("impact/two-carts", seed));
     assert_eq!([&first.code, &second.code], [&codes[0].code, &codes[1].code]);
     let response = |of: [String; 3]| format!("part 1: {}; part 2: {}; part 3: {}", of[0], of[1], of[2]);
@@ -103,19 +103,19 @@ fn responses_of_canvas_are_marked_and_make_a_gradebook() {
     assert_eq!(gradebook, format!("Student,ID,Section,responses\n17,17,,{points}\n18,18,,0\n"));
     // Each field has a variant of its own, of which the other parts were not asked.
     let verdicts: Vec<&str> = marks.lines().skip(1).filter_map(|line| line.split(',').nth(9)).collect();
-    let count = |verdict: &str| verdicts.iter().filter(|own| **own == verdict).count();
+    let count = |verdict: &str| verdicts.iter().filter(|one| **one == verdict).count();
     assert_eq!([count("right"), count("unanswered")], [2, verdicts.len() - 3], "{marks}");
 }
 
 /// What is typed into the fields of a part, or chosen there, when it is right.
 fn right(part: &ItemPart) -> Vec<String> {
-    let number = |own: &NumberItem| {
-        if own.whole { format!("{:.0}", own.right) } else { format!("{:.*e}", own.figures - 1, own.right) }
+    let number = |number: &NumberItem| {
+        if number.whole { format!("{:.0}", number.right) } else { format!("{:.*e}", number.figures - 1, number.right) }
     };
     match &part.answers {
-        ItemAnswers::Number(own) => vec![number(own)],
+        ItemAnswers::Number(right) => vec![number(right)],
         ItemAnswers::Roots(all) | ItemAnswers::Vector { components: all, .. } => all.iter().map(number).collect(),
-        ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|own| number(own)).collect(),
+        ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|bound| number(bound)).collect(),
         ItemAnswers::Choice { options, right, .. } => vec![options[*right].clone()],
         ItemAnswers::Formula { right, .. } => {
             vec![right.math.as_ref().map_or_else(String::new, |math| Markup::Tex.math(math))]
@@ -133,14 +133,14 @@ fn right_numbers_in_fields_are_right_with_the_units_printed_behind_them() {
             let item = exercise.item();
             let coded = Coded::of(&Question::new(&item), Target::named("qti3").unwrap());
             let mut fields: Vec<(String, String)> = Vec::new();
-            for own in &coded.parts {
-                let part = item.parts.iter().find(|part| part.field.id == own.id).unwrap();
-                fields.extend(own.fields.iter().cloned().zip(right(part)));
+            for coded_part in &coded.parts {
+                let part = item.parts.iter().find(|part| part.field.id == coded_part.id).unwrap();
+                fields.extend(coded_part.fields.iter().cloned().zip(right(part)));
             }
             let answers: BTreeMap<String, String> = coded.answers(&fields).into_iter().collect();
             let report = exercise.grade(&answers, DecimalMark::Point);
-            for own in &coded.parts {
-                let marked = report.parts.iter().find(|part| part.id == own.id).unwrap();
+            for coded_part in &coded.parts {
+                let marked = report.parts.iter().find(|part| part.id == coded_part.id).unwrap();
                 assert_eq!(marked.verdict, Verdict::Right, "{} {answers:?}", item.identity.problem);
                 typed += 1;
             }
@@ -160,8 +160,9 @@ fn a_table_that_moodle_wrote_is_read() {
     let read = table.records().map(|row| {
         let row = row.unwrap();
         let found = responses.of_row(&row.iter().collect::<Vec<_>>());
-        let students: Vec<String> = found.iter().map(|own| own.student.clone()).collect();
-        let answers = found.iter().flat_map(|own| own.coded.answers(&own.typed)).map(|(_, answer)| answer);
+        let students: Vec<String> = found.iter().map(|response| response.student.clone()).collect();
+        let answers =
+            found.iter().flat_map(|response| response.coded.answers(&response.typed)).map(|(_, answer)| answer);
         (students, answers.collect::<Vec<_>>())
     });
     let expected = [

@@ -25,10 +25,10 @@ proptest! {
         prop_assert!(decoded(question.text_at(&["questiontext", "text"])).contains(case.title.as_str()));
         let fields = moodle::fields(question);
         let answers = &fields.last().unwrap().answers;
-        prop_assert_eq!(&answers.iter().map(|own| own.text.clone()).collect::<Vec<_>>(), &case.options);
+        prop_assert_eq!(&answers.iter().map(|answer| answer.text.clone()).collect::<Vec<_>>(), &case.options);
         prop_assert_eq!(answers[1].feedback.trim_end_matches('\n'), case.because.as_str());
         prop_assert_eq!(answers[0].feedback.trim_end_matches('\n'), case.title.as_str());
-        prop_assert_eq!(answers.iter().map(|own| own.fraction).position(|own| own == 100.0), Some(1));
+        prop_assert_eq!(answers.iter().map(|answer| answer.fraction).position(|answer| answer == 100.0), Some(1));
     }
 
     #[test]
@@ -63,7 +63,7 @@ proptest! {
         prop_assert!(html(written.at(&["presentation"]).unwrap()).contains(case.title.as_str()));
         let labels = written.at(&["presentation", "response_lid", "render_choice"]).unwrap().all("response_label");
         prop_assert_eq!(&labels.map(html).collect::<Vec<_>>(), &case.options);
-        let said = |name: &str| written.all("itemfeedback").find(|own| own.attribute("ident").ends_with(name)).unwrap();
+        let said = |name: &str| written.all("itemfeedback").find(|answer| answer.attribute("ident").ends_with(name)).unwrap();
         let said = |name: &str| html(said(name).at(&["flow_mat"]).unwrap()).trim_end_matches('\n').to_owned();
         prop_assert_eq!(said("-1_fb"), case.title.clone());
         prop_assert_eq!(said("-2_fb"), case.because.clone());
@@ -99,8 +99,8 @@ proptest! {
         prop_assert_eq!(data.matches("```").count(), 1, "one chunk begins, and none ends");
         prop_assert!(!rest.contains(&item.code));
         let strings: Vec<String> = strings(data);
-        let escaped: Vec<String> = case.options.iter().map(|own| Markup::Markdown.text(own)).collect();
-        let place = strings.windows(escaped.len()).position(|own| own == escaped.as_slice());
+        let escaped: Vec<String> = case.options.iter().map(|answer| Markup::Markdown.text(answer)).collect();
+        let place = strings.windows(escaped.len()).position(|answer| answer == escaped.as_slice());
         prop_assert!(place.is_some(), "{:?} {:?}", strings, escaped);
     }
 }
@@ -110,9 +110,9 @@ fn strings(code: &str) -> Vec<String> {
     let mut all = Vec::new();
     let mut letters = code.chars();
     while letters.by_ref().any(|letter| letter == '"') {
-        let mut own = String::new();
+        let mut text = String::new();
         while let Some(letter) = letters.next().filter(|letter| *letter != '"') {
-            own.push(match letter {
+            text.push(match letter {
                 '\\' => match letters.next().unwrap() {
                     'n' => '\n',
                     't' => '\t',
@@ -123,7 +123,7 @@ fn strings(code: &str) -> Vec<String> {
                 letter => letter,
             });
         }
-        all.push(own);
+        all.push(text);
     }
     all
 }

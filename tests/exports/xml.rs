@@ -17,21 +17,21 @@ pub struct Node {
 
 impl Node {
     pub fn all<'n>(&'n self, name: &'n str) -> impl Iterator<Item = &'n Node> + use<'n> {
-        self.children.iter().filter(move |own| own.name == name)
+        self.children.iter().filter(move |child| child.name == name)
     }
 
     pub fn at(&self, path: &[&str]) -> Option<&Node> {
-        path.iter().try_fold(self, |node, name| node.children.iter().find(|own| own.name == *name))
+        path.iter().try_fold(self, |node, name| node.children.iter().find(|child| child.name == *name))
     }
 
     pub fn text_at(&self, path: &[&str]) -> &str {
-        self.at(path).map_or("", |own| &own.text)
+        self.at(path).map_or("", |node| &node.text)
     }
 
     /// Visits the node and everything in it.
     pub fn walk<'n>(&'n self, visit: &mut impl FnMut(&'n Node)) {
         visit(self);
-        self.children.iter().for_each(|own| own.walk(visit));
+        self.children.iter().for_each(|child| child.walk(visit));
     }
 
     /// The text of the node and of everything in it.
@@ -40,7 +40,7 @@ impl Node {
     }
 
     pub fn attribute(&self, name: &str) -> &str {
-        self.attributes.iter().find(|(own, _)| own == name).map_or("", |(_, value)| value)
+        self.attributes.iter().find(|(key, _)| key == name).map_or("", |(_, value)| value)
     }
 }
 
@@ -85,11 +85,11 @@ fn place(reader: &Reader<&[u8]>) -> usize {
 }
 
 fn attributes(start: &quick_xml::events::BytesStart<'_>) -> Vec<(String, String)> {
-    let attribute = |own: quick_xml::events::attributes::Attribute<'_>| {
-        let name = String::from_utf8(own.key.as_ref().to_vec()).unwrap();
-        (name, decoded(std::str::from_utf8(&own.value).unwrap()))
+    let attribute = |read: quick_xml::events::attributes::Attribute<'_>| {
+        let name = String::from_utf8(read.key.as_ref().to_vec()).unwrap();
+        (name, decoded(std::str::from_utf8(&read.value).unwrap()))
     };
-    start.attributes().map(|own| attribute(own.unwrap())).collect()
+    start.attributes().map(|attribute_read| attribute(attribute_read.unwrap())).collect()
 }
 
 /// Text of HTML: without elements, references read.

@@ -109,9 +109,9 @@ fn found(text: &str, promise: Promise) -> Outcome {
 #[test]
 fn what_is_found_and_what_is_meant() {
     for (file, added, promise, outcome, remark) in FOUND {
-        let own = found(&format!("{file}{added}"), *promise);
-        assert_eq!(own.name(), *outcome, "{added}{}: {own:?}", promise.name());
-        assert!(own.remark().unwrap_or_default().contains(remark), "{own:?}");
+        let outcome_found = found(&format!("{file}{added}"), *promise);
+        assert_eq!(outcome_found.name(), *outcome, "{added}{}: {outcome_found:?}", promise.name());
+        assert!(outcome_found.remark().unwrap_or_default().contains(remark), "{outcome_found:?}");
     }
 }
 

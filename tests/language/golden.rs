@@ -114,7 +114,7 @@ fn students_have_the_seeds_that_they_always_had() {
                 "{},{},{}\n",
                 cells[..3].join(","),
                 cells[4],
-                cells[5].strip_prefix('s').filter(|own| *own != "eed").unwrap_or(cells[5])
+                cells[5].strip_prefix('s').filter(|seed| *seed != "eed").unwrap_or(cells[5])
             )
         };
         found.extend(table.lines().map(seeds));

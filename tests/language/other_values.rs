@@ -32,8 +32,8 @@ fn a_rifle_held_loosely_and_tightly_kicks_as_the_book_says() {
         ("tightly", "T_rifle2", 3.38, 0.01),
     ];
     for (form, id, published, place) in rows {
-        let own = answer(&problem, form, 1, id);
-        assert!((own - published).abs() <= place, "{form}: {id} is {own}, published {published}");
+        let computed = answer(&problem, form, 1, id);
+        assert!((computed - published).abs() <= place, "{form}: {id} is {computed}, published {published}");
     }
 }
 

@@ -77,10 +77,10 @@ fn every_kind_of_stage_is_known_wherever_it_must_be() {
     let kinds = kinds();
     let mut missing = Vec::new();
     for kind in &kinds {
-        let own: Vec<&Read> = all.iter().filter(|read| read.has(kind)).collect();
+        let having: Vec<&Read> = all.iter().filter(|read| read.has(kind)).collect();
         // Alone where there is such a problem: a figure may be that of another stage.
-        let alone: Vec<&Read> = own.iter().copied().filter(|read| read.has_only(kind)).collect();
-        let seen = if alone.is_empty() { &own } else { &alone };
+        let alone: Vec<&Read> = having.iter().copied().filter(|read| read.has_only(kind)).collect();
+        let seen = if alone.is_empty() { &having } else { &alone };
         let phrase = |worked: Worked<'_>| {
             let scene = &worked.problem.loaded().draft.scene;
             let place = scene.stages.iter().position(|stage| stage.key() == kind);
@@ -95,12 +95,12 @@ fn every_kind_of_stage_is_known_wherever_it_must_be() {
                 Path::new("src/scene/stage").join(format!("{kind}.rs")).is_file(),
             ),
             ("src/model/stage: its equations", Path::new("src/model/stage").join(format!("{kind}.rs")).is_file()),
-            ("src/model: its words", own.iter().any(|read| some_variant(&read.problem, phrase))),
-            ("src/simulate: what judges its answers", own.iter().any(witnessed)),
+            ("src/model: its words", having.iter().any(|read| some_variant(&read.problem, phrase))),
+            ("src/simulate: what judges its answers", having.iter().any(witnessed)),
             ("src/explain: its figure", seen.iter().any(|read| some_variant(&read.problem, has_figure))),
             ("docs/language: its section", headings.contains(&format!("`{kind}`"))),
             ("docs/language: an example", examples.contains(kind.as_str())),
-            ("the bank or tests/fixtures/pictures: a problem", !own.is_empty()),
+            ("the bank or tests/fixtures/pictures: a problem", !having.is_empty()),
         ] {
             if !is_known {
                 missing.push(format!("{place} is missing for `{kind}`"));

@@ -47,7 +47,7 @@ fn seen(loaded: &Loaded, question: &Question) -> Vec<Seen> {
         let sides: Vec<Vec<f64>> =
             question.names.iter().map(|names| names.iter().map(value).collect()).collect::<Option<_>>()?;
         let [before, after] = [0, 1].map(|end: usize| sides[end].iter().sum::<f64>());
-        let size: f64 = sides.iter().flatten().map(|own| own.abs()).sum();
+        let size: f64 = sides.iter().flatten().map(|part| part.abs()).sum();
         // Where everything is zero the numbers say nothing.
         if size == 0.0 {
             return None;
@@ -105,14 +105,14 @@ fn what_is_said_to_be_conserved_is_conserved() {
             }
             for question in questions(&loaded, index) {
                 let seen = seen(&loaded, &question);
-                let said = seen.iter().map(|own| format!("{} ({}), {:e}", own.holds, own.because, own.change));
+                let said = seen.iter().map(|seen| format!("{} ({}), {:e}", seen.holds, seen.because, seen.change));
                 let said = format!("{} {:?} {said:?}", source.name, question.names, said = said.collect::<Vec<_>>());
-                let changes = |own: &&Seen| own.change > ROUNDING;
-                let refused: Vec<&Seen> = seen.iter().filter(|own| !own.holds).collect();
-                if seen.iter().filter(changes).any(|own| own.holds) {
+                let changes = |seen: &&Seen| seen.change > ROUNDING;
+                let refused: Vec<&Seen> = seen.iter().filter(|seen| !seen.holds).collect();
+                if seen.iter().filter(changes).any(|seen| seen.holds) {
                     wrong.push(said.clone());
                 }
-                if !refused.is_empty() && !refused.iter().any(|own| own.change > ROUNDING) {
+                if !refused.is_empty() && !refused.iter().any(|seen| seen.change > ROUNDING) {
                     wrong.push(said);
                 }
                 kept += seen.len() - refused.len();
@@ -137,7 +137,7 @@ fn decisions(scene: &str, given: &str, ask: &str, seed: u64) -> Vec<(String, Str
         PartKind::Choice(choice) => Some(choice.decided(&exercise.worked())),
         _ => None,
     });
-    decided.map(|own| (own.options[own.right].clone(), own.because)).collect()
+    decided.map(|decision| (decision.options[decision.right].clone(), decision.because)).collect()
 }
 
 #[test]
@@ -245,7 +245,7 @@ fn the_coefficient_of_restitution_of_the_variant_decides() {
     ];
     for (e, expected) in rows {
         let found = decisions(scene, &format!("{masses}, e: {e}"), ask, 1);
-        assert_eq!(found.iter().map(|own| own.0.as_str()).collect::<Vec<_>>(), expected, "e = {e}");
+        assert_eq!(found.iter().map(|row| row.0.as_str()).collect::<Vec<_>>(), expected, "e = {e}");
     }
     // e = (v_B2 - v_A2)/(v_A1 - v_B1), and v_A2 = 4 m/s - v_B2.
     for (v, expected) in
@@ -300,9 +300,9 @@ fn a_wrong_judgement_is_told_from_the_mistake_behind_it() {
         let exercise = Exercise::draw(&problem, form, 1).unwrap();
         let answers = BTreeMap::from([((*part).to_owned(), (*text).to_owned())]);
         let report = exercise.grade(&answers, DecimalMark::Point);
-        let own = report.parts.iter().find(|own| own.id == *part).unwrap();
-        let found = own.diagnosis.as_ref().map(|diagnosis| diagnosis.codes.clone());
+        let reported = report.parts.iter().find(|reported| reported.id == *part).unwrap();
+        let found = reported.diagnosis.as_ref().map(|diagnosis| diagnosis.codes.clone());
         assert_eq!(found, behind.map(|code| vec![code]), "{id}: {part} = {text}");
-        assert!(own.verdict.is_right() || own.points.0 == 0.into(), "{id}: {part} = {text}");
+        assert!(reported.verdict.is_right() || reported.points.0 == 0.into(), "{id}: {part} = {text}");
     }
 }

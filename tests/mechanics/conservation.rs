@@ -34,11 +34,13 @@ fn decided(text: &str, seed: u64) -> Result<Vec<(String, String)>, String> {
     let exercise = Exercise::draw(&problem, 0, seed).map_err(|reason| reason.to_string())?;
     let worked = exercise.worked();
     let decide = |choice: &ChoicePart| {
-        let own = choice.decided(&worked);
-        (own.options[own.right].clone(), own.because)
+        let decision = choice.decided(&worked);
+        (decision.options[decision.right].clone(), decision.because)
     };
     let parts = worked.form.parts.iter();
-    Ok(parts.filter_map(|part| if let PartKind::Choice(own) = &part.kind { Some(decide(own)) } else { None }).collect())
+    Ok(parts
+        .filter_map(|part| if let PartKind::Choice(choice) = &part.kind { Some(decide(choice)) } else { None })
+        .collect())
 }
 
 const ENERGY: &str = "{ conserved: energy, of: [A, B] }";
@@ -271,7 +273,7 @@ fn each_question_has_its_answer_and_its_reason() {
     let mut wrong = Vec::new();
     for (axes, stage, given, ask, answer, reason) in ROWS {
         match decided(&problem(axes, stage, given, ask), 1) {
-            Ok(own) if own[0].0 == *answer && own[0].1.contains(reason) => {}
+            Ok(decisions) if decisions[0].0 == *answer && decisions[0].1.contains(reason) => {}
             other => wrong.push(format!("{stage} {given} {ask}: {other:?}, not {answer} ({reason})")),
         }
     }
@@ -365,7 +367,7 @@ fn key_solution_sheet_and_diagnosis_never_contradict_each_other() {
                         PartKind::Choice(choice) => Some(choice.decided(&worked)),
                         _ => None,
                     })
-                    .map(|own| own.options[own.right].clone())
+                    .map(|decision| decision.options[decision.right].clone())
                     .collect();
                 let [kind, energy, _] = &right[..] else { panic!("{}: {right:?}", source.name) };
                 let said = format!("{} seed {seed}: {right:?}", source.name);
@@ -375,12 +377,15 @@ fn key_solution_sheet_and_diagnosis_never_contradict_each_other() {
                 let mut numbers = worked.form.parts.iter().flat_map(momentous::problem::Part::numbers);
                 let lost = numbers.next().map(|(_, number)| worked.answer(number));
                 let is_nothing = lost.map(|lost| lost.value.abs() <= lost.error.max(1e-9));
-                assert!(is_nothing.is_none_or(|own| own == (kind == "elastic")), "{said}: {lost:?}");
+                assert!(is_nothing.is_none_or(|is_zero| is_zero == (kind == "elastic")), "{said}: {lost:?}");
                 for (place, wrong) in [(2, if energy == "yes" { "no" } else { "yes" }), (3, "no")] {
                     let id = worked.form.parts[place].id.clone();
                     let report = exercise.grade(&BTreeMap::from([(id, wrong.to_owned())]), DecimalMark::Point);
-                    let codes =
-                        report.parts[place].diagnosis.as_ref().map(|own| own.codes.join(" ")).unwrap_or_default();
+                    let codes = report.parts[place]
+                        .diagnosis
+                        .as_ref()
+                        .map(|diagnosis| diagnosis.codes.join(" "))
+                        .unwrap_or_default();
                     assert!(energy == "no" || !codes.contains("momentum-judged-by-energy"), "{said}: {codes}");
                     assert!(energy == "no" || !codes.contains("energy-judged-by-momentum"), "{said}: {codes}");
                 }

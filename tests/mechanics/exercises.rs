@@ -27,9 +27,12 @@ fn exercises_come_out_as_by_hand() {
         assert_eq!(asked.len(), expected.split("; ").count(), "{name}");
         for (part, line) in asked.iter().zip(expected.split("; ")) {
             let (id, value) = line.split_once(" = ").unwrap();
-            let (own, value): (f64, f64) = (part["value"].as_f64().unwrap(), value.parse().unwrap());
+            let (computed, value): (f64, f64) = (part["value"].as_f64().unwrap(), value.parse().unwrap());
             assert_eq!(part["id"], id, "{name}");
-            assert!((own - value).abs() <= FOUR_FIGURES * value.abs(), "{name}: {id} is {own}, by hand {value}");
+            assert!(
+                (computed - value).abs() <= FOUR_FIGURES * value.abs(),
+                "{name}: {id} is {computed}, by hand {value}"
+            );
             compared += 1;
         }
     }

@@ -48,7 +48,7 @@ impl Findings {
     }
 
     fn count(&self, class: Class) -> usize {
-        self.looked_at.iter().filter(|own| **own == class).count()
+        self.looked_at.iter().filter(|looked| **looked == class).count()
     }
 
     fn task<const D: usize>(&mut self, task: &Task<D>) {
@@ -158,8 +158,12 @@ fn a_comet_is_where_the_conic_has_it() {
         let parameter = variant.value(problem.model().symbol_of("GM").unwrap()).unwrap().value;
         let centre = film.record.pivot.as_ref().map_or(Vector::zeros(), |pivot| plane(&pivot.at));
         let orbit = Orbit { centre, parameter, position, velocity };
-        let way =
-            film.record.moments.iter().map(|own| (plane(&own.positions[0]) - position).norm()).fold(0.0, f64::max);
+        let way = film
+            .record
+            .moments
+            .iter()
+            .map(|moment| (plane(&moment.positions[0]) - position).norm())
+            .fold(0.0, f64::max);
         for moment in &film.record.moments {
             let off = (plane(&moment.positions[0]) - orbit.at(moment.time).0).norm();
             assert!(off <= 1e-9 * way, "seed {seed}: {off:e} of {way:e} m at {} s", moment.time);

@@ -18,7 +18,7 @@ fn exercise(yaml: &str) -> Exercise {
 fn verdict(exercise: &Exercise, part: &str, answer: &str) -> Verdict {
     let answers = BTreeMap::from([(part.to_owned(), answer.to_owned())]);
     let report = exercise.grade(&answers, DecimalMark::Point);
-    report.parts.iter().find(|own| own.id == part).expect("the part is asked").verdict
+    report.parts.iter().find(|reported| reported.id == part).expect("the part is asked").verdict
 }
 
 /// A body at 30 m/s meets one at rest that is `ratio` times as heavy.

@@ -74,8 +74,8 @@ fn orbits_agree_with_an_integration_of_newtons_law() {
     for (radius, speed, far) in [(7000.0, 8500.0, 9000.0), (6600.0, 9000.0, 12000.0), (8000.0, 9500.0, 30000.0)] {
         let [own_speed, across, time, _] = solve(radius, &speed.to_string(), far)[..] else { panic!("four answers") };
         let [their_time, their_speed, their_across] = integrate(radius * 1e3, speed, far * 1e3, 4000.0);
-        for (own, other) in [(time, their_time), (own_speed, their_speed), (across, their_across)] {
-            assert!((own / other - 1.0).abs() < 1e-6, "{radius} km, {speed} m/s: {own} and {other}");
+        for (ours, other) in [(time, their_time), (own_speed, their_speed), (across, their_across)] {
+            assert!((ours / other - 1.0).abs() < 1e-6, "{radius} km, {speed} m/s: {ours} and {other}");
         }
     }
 }

@@ -69,9 +69,9 @@ fn published_answers_are_reached() {
             let id = part["id"].as_str().unwrap();
             let (value, unit, tolerance) = read(&published.answers[id]);
             assert_eq!(part["unit"].as_str().unwrap().replace('°', "deg"), unit, "{name}: the unit of `{id}`");
-            let own = part["value"].as_f64().unwrap();
-            if (own - value).abs() > tolerance * 1.000_001 {
-                wrong.push(format!("{name}: `{id}` is {own}, published {value} {unit}"));
+            let computed = part["value"].as_f64().unwrap();
+            if (computed - value).abs() > tolerance * 1.000_001 {
+                wrong.push(format!("{name}: `{id}` is {computed}, published {value} {unit}"));
             }
             parts += 1;
         }

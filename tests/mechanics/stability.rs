@@ -73,7 +73,7 @@ fn the_points_of_the_bounce_tasks_are_as_the_page_says() {
         let (peers, ours): (Vec<_>, Vec<_>) = points(task).into_iter().partition(|point| point.0 == "Rapier");
         assert!(peers.len() >= 5, "{task}: only {} points of the peer", peers.len());
         for (_, seconds, median, greatest) in peers {
-            let better = ours.iter().any(|own| own.1 <= seconds && own.2 <= median && own.3 <= greatest);
+            let better = ours.iter().any(|row| row.1 <= seconds && row.2 <= median && row.3 <= greatest);
             assert!(better, "{task}: nothing of ours is as fast and as right as the peer in {seconds} s");
         }
     }

@@ -61,10 +61,10 @@ impl Findings {
         let speeds = velocities.map(|velocity| velocity.iter().map(|part| part * part).sum::<f64>().sqrt());
         let fastest = speeds.fold(0.0_f64, f64::max);
         for (body, component, expected) in &asked.velocities {
-            let own = last.velocities[*body][*component];
+            let computed = last.velocities[*body][*component];
             self.after += 1;
-            if (own - expected).abs() > accuracy * fastest {
-                self.wrong.push(format!("{name}: {own} m/s after the last impact, not {expected}"));
+            if (computed - expected).abs() > accuracy * fastest {
+                self.wrong.push(format!("{name}: {computed} m/s after the last impact, not {expected}"));
             }
         }
     }
@@ -84,8 +84,8 @@ fn asked(problem: &Problem, variant: &Variant) -> Vec<Option<Asked>> {
     for found in staged(problem, variant) {
         match found {
             Ok(staged) => {
-                all.extend(staged.on_lines.iter().map(|own| Some(of(own, problem, variant))));
-                all.extend(staged.in_planes.iter().map(|own| Some(of(own, problem, variant))));
+                all.extend(staged.on_lines.iter().map(|task| Some(of(task, problem, variant))));
+                all.extend(staged.in_planes.iter().map(|task| Some(of(task, problem, variant))));
             }
             // How many films such a stage has is not known here: nothing behind it is compared.
             Err(_) => break,

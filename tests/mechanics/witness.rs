@@ -98,7 +98,7 @@ fn what_is_conserved_all_the_way_is_witnessed() {
     let renderer = Renderer::new(None).unwrap();
     for (axes, stage, given, ask) in CONSERVED {
         let printed: Vec<String> =
-            given.split(", ").filter_map(|own| Some(format!("{{{{ {} }}}}", own.split_once(':')?.0))).collect();
+            given.split(", ").filter_map(|entry| Some(format!("{{{{ {} }}}}", entry.split_once(':')?.0))).collect();
         let text = format!(
             "id: a/b\ntitle: A\nlevel: intro\nscene:\n  axes: {axes}\n  bodies: {{ A: {{ name: block A }} }}\n  points: {{ O: {{ name: the pivot }} }}\n  \
              stages: [ {stage} ]\ngiven: {{ {given} }}\ntext: >\n  {}\nask: [ {ask} ]\n",
@@ -132,7 +132,7 @@ fn whether_there_is_enough_information_is_witnessed_by_worlds_that_print_the_sam
     let renderer = Renderer::new(None).unwrap();
     for (given, sought, right) in ENOUGH {
         let printed: Vec<String> =
-            given.split(", ").filter_map(|own| Some(format!("{{{{ {} }}}}", own.split_once(':')?.0))).collect();
+            given.split(", ").filter_map(|entry| Some(format!("{{{{ {} }}}}", entry.split_once(':')?.0))).collect();
         let text = format!(
             "id: a/b\ntitle: A\nlevel: intro\nscene:\n  axes: {{ x: to the right }}\n  bodies: {{ A: {{ name: cart A }}, B: {{ name: cart B }} }}\n  \
              stages: [ {{ impact: {{ between: [A, B], restitution: e }} }} ]\ngiven: {{ {given} }}\ntext: >\n  {}\nask: [ {{ enough: {sought} }} ]\n",

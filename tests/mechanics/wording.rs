@@ -12,13 +12,16 @@ use crate::variants::read;
 /// Every text of a problem's model, with where it stands.
 fn said(problem: &Problem) -> Vec<(String, String)> {
     let model = problem.model();
-    let because = model.instances.iter().filter(|own| own.because != Because::Definition);
-    let because = because.map(|own| (format!("why {} applies", own.law.id), own.because.to_string()));
-    let reasons = model.reasons.iter().map(|own| ("what forbids a value".to_owned(), own.to_string()));
-    let ways = model.choices.iter().flatten().map(|own| ("a way of a stage".to_owned(), own.what.clone()));
-    let omitted =
-        model.omissions.iter().flat_map(|own| [&own.what, &own.why].map(|text| ("omitted".to_owned(), text.clone())));
-    let called = model.impulses.iter().map(|own| ("an impulse".to_owned(), own.called.clone()));
+    let because = model.instances.iter().filter(|instance| instance.because != Because::Definition);
+    let because = because.map(|instance| (format!("why {} applies", instance.law.id), instance.because.to_string()));
+    let reasons = model.reasons.iter().map(|reason| ("what forbids a value".to_owned(), reason.to_string()));
+    let ways =
+        model.choices.iter().flatten().map(|alternative| ("a way of a stage".to_owned(), alternative.what.clone()));
+    let omitted = model
+        .omissions
+        .iter()
+        .flat_map(|omission| [&omission.what, &omission.why].map(|text| ("omitted".to_owned(), text.clone())));
+    let called = model.impulses.iter().map(|impulse| ("an impulse".to_owned(), impulse.called.clone()));
     because.chain(reasons).chain(ways).chain(omitted).chain(called).collect()
 }
 

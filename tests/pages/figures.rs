@@ -141,7 +141,7 @@ fn arrows_that_are_not_to_scale_are_told() {
 fn an_origin_is_drawn_where_it_leaves_room_and_told_where_not() {
     let shown = |shift: f64| {
         let (_, mut figure) = scenes::mass_centres().remove(0);
-        figure.particles.iter_mut().chain(&mut figure.centre).for_each(|own| own.position[0] += shift);
+        figure.particles.iter_mut().chain(&mut figure.centre).for_each(|particle| particle.position[0] += shift);
         let drawing = figure.drawing();
         let is_origin = |shape: &Shape| matches!(shape, Shape::Label { text, .. } if *text == scenes::name("O"));
         (drawing.shapes.iter().any(is_origin), drawing.caption.contains("outside the figure"))

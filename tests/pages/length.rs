@@ -67,13 +67,13 @@ fn solutions_are_as_short_as_a_textbooks() {
         all.push((problems::name(&exercise), whole, part));
     }
     let median_of = |measure: &dyn Fn(&(String, Length, Length)) -> f64| median(all.iter().map(measure).collect());
-    let [lines, words] = [median_of(&|own| own.2.lines), median_of(&|own| own.2.words)];
-    let [whole_lines, whole_words] = [median_of(&|own| own.1.lines), median_of(&|own| own.1.words)];
+    let [lines, words] = [median_of(&|row| row.2.lines), median_of(&|row| row.2.words)];
+    let [whole_lines, whole_words] = [median_of(&|row| row.1.lines), median_of(&|row| row.1.words)];
     println!("{} solutions", all.len());
     println!("for each part, median: {lines:.1} lines, {words:.0} words");
     println!("whole, median: {whole_lines:.1} lines, {whole_words:.0} words");
     let most_of = |measure: &dyn Fn(&(String, Length, Length)) -> f64| all.iter().map(measure).fold(0.0, f64::max);
-    println!("for a part, at most: {:.1} lines, {:.0} words", most_of(&|own| own.2.lines), most_of(&|own| own.2.words));
+    println!("for a part, at most: {:.1} lines, {:.0} words", most_of(&|row| row.2.lines), most_of(&|row| row.2.words));
     let mut longest: Vec<&(String, Length, Length)> = all.iter().collect();
     longest.sort_by(|one, other| other.2.words.total_cmp(&one.2.words));
     for (name, whole, part) in &longest[..10] {
@@ -84,7 +84,7 @@ fn solutions_are_as_short_as_a_textbooks() {
     }
     let [usual, most] = FOR_A_PART;
     assert!(lines <= usual.lines && words <= usual.words && whole_lines <= WHOLE.lines && whole_words <= WHOLE.words);
-    let is_longer = |own: &&(String, Length, Length)| own.2.lines > most.lines || own.2.words > most.words;
-    let longer: Vec<&str> = all.iter().filter(is_longer).map(|own| own.0.as_str()).collect();
+    let is_longer = |row: &&(String, Length, Length)| row.2.lines > most.lines || row.2.words > most.words;
+    let longer: Vec<&str> = all.iter().filter(is_longer).map(|row| row.0.as_str()).collect();
     assert!(longer.is_empty(), "{longer:?}");
 }

@@ -156,7 +156,7 @@ fn every_stage_has_its_diagram() {
         let momentum = |stage: &&Stage| match stage {
             Stage::Slide(slide) => !slide.is_ramp(),
             // Of bodies that were at rest, the displacements are drawn.
-            Stage::Interact(own) => !own.at_rest,
+            Stage::Interact(interact) => !interact.at_rest,
             // What leaks out carries momentum away, which the diagram of one body would not balance.
             Stage::Push(push) => push.loses.is_none(),
             Stage::Impact(_)
@@ -242,11 +242,11 @@ fn figure(worked: Worked<'_>) -> Option<String> {
 fn the_sheet_is_drawn_alike_whatever_the_answers_are() {
     each_variant(20, |at, worked| {
         let told: BTreeSet<_> = worked.form.told.union(&worked.form.printed).copied().collect();
-        let own = figure(worked);
+        let expected = figure(worked);
         for change in [|value: f64| -value, |value| 3.0 * value + 0.7, |_| 0.0] {
             let other = worked.variant.with_others_than(&told, change);
             let other = figure(Worked::new(worked.problem, &other).expect("its own problem"));
-            assert_eq!(other, own, "{at}: the sheet's figure depends on an answer");
+            assert_eq!(other, expected, "{at}: the sheet's figure depends on an answer");
         }
     });
 }

@@ -316,8 +316,8 @@ fn lines_of_authors_hold_mathematics_in_every_format() {
 
 #[test]
 fn mathematics_that_cannot_be_set_is_told_at_its_question() {
-    let problem =
-        load(Source::new("priced.yaml", &PRICED.replace("frac{1}", "frack{1}"))).and_then(|own| compile(own, None));
+    let problem = load(Source::new("priced.yaml", &PRICED.replace("frac{1}", "frack{1}")))
+        .and_then(|loaded| compile(loaded, None));
     let faults = Exercise::draw(&Arc::new(problem.unwrap()), 0, 1).unwrap().printable().unwrap_err().to_string();
     assert!(faults.contains("this mathematics cannot be set") && faults.contains("priced.yaml:14"), "{faults}");
 }

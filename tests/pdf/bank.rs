@@ -67,7 +67,9 @@ fn faults(exercise: &Exercise, page: &Page) -> Vec<String> {
         Page::Sheet(_) => without("figure", &without("svg", &without("math", &html))),
         _ => without("svg", &without("math", &html)),
     };
-    if let Some(lost) = words(&text_of(&in_lines)).into_iter().find(|word| !written.any(|own| own == *word)) {
+    if let Some(lost) =
+        words(&text_of(&in_lines)).into_iter().find(|word| !written.any(|word_written| word_written == *word))
+    {
         faults.push(format!("not in its place: {lost}"));
     }
     for (left, right, word) in poppler::boxes(&pdf) {
@@ -140,10 +142,10 @@ fn signs(text: &str) -> BTreeMap<char, usize> {
     signs
 }
 
-fn difference(own: &BTreeMap<char, usize>, other: &BTreeMap<char, usize>) -> Vec<(char, usize, usize)> {
+fn difference(counts: &BTreeMap<char, usize>, other: &BTreeMap<char, usize>) -> Vec<(char, usize, usize)> {
     let of = |signs: &BTreeMap<char, usize>, sign: char| signs.get(&sign).copied().unwrap_or_default();
-    let all = own.keys().chain(other.keys().filter(|sign| !own.contains_key(sign)));
-    all.map(|sign| (*sign, of(own, *sign), of(other, *sign))).filter(|(_, own, other)| own != other).collect()
+    let all = counts.keys().chain(other.keys().filter(|sign| !counts.contains_key(sign)));
+    all.map(|sign| (*sign, of(counts, *sign), of(other, *sign))).filter(|(_, count, other)| count != other).collect()
 }
 
 /// A page in HTML without the elements of that name.

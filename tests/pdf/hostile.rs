@@ -222,9 +222,9 @@ fn a_sign_that_no_font_has_is_named() {
 #[test]
 fn a_document_reads_no_file_and_its_faults_have_a_place() {
     let folder = tempfile::tempdir().unwrap();
-    let own = folder.path().join("typst");
-    std::fs::create_dir(&own).unwrap();
-    std::fs::write(own.join("document.tera"), "\n#read(\"/etc/passwd\")\n").unwrap();
+    let templates = folder.path().join("typst");
+    std::fs::create_dir(&templates).unwrap();
+    std::fs::write(templates.join("document.tera"), "\n#read(\"/etc/passwd\")\n").unwrap();
     let renderer = Renderer::new(Some(folder.path())).unwrap();
     let document = renderer.render_sheets(&[Sheet::default()], Format::Typst).unwrap().text;
     let faults = PRESS.pdf(&document).unwrap_err().to_string();

@@ -140,8 +140,8 @@ fn a_template_that_nobody_would_use_is_told() {
         assert!(ran.code == 2 && ran.err.contains(&format!("did you mean `{near}`?")), "{path}: {}", ran.err);
     }
     let body = "{% include \"html/logo.tera\" %}";
-    let own = repository(&[("templates/html/logo.tera", "LOGO"), ("templates/html/body.tera", body)]);
-    assert!(own.fine(&["generate", "impact/two-carts", "--format", "html"]).contains("LOGO"));
+    let repository_here = repository(&[("templates/html/logo.tera", "LOGO"), ("templates/html/body.tera", body)]);
+    assert!(repository_here.fine(&["generate", "impact/two-carts", "--format", "html"]).contains("LOGO"));
 }
 
 #[test]

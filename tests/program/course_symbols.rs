@@ -48,7 +48,7 @@ fn answers_may_be_typed_in_the_letters_of_the_course() {
         let answers = answers.map(|answer| format!("--answer={answer}"));
         let [a, b, c] = answers.each_ref().map(String::as_str);
         momentous(
-            &answers[0].replace(|own: char| !own.is_alphanumeric(), "-"),
+            &answers[0].replace(|sign: char| !sign.is_alphanumeric(), "-"),
             &["grade", "--problem", "FILE", "--seed", "1", a, b, c],
         )
     };
@@ -120,8 +120,8 @@ fn the_settings_of_a_course_hold_for_every_problem_of_its_folder() {
 
 #[test]
 fn a_problem_says_its_own_letters_and_the_nearest_settings_count() {
-    let own = CARTS.replace("{ momentum: L, impulse: I }", "{ impulse: K }");
-    let room = course("symbols: { momentum: L, impulse: I }\n", &own);
+    let other_letters = CARTS.replace("{ momentum: L, impulse: I }", "{ impulse: K }");
+    let room = course("symbols: { momentum: L, impulse: I }\n", &other_letters);
     std::fs::write(room.path().join("problem_bank/course.yaml"), "symbols: { momentum: Q }\n").unwrap();
     let (printed, errors, _) = run_in(&room, &["generate", "test/course", "--seed", "1"]);
     assert!(printed.contains("Find $K_{B}$.") && printed.contains("L_{2}"), "{printed}{errors}");

@@ -41,7 +41,11 @@ fn the_table_of_diagnoses_is_what_the_command_prints() {
     for name in ANEW {
         let printed = Room::empty().fine(&["diagnose", name, "--seeds", "1000"]);
         let anew = rows(&printed);
-        let own = |rows: &[(&str, Vec<&str>)]| rows.iter().find(|row| row.0 == name).map(|row| row.1.join(" "));
-        assert_eq!(own(&table), own(&anew), "{name}: run `momentous diagnose --seeds 1000`, and copy what it prints");
+        let row_of = |rows: &[(&str, Vec<&str>)]| rows.iter().find(|row| row.0 == name).map(|row| row.1.join(" "));
+        assert_eq!(
+            row_of(&table),
+            row_of(&anew),
+            "{name}: run `momentous diagnose --seeds 1000`, and copy what it prints"
+        );
     }
 }

@@ -162,12 +162,12 @@ fn differing((name, outcome): &(&str, Outcome)) -> Option<String> {
         Broken(parts) => (1, parts),
         Refused(parts) => (2, parts),
     };
-    let own = match outcome {
+    let said = match outcome {
         Holds(_) if code == 0 => answers(&file).join("\n"),
         _ => said,
     };
-    let missing: Vec<&&str> = parts.iter().filter(|part| !own.contains(**part)).collect();
-    (code != expected || !missing.is_empty()).then(|| format!("{name}: exit {code}, without {missing:?}\n{own}"))
+    let missing: Vec<&&str> = parts.iter().filter(|part| !said.contains(**part)).collect();
+    (code != expected || !missing.is_empty()).then(|| format!("{name}: exit {code}, without {missing:?}\n{said}"))
 }
 
 #[test]

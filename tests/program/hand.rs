@@ -37,12 +37,12 @@ fn answers(file: &str) -> String {
 fn differing((name, outcome): &(String, String)) -> Option<String> {
     let file = folder().join(format!("{name}.yaml")).display().to_string();
     let (code, said) = run(&["check", &file, "--seeds", "2"]);
-    let own = if code == 0 { format!("= {}", answers(&file)) } else { said };
+    let said_now = if code == 0 { format!("= {}", answers(&file)) } else { said };
     let expected = match outcome.strip_prefix("refused: ") {
-        Some(words) => code == 2 && own.contains(words),
-        None => own == *outcome,
+        Some(words) => code == 2 && said_now.contains(words),
+        None => said_now == *outcome,
     };
-    (!expected).then(|| format!("{name}: exit {code}, not {outcome}\n{own}"))
+    (!expected).then(|| format!("{name}: exit {code}, not {outcome}\n{said_now}"))
 }
 
 #[test]

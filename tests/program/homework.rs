@@ -49,7 +49,7 @@ fn write_answers(room: &Room, sheets: &[Value], typed: impl Fn(&str, usize, &str
                 }
                 row.push(typed(
                     student,
-                    heads.iter().position(|own| *own == head).unwrap(),
+                    heads.iter().position(|listed| *listed == head).unwrap(),
                     part["printed"].as_str().unwrap(),
                 ));
             }
@@ -64,7 +64,8 @@ fn marks(room: &Room, file: &str) -> BTreeMap<[String; 5], [String; 3]> {
     let text = room.read(file);
     let mut table = csv::Reader::from_reader(text.as_bytes());
     let heads = table.headers().unwrap().clone();
-    let cell = |row: &csv::StringRecord, head: &str| row[heads.iter().position(|own| own == head).unwrap()].to_owned();
+    let cell =
+        |row: &csv::StringRecord, head: &str| row[heads.iter().position(|listed| listed == head).unwrap()].to_owned();
     let all = table.records().map(|row| {
         let row = row.unwrap();
         let key = ["student", "problem", "seed", "form", "part"].map(|head| cell(&row, head));
@@ -109,7 +110,7 @@ fn every_format_has_one_sheet() {
     {
         let one = room.fine(&["generate", "homework/week-3.yaml", "--seed", "7", "--format", format]);
         assert!(one.contains(problem) && one.contains("Week 3: impact") && one.contains("due 14 October"), "{one}");
-        let breaks = ["\\clearpage", "#pagebreak"].map(|own| one.matches(own).count());
+        let breaks = ["\\clearpage", "#pagebreak"].map(|command| one.matches(command).count());
         assert_eq!(breaks, [0, 0], "{format}");
     }
     #[cfg(feature = "pdf")]
@@ -180,8 +181,8 @@ fn marks_are_those_of_the_problems_one_by_one_in_the_points_of_the_homework() {
     let rows: Vec<Vec<&str>> = answers.lines().map(|line| line.split(',').collect()).collect();
     for (sheet, row) in sheets.iter().zip(&rows[1..]) {
         for problem in sheet["problems"].as_array().unwrap() {
-            let own = format!("{}.", problem["number"]);
-            let cells = rows[0].iter().zip(row).filter_map(|(head, cell)| Some((head.strip_prefix(&own)?, cell)));
+            let prefix = format!("{}.", problem["number"]);
+            let cells = rows[0].iter().zip(row).filter_map(|(head, cell)| Some((head.strip_prefix(&prefix)?, cell)));
             let typed: serde_json::Map<String, Value> =
                 cells.map(|(part, cell)| (part.to_owned(), (*cell).into())).collect();
             let line = serde_json::json!({ "student": row[0], "problem": "impact/two-carts", "form": problem["form"],
@@ -195,9 +196,9 @@ fn marks_are_those_of_the_problems_one_by_one_in_the_points_of_the_homework() {
     assert_eq!(together.len(), alone.len());
     let share = |mark: &[String; 3]| mark[0].parse::<f64>().unwrap() / mark[1].parse::<f64>().unwrap();
     for (key, mark) in &together {
-        let own = &alone[key];
-        assert_eq!(mark[2], own[2], "{key:?}");
-        assert!((share(mark) - share(own)).abs() < 0.01, "{key:?}: {mark:?} {own:?}");
+        let alone_mark = &alone[key];
+        assert_eq!(mark[2], alone_mark[2], "{key:?}");
+        assert!((share(mark) - share(alone_mark)).abs() < 0.01, "{key:?}: {mark:?} {alone_mark:?}");
     }
     let second = |mark: &&[String; 3]| mark[1] == "3.33";
     assert_eq!(together.values().filter(second).count(), 9);
@@ -220,9 +221,9 @@ fn the_gradebook_has_the_points_of_the_homework_and_letters_name_parts_too() {
     let ran = room.run(&[&named[..], &["--gradebook", "points.csv"]].concat());
     assert!(ran.code == 0 && ran.err.contains("seeds.csv says whose sheet is whose"), "{}", ran.err);
     let points = room.read("points.csv");
-    let own: f64 =
+    let sum: f64 =
         sheets[0]["problems"][1]["ask"].as_array().unwrap().iter().map(|part| part["points"].as_f64().unwrap()).sum();
-    assert_eq!(points.lines().nth(1).unwrap(), format!("s1,{}", 14.0 + own));
+    assert_eq!(points.lines().nth(1).unwrap(), format!("s1,{}", 14.0 + sum));
     // It is not written over once it is filled in.
     let said = room.run(&generate(&["--format", "json", "-o", "sheets.jsonl"]));
     assert!(said.err.contains("answers.csv exists; it was not changed"), "{}", said.err);

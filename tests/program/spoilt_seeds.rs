@@ -32,7 +32,8 @@ fn a_seed_that_a_spreadsheet_spoilt_is_told_whole() {
         assert!(ran.err.contains("4 rows read: 2 marked (6 answers), 2 refused"), "{}", ran.err);
         for (line, word, student) in [(4, bob, "bob"), (5, ann, "ann")] {
             let told = format!("that of the sheet of `{student}` is {word}");
-            let said = ran.err.lines().find(|own| own.contains(&format!("class.csv:{line}:"))).unwrap_or_default();
+            let said =
+                ran.err.lines().find(|line_said| line_said.contains(&format!("class.csv:{line}:"))).unwrap_or_default();
             assert!(said.contains("is what a spreadsheet leaves of a seed") && said.contains(&told), "{}", ran.err);
         }
     }

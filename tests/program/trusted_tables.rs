@@ -29,9 +29,12 @@ fn marks(room: &Room) -> Vec<String> {
 
 #[test]
 fn a_cell_names_a_problem_and_never_a_file() {
-    let own = "id: impact/two-carts\ntitle: Mine\nsecret words\n";
-    let room =
-        Room::with(&[("secret.txt", "secret words that nobody guesses\n"), ("mine.txt", own), ("mine.yaml", own)]);
+    let problem = "id: impact/two-carts\ntitle: Mine\nsecret words\n";
+    let room = Room::with(&[
+        ("secret.txt", "secret words that nobody guesses\n"),
+        ("mine.txt", problem),
+        ("mine.yaml", problem),
+    ]);
     let rows = ["secret.txt", "mine.txt", "./mine.yaml", "/dev/zero", "/etc/passwd"];
     let table: Vec<String> = rows.iter().map(|cell| format!("m,{cell},1,x")).collect();
     fs::write(room.path("class.csv"), format!("student,problem,seed,a\n{}\n", table.join("\n"))).unwrap();
@@ -64,7 +67,7 @@ fn a_sheet_that_the_student_was_not_given_has_no_marks() {
         ["generate", "impact/two-carts", "--roster", "roster.csv", "--secret", "secret.txt", "--format", "json"];
     room.fine(&[&generate[..], &["-o", "all.jsonl"]].concat());
     let records = lines(&room.read("all.jsonl"));
-    let own: Vec<String> = records
+    let rows: Vec<String> = records
         .iter()
         .map(|record| {
             let answers: Vec<&str> =
@@ -77,14 +80,14 @@ fn a_sheet_that_the_student_was_not_given_has_no_marks() {
             )
         })
         .collect();
-    let others = own[0].replacen("s1,", "s2,", 1);
+    let others = rows[0].replacen("s1,", "s2,", 1);
     let table = [
-        own[0].clone(),
-        own[1].clone(),
+        rows[0].clone(),
+        rows[1].clone(),
         others,
         row("s1", "1", "forward"),
-        own[0].replacen("s1,", "mallory,", 1),
-        own[0].replacen("s1,", ",", 1),
+        rows[0].replacen("s1,", "mallory,", 1),
+        rows[0].replacen("s1,", ",", 1),
     ];
     for more in [&["--sheets", "all-teacher/seeds.csv"][..], &["--roster", "roster.csv"]] {
         let ran = grade(&room, &table, &[more, &["--secret", "secret.txt", "--summary", "class"]].concat());
@@ -372,7 +375,8 @@ fn an_empty_table_says_so() {
 #[test]
 fn a_table_that_another_option_would_read_is_told_which() {
     let room = Room::empty();
-    let rows = |answers: &str| (0..3).map(|own| format!("s{own};impact/two-carts;1;;{answers}")).collect::<Vec<_>>();
+    let rows =
+        |answers: &str| (0..3).map(|number| format!("s{number};impact/two-carts;1;;{answers}")).collect::<Vec<_>>();
     let grade = |rows: &[String], more: &[&str]| {
         let head = HEAD.replace(',', ";");
         fs::write(room.path("class.csv"), format!("{head}\n{}\n", rows.join("\n"))).unwrap();

@@ -77,13 +77,13 @@ impl Advice {
             Self::Write(line) => {
                 let Some((name, value)) = line.split_once(": ") else { return Vec::new() };
                 let mut other = scene.clone();
-                other.given.retain(|(own, _)| own != name);
+                other.given.retain(|(listed, _)| listed != name);
                 other.given.push((name.to_owned(), value.to_owned()));
                 vec![other.file(question)]
             }
             Self::Replace { by, given } => {
                 let mut other = scene.clone();
-                other.given.retain(|(own, _)| own != given);
+                other.given.retain(|(listed, _)| listed != given);
                 let by = [by.clone()];
                 (0..TRIED.len()).filter_map(|tried| with(&by, tried, other.clone())).collect()
             }

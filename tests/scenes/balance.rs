@@ -42,17 +42,17 @@ fn compared(exercise: &Exercise, shot: &Shot) -> Looked {
     let mut looked = Looked { compared: 0, wrong: Vec::new() };
     let scene = &exercise.problem().loaded().draft.scene;
     let axes = endings(scene);
-    for (stage, own) in (1..).zip(&scene.stages) {
-        let is = |kinds: &[&str]| kinds.contains(&own.key());
-        let films = || shot.films.iter().filter(|film| film.stage == stage);
+    for (number, stage) in (1..).zip(&scene.stages) {
+        let is = |kinds: &[&str]| kinds.contains(&stage.key());
+        let films = || shot.films.iter().filter(|film| film.stage == number);
         if is(DURATION_ASSUMED) || films().any(|film| !film.unweighed.is_empty()) {
             continue;
         }
         // What is known of a body is known as well as the largest of the film.
         let fastest = films().map(|film| fastest(&film.record)).fold(0.0, f64::max);
         // An orbit is shown once round, wherever on it the stage ends.
-        let is_round = matches!(own, Stage::Central(own) if own.orbit.is_some());
-        for (bodies, at) in ends(films(), &axes).iter().zip([stage, stage + 1]).take(if is_round { 1 } else { 2 }) {
+        let is_round = matches!(stage, Stage::Central(central) if central.orbit.is_some());
+        for (bodies, at) in ends(films(), &axes).iter().zip([number, number + 1]).take(if is_round { 1 } else { 2 }) {
             let mass: f64 = bodies.values().map(|body| body.mass).sum();
             let energies: Option<Vec<f64>> = bodies.values().map(|body| body.energy(&axes)).collect();
             let energy = energies.map(|all| all.iter().sum::<f64>());
@@ -74,7 +74,7 @@ fn compared(exercise: &Exercise, shot: &Shot) -> Looked {
                     for ending in &axes {
                         let momentum = body.momentum(ending);
                         compare(format!("p_{name}{at}{ending}"), momentum);
-                        compare(format!("v_{name}{at}{ending}"), momentum.map(|own| own / body.mass));
+                        compare(format!("v_{name}{at}{ending}"), momentum.map(|part| part / body.mass));
                     }
                 }
             }
@@ -152,11 +152,12 @@ fn balances_hold_in_what_is_shown_of_scenes() {
 fn balances_hold_in_what_is_shown_of_scenes_worked_by_hand() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/hand");
     let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
-    let scenes: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|own| own == "yaml")).collect();
+    let scenes: Vec<PathBuf> =
+        files.filter(|path| path.extension().is_some_and(|extension| extension == "yaml")).collect();
     let wrong = |path: &PathBuf| {
         let exercise = solved(&fs::read_to_string(path).unwrap()).ok();
         let wrong = exercise.and_then(|exercise| looked_at(&exercise)).map_or_else(Vec::new, |looked| looked.wrong);
-        wrong.into_iter().map(|own| format!("{}: {own}", path.display())).collect::<Vec<_>>()
+        wrong.into_iter().map(|fault| format!("{}: {fault}", path.display())).collect::<Vec<_>>()
     };
     let wrong: Vec<String> = scenes.par_iter().flat_map_iter(wrong).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -307,7 +307,7 @@ impl<'a> Given<'a> {
 
 impl Shape {
     fn has(&self, word: &str) -> bool {
-        self.words.iter().any(|own| own == word)
+        self.words.iter().any(|listed| listed == word)
     }
 }
 
@@ -333,7 +333,7 @@ impl Drawn {
         file.push_str("  bodies:\n");
         for body in &self.bodies {
             let rail = |(_, axis): &(String, &str)| format!(", guide: {{ along: {axis}, by: the rail }}");
-            let guide = self.guided.as_ref().filter(|(own, _)| own == body).map(rail).unwrap_or_default();
+            let guide = self.guided.as_ref().filter(|(guided, _)| guided == body).map(rail).unwrap_or_default();
             let _ = writeln!(file, "    {body}: {{ name: body {body}{guide} }}");
         }
         if let Some(inertia) = self.inertia {

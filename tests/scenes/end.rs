@@ -164,14 +164,14 @@ fn looked_at(file: &str, renderer: &Renderer) -> End {
     if let Some(Outcome::Broken(reason)) = form.outcome(Promise::Draws) {
         return End::Refused(Refusal::Contradiction, reason.clone());
     }
-    let broken = form.promises.iter().filter(|own| matches!(own.outcome, Outcome::Broken(_)));
-    let (numbers, broken): (Vec<_>, Vec<_>) = broken.partition(|own| OF_THE_NUMBERS.contains(&own.promise));
+    let broken = form.promises.iter().filter(|finding| matches!(finding.outcome, Outcome::Broken(_)));
+    let (numbers, broken): (Vec<_>, Vec<_>) = broken.partition(|finding| OF_THE_NUMBERS.contains(&finding.promise));
     if let ([first, ..], []) = (&numbers[..], &broken[..]) {
         return End::Refused(Refusal::Contradiction, first.outcome.remark().unwrap_or_default().to_owned());
     }
     let broken: Vec<String> = broken
         .iter()
-        .map(|own| format!("{}: {}", own.promise.name(), own.outcome.remark().unwrap_or_default()))
+        .map(|finding| format!("{}: {}", finding.promise.name(), finding.outcome.remark().unwrap_or_default()))
         .collect();
     if !broken.is_empty() {
         return End::Fault(broken.join("; "));

@@ -73,8 +73,8 @@ fn size(vector: &[f64]) -> f64 {
 /// The momentum of all by their masses and velocities.
 fn momentum(moment: &Moment) -> Vec<f64> {
     let zero = vec![0.0; moment.momentum.len()];
-    let own = moment.masses.iter().zip(&moment.velocities);
-    own.fold(zero, |sum, (mass, velocity)| added(&sum, velocity, *mass))
+    let moving = moment.masses.iter().zip(&moment.velocities);
+    moving.fold(zero, |sum, (mass, velocity)| added(&sum, velocity, *mass))
 }
 
 /// The size of all momenta, whatever their directions.
@@ -84,8 +84,8 @@ fn momenta(moment: &Moment) -> f64 {
 
 /// The angular momentum of all about the origin, in the plane of two components.
 fn turning(moment: &Moment) -> f64 {
-    let own = moment.masses.iter().zip(&moment.positions).zip(&moment.velocities);
-    own.map(|((mass, place), velocity)| mass * (place[0] * velocity[1] - place[1] * velocity[0])).sum()
+    let moving = moment.masses.iter().zip(&moment.positions).zip(&moment.velocities);
+    moving.map(|((mass, place), velocity)| mass * (place[0] * velocity[1] - place[1] * velocity[0])).sum()
 }
 
 /// The balances that a film does not keep, in words.
@@ -94,10 +94,10 @@ pub fn broken(film: &Film) -> Vec<String> {
     let mut broken = Vec::new();
     let Some(first) = record.moments.first() else { return broken };
     let of_all = |value: &dyn Fn(&Moment) -> f64| record.moments.iter().map(value).fold(0.0, f64::max);
-    let pushed = of_all(&momenta) + of_all(&|own| size(&own.outside));
-    let stored = of_all(&|own| own.kinetic + own.potential.abs() + own.lost + own.work.abs());
+    let pushed = of_all(&momenta) + of_all(&|moment| size(&moment.outside));
+    let stored = of_all(&|moment| moment.kinetic + moment.potential.abs() + moment.lost + moment.work.abs());
     let mut say = |what: &str, off: f64, size: f64, time: f64| {
-        if off > OFF * size + 1e-12 && broken.iter().all(|own: &String| !own.starts_with(what)) {
+        if off > OFF * size + 1e-12 && broken.iter().all(|fault: &String| !fault.starts_with(what)) {
             broken.push(format!("{what}: off by {off:e} of {size:e} at {time} s"));
         }
     };
@@ -126,7 +126,7 @@ pub fn broken(film: &Film) -> Vec<String> {
         }
         // Simpson's rule: exact but for the fourth derivative, and off by a kink at most where there is one.
         let [start, middle, end] =
-            [one, two, three].map(|own| own.momentum.iter().map(|part| part / whole).collect::<Vec<_>>());
+            [one, two, three].map(|moment| moment.momentum.iter().map(|part| part / whole).collect::<Vec<_>>());
         let bend = size(&added(&added(&start, &middle, -2.0), &end, 1.0));
         let gone = added(&three.centre, &one.centre, -1.0);
         let mean = added(&added(&start, &middle, 4.0), &end, 1.0);
@@ -148,9 +148,9 @@ pub fn broken(film: &Film) -> Vec<String> {
     }
     // Where a contact is drawn as seconds, what touches slides along meanwhile.
     let is_as_it_is = film.notes.is_empty();
-    let is_alone = record.moments.iter().all(|own| size(&own.outside) <= OFF * pushed);
+    let is_alone = record.moments.iter().all(|moment| size(&moment.outside) <= OFF * pushed);
     if is_as_it_is && is_alone && first.momentum.len() == 2 && record.bodies.len() > 1 {
-        let arm = of_all(&|own| own.positions.iter().map(|place| size(place)).sum());
+        let arm = of_all(&|moment| moment.positions.iter().map(|place| size(place)).sum());
         for moment in &record.moments {
             let off = (turning(moment) - turning(first)).abs();
             say("H stays where nothing acts from outside", off, arm * pushed, moment.time);

@@ -19,8 +19,8 @@ fn schema() -> BTreeMap<String, BTreeSet<String>> {
     let mut kinds: BTreeMap<String, (String, BTreeSet<String>)> = BTreeMap::new();
     for stage in stages {
         let (name, reference) = stage["properties"].as_object().unwrap().iter().next().unwrap();
-        let own = (name.clone(), keys(&target(&reference["$ref"])));
-        kinds.entry(reference["$ref"].to_string()).or_insert(own);
+        let kind = (name.clone(), keys(&target(&reference["$ref"])));
+        kinds.entry(reference["$ref"].to_string()).or_insert(kind);
     }
     kinds.into_values().collect()
 }

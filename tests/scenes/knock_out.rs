@@ -88,7 +88,7 @@ fn no_key_is_ignored() {
         let Some((question, whole)) = asked else { return Vec::new() };
         let is_known = |position: &usize| equations(&scene, *position).is_some();
         let known: Vec<_> =
-            (0..scene.questions.len()).filter(is_known).map(|own| scene.questions[own].clone()).collect();
+            (0..scene.questions.len()).filter(is_known).map(|index| scene.questions[index].clone()).collect();
         let wrong = |(key, other): (String, Drawn)| {
             let changed = equations(&other, question)?;
             if changed == whole {

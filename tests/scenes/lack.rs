@@ -64,7 +64,8 @@ fn answer(table: &Table, scene: &Drawn, question: usize, set: &[&str], tried: us
 }
 
 fn differ(answers: &[f64]) -> bool {
-    let (least, most) =
-        answers.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), own| (own.min(least), own.max(most)));
+    let (least, most) = answers
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), answer| (answer.min(least), answer.max(most)));
     most - least > 1e-9 * most.abs().max(least.abs())
 }

@@ -91,10 +91,10 @@ fn questions(table: &Table, scene: &Drawn) -> Questions {
 /// The scene for the observer who moves; none where something in it is fixed.
 fn shifted(scene: &Drawn) -> Option<Drawn> {
     let is_free = |kind: &str, key: &str, value: &str| {
-        let row = FREE.iter().find(|(own, _)| *own == kind);
+        let row = FREE.iter().find(|(listed, _)| *listed == kind);
         row.is_some_and(|(_, keys)| keys.contains(&key)) && (kind != "tow" || !value.contains("friction"))
     };
-    let mut keys = scene.stages.iter().flat_map(|stage| stage.keys.iter().map(|own| (&stage.kind, own)));
+    let mut keys = scene.stages.iter().flat_map(|stage| stage.keys.iter().map(|key| (&stage.kind, key)));
     if !keys.all(|(kind, (key, value))| is_free(kind, key, value)) {
         return None;
     }
@@ -111,7 +111,7 @@ fn shifted(scene: &Drawn) -> Option<Drawn> {
 
 /// What the observer who moves should find of a quantity, by what the one at rest finds; none of what has no simple rule.
 fn for_moving(scene: &Drawn, solved: &Solved, name: &str) -> Option<f64> {
-    let own = solved.value(name)?;
+    let value = solved.value(name)?;
     let (kind, rest) = name.split_once('_').unwrap_or((name, ""));
     let along = scene.components()[0];
     let subject: String = rest.chars().take_while(|letter| letter.is_alphabetic()).collect();
@@ -123,17 +123,17 @@ fn for_moving(scene: &Drawn, solved: &Solved, name: &str) -> Option<f64> {
         if subject.is_empty() || subject == "G" { scene.bodies.clone() } else { vec![subject.clone()] };
     let mass = || parts.iter().map(given).sum::<Option<f64>>();
     match kind {
-        "v" => Some(own + if name.ends_with(along) { SHIFT } else { 0.0 }),
-        "p" => Some(own + if name.ends_with(along) { mass()? * SHIFT } else { 0.0 }),
+        "v" => Some(value + if name.ends_with(along) { SHIFT } else { 0.0 }),
+        "p" => Some(value + if name.ends_with(along) { mass()? * SHIFT } else { 0.0 }),
         "T" if rest.starts_with("lost") || rest.starts_with("gained") => {
             // The same for both where nothing acts from outside.
             let stage = rest.split(['[', ']']).nth(1).map_or(Some(1), |stage| stage.parse::<usize>().ok())?;
             let [before, after] = [stage, stage + 1].map(|at| solved.value(&format!("p_{at}{along}")));
             let given = SHIFT * (after? - before?);
-            Some(if rest.starts_with("lost") { own - given } else { own + given })
+            Some(if rest.starts_with("lost") { value - given } else { value + given })
         }
-        "T" => Some(own + SHIFT * solved.value(&format!("p_{rest}{along}"))? + mass()? * SHIFT * SHIFT / 2.0),
-        "J" | "dt" | "tension" => Some(own),
+        "T" => Some(value + SHIFT * solved.value(&format!("p_{rest}{along}"))? + mass()? * SHIFT * SHIFT / 2.0),
+        "J" | "dt" | "tension" => Some(value),
         _ => None,
     }
 }
@@ -179,11 +179,11 @@ const HEAVIER: [f64; 2] = [1e-27, 1e24];
 /// The scene with everything so many times as heavy; none where a stage tells a mass, a force or an energy by its number.
 fn heavier(scene: &Drawn, times: f64) -> Option<Drawn> {
     let is_weighed =
-        |unit: &str| ["kg", "N", "J"].iter().any(|part| unit.split([' ', '/', '^']).any(|own| own == *part));
+        |unit: &str| ["kg", "N", "J"].iter().any(|part| unit.split([' ', '/', '^']).any(|symbol| symbol == *part));
     let words = |value: &str| value.split([' ', ',', ']', '}']).map(str::to_owned).collect::<Vec<_>>();
     let tells_weight = |value: &str| {
         let words = words(value);
-        words.windows(2).any(|pair| pair[0].parse::<f64>().is_ok_and(|own| own != 0.0) && is_weighed(&pair[1]))
+        words.windows(2).any(|pair| pair[0].parse::<f64>().is_ok_and(|number| number != 0.0) && is_weighed(&pair[1]))
     };
     if scene.stages.iter().flat_map(|stage| &stage.keys).any(|(_, value)| tells_weight(value)) {
         return None;
@@ -200,14 +200,18 @@ fn heavier(scene: &Drawn, times: f64) -> Option<Drawn> {
 /// By how much a quantity is greater where everything is so many times as heavy.
 fn weighed(table: &Table, name: &str, times: f64) -> f64 {
     let unit = table.unit(name);
-    if ["kg", "N", "J"].iter().any(|part| unit.split([' ', '/', '^']).any(|own| own == *part)) { times } else { 1.0 }
+    if ["kg", "N", "J"].iter().any(|part| unit.split([' ', '/', '^']).any(|symbol| symbol == *part)) {
+        times
+    } else {
+        1.0
+    }
 }
 
 fn in_other_units(scene: &Drawn) -> Drawn {
     let mut other = scene.clone();
     for (_, value) in &mut other.given {
         let Some((number, unit)) = value.split_once(' ') else { continue };
-        let Some((_, unit, many)) = OTHER_UNITS.iter().find(|(own, ..)| *own == unit) else { continue };
+        let Some((_, unit, many)) = OTHER_UNITS.iter().find(|(listed, ..)| *listed == unit) else { continue };
         let number: f64 = number.parse().unwrap();
         *value = format!("{} {unit}", (number * many * 1e9).round() / 1e9);
     }
@@ -226,8 +230,9 @@ fn observed(table: &Table, kind: &str, seed: u64) -> (usize, Vec<String>) {
                        scale: &dyn Fn(&str) -> f64| match other {
         Ok(other) => {
             observers += 1;
-            let found = |name: &str| other.value(name).map(|own| own / scale(name));
-            wrong.extend(differing(&whole, &found, expected, &other).into_iter().map(|own| format!("{who}: {own}")));
+            let found = |name: &str| other.value(name).map(|value| value / scale(name));
+            wrong
+                .extend(differing(&whole, &found, expected, &other).into_iter().map(|fault| format!("{who}: {fault}")));
         }
         // What is counted counter-clockwise has no place in a mirror.
         Err(refusal) if refusal.contains("counter-clockwise") => {}
@@ -252,7 +257,7 @@ fn observed(table: &Table, kind: &str, seed: u64) -> (usize, Vec<String>) {
             compare(&who, asked_all(&heavier, &questions, &|file| file), &same, &|name| weighed(table, name, times));
         }
     }
-    let wrong = wrong.into_iter().map(|own| format!("{kind} {seed}: {own}")).collect();
+    let wrong = wrong.into_iter().map(|fault| format!("{kind} {seed}: {fault}")).collect();
     (observers, wrong)
 }
 

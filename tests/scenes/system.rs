@@ -68,7 +68,7 @@ impl Solved {
 /// What the laws say of a quantity.
 pub fn said(exercise: &Exercise, name: &str) -> Option<f64> {
     let symbol = exercise.problem().model().symbol_of(name)?;
-    exercise.variant().value(symbol).map(|own| own.value)
+    exercise.variant().value(symbol).map(|number| number.value)
 }
 
 /// A problem file with its numbers, or the refusal.

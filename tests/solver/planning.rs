@@ -83,10 +83,10 @@ fn nothing_is_divided_by_what_is_zero_at_the_values_known_beforehand() {
         (values[2], values[4]) = (f64::from(a) * FRAC_PI_2, f64::from(b) * FRAC_PI_2);
         for (place, speed) in speeds.into_iter().enumerate() {
             let (unknown, Closed::Formula(formula)) = &plan.steps[0].roots[0].values[place] else { panic!("{plan:?}") };
-            let at = |symbol| names.iter().position(|own| *own == symbol).map_or(f64::NAN, |place| values[place]);
+            let at = |symbol| names.iter().position(|listed| *listed == symbol).map_or(f64::NAN, |place| values[place]);
             let found = formula.evaluate(&at);
             assert!((found - speed).abs() < 1e-9, "{a} {b}: {formula:?} = {found}");
-            values[names.iter().position(|own| own == unknown).unwrap()] = found;
+            values[names.iter().position(|listed| listed == unknown).unwrap()] = found;
         }
     }
 }
@@ -190,11 +190,11 @@ fn residuals(world: &mut World, plan: &Plan, equation: &str, values: &[(&str, f6
     let of_root = |root: usize| {
         let mut all = known.clone();
         for value in 0..step.unknowns.len() {
-            let at = |symbol| all.iter().find(|(own, _)| *own == symbol).map_or(f64::NAN, |(_, value)| *value);
+            let at = |symbol| all.iter().find(|(listed, _)| *listed == symbol).map_or(f64::NAN, |(_, value)| *value);
             let found = formula(plan, 0, root, value).evaluate(&at);
             all.push((step.unknowns[value], found));
         }
-        let at = |symbol| all.iter().find(|(own, _)| *own == symbol).map_or(f64::NAN, |(_, value)| *value);
+        let at = |symbol| all.iter().find(|(listed, _)| *listed == symbol).map_or(f64::NAN, |(_, value)| *value);
         difference.evaluate(&at)
     };
     (0..step.roots.len()).map(of_root).collect()

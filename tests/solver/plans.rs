@@ -88,7 +88,7 @@ fn what_nobody_asks_for_is_in_the_audit_only() {
     let (answer, all) = (unknowns(leaf.answer_steps(), &problem), unknowns(&leaf.audit.plan.steps, &problem));
     assert_eq!(answer, BTreeSet::from(["v_A2".to_owned(), "v_B2".to_owned()]));
     for name in ["T_lost", "J_A", "J_B"] {
-        let met = |names: &BTreeSet<String>| names.iter().any(|own| own.split('[').next() == Some(name));
+        let met = |names: &BTreeSet<String>| names.iter().any(|listed| listed.split('[').next() == Some(name));
         assert!(!met(&answer) && met(&all), "{name}: {answer:?} {all:?}");
     }
 }
@@ -100,7 +100,7 @@ fn every_step_of_the_bank_serves_the_question() {
         for (index, form) in problem.forms().iter().enumerate() {
             // Where the sheet tells enough to find a quantity, the solution finds it.
             let found = form.question.ask.iter().filter_map(|ask| match ask {
-                Ask::Enough(own) => problem.model().symbol_of(&own.enough),
+                Ask::Enough(enough) => problem.model().symbol_of(&enough.enough),
                 _ => None,
             });
             let asked: BTreeSet<_> = form.wanted().chain(found).collect();

@@ -103,7 +103,12 @@ impl Truth {
             let law = problem.model().instances[equation.tag].law.name;
             self.satisfies_equation(equation, &format!("{} seed {:?}: {law}", problem.id(), variant.seed()));
         }
-        for condition in leaf.system.conditions.iter().filter(|own| self.knows(&own.left) && self.knows(&own.right)) {
+        for condition in leaf
+            .system
+            .conditions
+            .iter()
+            .filter(|condition| self.knows(&condition.left) && self.knows(&condition.right))
+        {
             let (difference, size) = self.difference(&condition.left, &condition.right);
             assert!(
                 holds(condition.relation, &difference, size),
@@ -128,9 +133,9 @@ impl Truth {
                 let found = self.values[unknown].clone();
                 let mut candidate = Long::from(*from).with_precision(BITS).value();
                 while candidate < found {
-                    let mut own = Self { values: self.values.clone(), ..Self::default() };
-                    own.values.insert(*unknown, candidate.clone());
-                    let (difference, _) = own.difference(left, right);
+                    let mut extended = Self { values: self.values.clone(), ..Self::default() };
+                    extended.values.insert(*unknown, candidate.clone());
+                    let (difference, _) = extended.difference(left, right);
                     assert!(!holds(*relation, &difference, 0.0), "{what}: a smaller number satisfies it");
                     candidate += Long::ONE;
                 }

@@ -42,18 +42,18 @@ pub fn rearranged(rng: &mut ChaCha8Rng, table: &SymbolTable, all: &[Sides]) -> O
     let (mut left, mut right) = chosen(rng, all)?.clone();
     let steps = rng.random_range(1..=3);
     for step in 0..steps {
-        let own = (left.clone(), right.clone());
+        let sides = (left.clone(), right.clone());
         (left, right) = match rng.random_range(0..7) {
-            0 => moved(rng, own),
-            1 => multiplied(rng, own),
-            2 => added(rng, table, own, all),
-            3 => put_in(rng, own, all),
-            4 => (own.1, own.0),
+            0 => moved(rng, sides),
+            1 => multiplied(rng, sides),
+            2 => added(rng, table, sides, all),
+            3 => put_in(rng, sides, all),
+            4 => (sides.1, sides.0),
             // Both sides are what they were: a square of nothing says less than its root.
-            5 if step == 0 => (own.0.powi(2), own.1.powi(2)),
-            5 => own,
+            5 if step == 0 => (sides.0.powi(2), sides.1.powi(2)),
+            5 => sides,
             _ => {
-                let zero = Expr::sum([own.0, -own.1]);
+                let zero = Expr::sum([sides.0, -sides.1]);
                 (zero, Expr::zero())
             }
         };
@@ -78,8 +78,9 @@ fn multiplied(rng: &mut ChaCha8Rng, (left, right): Sides) -> Sides {
 
 fn added(rng: &mut ChaCha8Rng, table: &SymbolTable, (left, right): Sides, all: &[Sides]) -> Sides {
     let measure = |side: &Expr, other: &Expr| side.common_dimension(other, table).ok();
-    let own = measure(&left, &right);
-    let alike: Vec<&Sides> = all.iter().filter(|(one, other)| own.is_some() && measure(one, other) == own).collect();
+    let measure_now = measure(&left, &right);
+    let alike: Vec<&Sides> =
+        all.iter().filter(|(one, other)| measure_now.is_some() && measure(one, other) == measure_now).collect();
     let Some((one, other)) = chosen(rng, &alike) else { return (left, right) };
     let factor = Expr::integer([1, -1, 2][rng.random_range(0..3)]);
     (Expr::sum([left, factor.clone() * one.clone()]), Expr::sum([right, factor * other.clone()]))
@@ -89,11 +90,11 @@ fn added(rng: &mut ChaCha8Rng, table: &SymbolTable, (left, right): Sides, all: &
 fn put_in(rng: &mut ChaCha8Rng, (left, right): Sides, all: &[Sides]) -> Sides {
     let symbols: Vec<Symbol> = left.symbols().into_iter().chain(right.symbols()).collect();
     let Some(symbol) = chosen(rng, &symbols).copied() else { return (left, right) };
-    let with: Vec<&Sides> = all.iter().filter(|own| **own != (left.clone(), right.clone())).collect();
+    let with: Vec<&Sides> = all.iter().filter(|sides| **sides != (left.clone(), right.clone())).collect();
     let with: Vec<Expr> =
         with.iter().filter_map(|(one, other)| solved(symbol, &Expr::sum([one.clone(), -other.clone()]))).collect();
     let Some(term) = chosen(rng, &with) else { return (left, right) };
-    let put = |side: &Expr| side.substitute(&|own| (own == symbol).then(|| term.clone()));
+    let put = |side: &Expr| side.substitute(&|other| (other == symbol).then(|| term.clone()));
     (put(&left), put(&right))
 }
 
@@ -103,9 +104,9 @@ fn solved(symbol: Symbol, residual: &Expr) -> Option<Expr> {
     let [only] = with.as_slice() else { return None };
     let factor = match only {
         Expr::Symbol(_) => Expr::one(),
-        Expr::Product(factors) if factors.iter().any(|own| *own == Expr::from(symbol)) => {
+        Expr::Product(factors) if factors.iter().any(|factor| *factor == Expr::from(symbol)) => {
             let mut rest = factors.to_vec();
-            rest.retain(|own| *own != Expr::from(symbol));
+            rest.retain(|factor| *factor != Expr::from(symbol));
             if rest.iter().any(holds) || rest.len() + 1 != factors.len() {
                 return None;
             }
@@ -132,11 +133,11 @@ pub fn spoilt(rng: &mut ChaCha8Rng, table: &SymbolTable, (left, right): &Sides) 
             let dimension = table.entry(symbol).dimension;
             let others: Vec<Symbol> = table
                 .iter()
-                .filter(|(own, entry)| *own != symbol && entry.dimension == dimension && is_typed(&entry.name))
-                .map(|(own, _)| own)
+                .filter(|(listed, entry)| *listed != symbol && entry.dimension == dimension && is_typed(&entry.name))
+                .map(|(listed, _)| listed)
                 .collect();
             let other = *chosen(rng, &others)?;
-            term.substitute(&|own| (own == symbol).then(|| other.into()))
+            term.substitute(&|listed| (listed == symbol).then(|| other.into()))
         }
         _ => {
             let symbols: Vec<Symbol> = term.symbols().into_iter().collect();
@@ -144,8 +145,8 @@ pub fn spoilt(rng: &mut ChaCha8Rng, table: &SymbolTable, (left, right): &Sides) 
             term.clone() * Expr::from(symbol)
         }
     };
-    let own = Expr::sum(all.iter().map(|own| if *own == term { wrong.clone() } else { own.clone() }));
-    Some(if in_left { (own, right.clone()) } else { (left.clone(), own) })
+    let sum = Expr::sum(all.iter().map(|part| if *part == term { wrong.clone() } else { part.clone() }));
+    Some(if in_left { (sum, right.clone()) } else { (left.clone(), sum) })
 }
 
 pub fn is_typed(name: &str) -> bool {
@@ -158,7 +159,7 @@ pub fn typed(worked: Worked<'_>, (left, right): &Sides) -> String {
     let text = |term: &Expr| {
         term.text_with(&|symbol| {
             let name = &model.symbols.entry(symbol).name;
-            let is_literal = model.literals.iter().any(|(own, _)| *own == symbol);
+            let is_literal = model.literals.iter().any(|(literal, _)| *literal == symbol);
             if is_literal { format!("({name})") } else { name.clone() }
         })
     };

@@ -57,13 +57,13 @@ fn altered_lines(seeds: u64) -> usize {
                 let Statement::Equal { left, right } = &equation.statement else { continue };
                 let alone: Sides = (left.clone(), right.clone());
                 // The right form of the same law is no line beside the wrong one.
-                let is_replaced = |own: &&Sides| {
+                let is_replaced = |sides: &&Sides| {
                     leaf.system.equations.iter().any(|other| {
-                        let same = matches!(&other.statement, Statement::Equal { left, right } if (left, right) == (&own.0, &own.1));
+                        let same = matches!(&other.statement, Statement::Equal { left, right } if (left, right) == (&sides.0, &sides.1));
                         other.tag == equation.tag && same
                     })
                 };
-                let others: Vec<Sides> = all.iter().filter(|own| !is_replaced(own)).cloned().collect();
+                let others: Vec<Sides> = all.iter().filter(|sides| !is_replaced(sides)).cloned().collect();
                 let together = combined(&mut rng, &model.symbols, &alone, &others);
                 for sides in [Some(alone), together].into_iter().flatten() {
                     let text = without_unit_acceleration(&typed(worked, &sides), worked.problem.units());

@@ -98,7 +98,8 @@ fn spoilt_lines(size: Size) -> usize {
         let mut drawer = Drawer::new(&problem, exercise.variant().form()).unwrap();
         let mut judge = Judge::new(worked, DecimalMark::Point);
         for _ in 0..size.lines {
-            let Some(sides) = rearranged(&mut rng, table, &all).and_then(|own| spoilt(&mut rng, table, &own)) else {
+            let Some(sides) = rearranged(&mut rng, table, &all).and_then(|sides| spoilt(&mut rng, table, &sides))
+            else {
                 continue;
             };
             let text = typed(worked, &sides);

@@ -19,7 +19,7 @@ use momentous::problem::{compile, load};
 
 /// The first form of a problem of the bank, with the numbers of a seed.
 fn drawn(problem: &str, seed: u64) -> Exercise {
-    let source = Bank::built_in().sources().find(|own| own.name.contains(problem)).unwrap().clone();
+    let source = Bank::built_in().sources().find(|source| source.name.contains(problem)).unwrap().clone();
     let problem = Arc::new(compile(load(source).unwrap(), None).unwrap());
     Exercise::draw(&problem, 0, seed).unwrap()
 }

@@ -74,12 +74,12 @@ fn with_numbers(rng: &mut ChaCha8Rng, exercise: &Exercise, sides: &Sides, is_spo
         let given = worked.variant.given(symbol).filter(|_| is_told);
         numbers.push(given.map_or_else(
             || Number::computed(symbol, value, entry.dimension),
-            |(own, unit)| {
+            |(decimal, unit)| {
                 // What is given may have been rounded as well.
-                let half =
-                    half_of_last_place(&own.to_rational()).map(|half| half.to_f64().value() * unit.factor().to_f64());
+                let half = half_of_last_place(&decimal.to_rational())
+                    .map(|half| half.to_f64().value() * unit.factor().to_f64());
                 let half = half.unwrap_or(value.abs() / 200.0);
-                Number { symbol, text: format!("({own} {unit})"), value, half, is_given: true }
+                Number { symbol, text: format!("({decimal} {unit})"), value, half, is_given: true }
             },
         ));
     }
@@ -88,17 +88,18 @@ fn with_numbers(rng: &mut ChaCha8Rng, exercise: &Exercise, sides: &Sides, is_spo
         if computed.is_empty() {
             return None;
         }
-        let own = &mut numbers[computed[rng.random_range(0..computed.len())]];
+        let number = &mut numbers[computed[rng.random_range(0..computed.len())]];
         let share = rng.random_range(LEAST_SLIP..MOST_SLIP) * if rng.random_bool(0.5) { -1.0 } else { 1.0 };
-        *own = Number::computed(own.symbol, own.value * (1.0 + share), model.symbols.entry(own.symbol).dimension);
+        *number =
+            Number::computed(number.symbol, number.value * (1.0 + share), model.symbols.entry(number.symbol).dimension);
     }
     if numbers.is_empty() {
         return None;
     }
     let name = |symbol: Symbol| {
         let name = &model.symbols.entry(symbol).name;
-        let is_literal = model.literals.iter().any(|(own, _)| *own == symbol);
-        let known = numbers.iter().find(|own| own.symbol == symbol).map(|own| own.text.clone());
+        let is_literal = model.literals.iter().any(|(literal, _)| *literal == symbol);
+        let known = numbers.iter().find(|number| number.symbol == symbol).map(|number| number.text.clone());
         known.unwrap_or_else(|| if is_literal { format!("({name})") } else { name.clone() })
     };
     let text = format!("{} = {}", sides.0.text_with(&name), sides.1.text_with(&name));
@@ -109,8 +110,9 @@ fn with_numbers(rng: &mut ChaCha8Rng, exercise: &Exercise, sides: &Sides, is_spo
 fn agrees(exercise: &Exercise, line: &Line) -> bool {
     let residual = |changed: Option<(Symbol, f64)>| {
         let value = |symbol: Symbol| {
-            let own = line.numbers.iter().find(|own| own.symbol == symbol).map(|own| own.value);
-            let own = own.unwrap_or_else(|| exercise.variant().value(symbol).map_or(f64::NAN, |own| own.value));
+            let number = line.numbers.iter().find(|value| value.symbol == symbol).map(|number| number.value);
+            let own =
+                number.unwrap_or_else(|| exercise.variant().value(symbol).map_or(f64::NAN, |number| number.value));
             own + changed.filter(|(other, _)| *other == symbol).map_or(0.0, |(_, by)| by)
         };
         [&line.sides.0, &line.sides.1].map(|side| side.evaluate(&value))
@@ -119,8 +121,8 @@ fn agrees(exercise: &Exercise, line: &Line) -> bool {
     let reach: f64 = line
         .numbers
         .iter()
-        .map(|own| {
-            let [moved_left, moved_right] = residual(Some((own.symbol, own.half)));
+        .map(|number| {
+            let [moved_left, moved_right] = residual(Some((number.symbol, number.half)));
             ((moved_left - moved_right) - (left - right)).abs()
         })
         .sum();
@@ -141,7 +143,7 @@ fn numeric_lines(size: Size, is_spoilt: bool) -> usize {
             let Some(line) = with_numbers(&mut rng, exercise, &sides, is_spoilt) else { continue };
             let agrees = agrees(exercise, &line);
             // Of a number that stands in several places each may have been rounded by itself.
-            let is_repeated = |own: &Number| line.text.matches(&own.text).count() > 1;
+            let is_repeated = |number: &Number| line.text.matches(&number.text).count() > 1;
             if is_spoilt == agrees || is_spoilt && line.numbers.iter().any(is_repeated) {
                 continue;
             }

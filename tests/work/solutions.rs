@@ -82,8 +82,8 @@ fn follow_the_hints(seeds: u64) {
             }
         }
         let (report, _) = judge.conclude(Vec::new());
-        let misses =
-            report.laws.iter().any(|own| !own.established) || report.answers.iter().any(|own| !own.established);
+        let misses = report.laws.iter().any(|needed| !needed.established)
+            || report.answers.iter().any(|needed| !needed.established);
         if misses {
             faults
                 .push(format!("{entry}\n  {}", written.iter().rev().take(8).cloned().collect::<Vec<_>>().join("\n  ")));

@@ -20,7 +20,7 @@ fn score(desk: &Desk, text: Option<&str>) -> Option<String> {
     let problem = text.map(problem);
     let all = effects(&[desk.worked()], &desk.policy, problem.as_ref());
     let Remarked::Same(reports) = &all[0].after else { return None };
-    Score::of(reports.last().unwrap()).map(|own| format!("{}/{}", own.points, own.out_of))
+    Score::of(reports.last().unwrap()).map(|score| format!("{}/{}", score.points, score.out_of))
 }
 
 #[test]
@@ -122,13 +122,13 @@ fn redacted_work_leaves_no_copy_in_other_attempts() {
         at: desk.policy.closes,
     };
     let changed = redacted(&desk.attempts, &order).unwrap();
-    assert_eq!(changed.iter().map(|own| own.number).collect::<Vec<_>>(), [1, 2, 3]);
+    assert_eq!(changed.iter().map(|attempt| attempt.number).collect::<Vec<_>>(), [1, 2, 3]);
     let all = serde_json::to_string(&changed).unwrap();
     assert!(!all.contains("0199") && !all.contains("m_A v_A1"), "{all}");
     assert!(changed[2].answers[WORK].ends_with("\nv_A2 = -0.5 m/s"), "{all}");
     for (attempt, before) in changed.into_iter().zip(&desk.reports) {
         assert_eq!(StoredReport::of(&attempt).unwrap().total, before.total);
-        let place = desk.attempts.iter().position(|own| own.number == attempt.number).unwrap();
+        let place = desk.attempts.iter().position(|other| other.number == attempt.number).unwrap();
         desk.attempts[place] = attempt;
     }
     assert_eq!(desk.worked().remarked(&desk.policy, Some(&problem(&text()))), Remarked::Redacted);

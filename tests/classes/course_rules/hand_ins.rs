@@ -177,7 +177,7 @@ proptest! {
             let shown = desks.each_mut().map(|desk| {
                 let taken = desk.hand_in([one, two, three], DAY);
                 let all = desk.reports.iter().map(|report| report.shown(&desk.window, at(DAY))).collect::<Vec<_>>();
-                (taken.map(|own| serde_json::to_string(&own.shown).unwrap()), serde_json::to_string(&all).unwrap())
+                (taken.map(|hand_in| serde_json::to_string(&hand_in.shown).unwrap()), serde_json::to_string(&all).unwrap())
             });
             prop_assert_eq!(&shown[0], &shown[1]);
         }

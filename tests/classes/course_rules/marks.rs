@@ -73,7 +73,7 @@ fn marks_are_exact_and_by_hand_before_all() {
     let records = Records::of(&[&ada, &bob]);
     let nothing = Gradebook::of(&records.accounts(&items, &[], &[]), &students);
     assert_eq!(
-        nothing.columns.iter().map(|own| own.heading.as_str()).collect::<Vec<_>>(),
+        nothing.columns.iter().map(|column| column.heading.as_str()).collect::<Vec<_>>(),
         ["1 impact/two-carts", "2 impact/two-carts"]
     );
     assert_eq!(
@@ -94,10 +94,10 @@ fn marks_are_exact_and_by_hand_before_all() {
     );
     assert_eq!(book.rows[1].total.to_string(), "31/3");
     let accounts = records.accounts(&items, &full, &set);
-    let [own, bobs] = [&students[0], &students[1]].map(|(member, _)| accounts.account(member.key));
-    let said = |said: &Option<momentous::course::Said>| said.as_ref().map(|own| own.reason.clone());
+    let [adas, bobs] = [&students[0], &students[1]].map(|(member, _)| accounts.account(member.key));
+    let said = |said: &Option<momentous::course::Said>| said.as_ref().map(|said| said.reason.clone());
     assert_eq!(
-        (own.total.to_string().as_str(), bobs.total.to_string().as_str()),
+        (adas.total.to_string().as_str(), bobs.total.to_string().as_str()),
         ("11", "31/3"),
         "as in the gradebook"
     );
@@ -105,7 +105,7 @@ fn marks_are_exact_and_by_hand_before_all() {
         (said(&bobs.standings[0].by_hand), said(&bobs.standings[1].corrected)),
         (Some("viva".into()), Some("a wrong sign".into()))
     );
-    assert_eq!(own.standings[2].mark, GradeMark::Dropped);
+    assert_eq!(adas.standings[2].mark, GradeMark::Dropped);
     let old = [Item { issue: 2, ..item(0, 10) }];
     let anew = Gradebook::of(&records.accounts(&old, &[], &[]), &students);
     assert_eq!(row(&anew, 0), ["missing"], "sheets of an issue before do not count");
@@ -141,8 +141,8 @@ proptest! {
         let desk = Desk::new(&text(), policy(&form()), 1);
         let points = (Rational::from(above) / Rational::from(below)).to_string();
         let set = by_hand(&desk, Some(&points));
-        let (own, set) = ([item(0, 1000)], [set]);
-        let book = Gradebook::of(&Records::of(&[&desk]).accounts(&own, &[], &set), &pairs);
+        let (items, set) = ([item(0, 1000)], [set]);
+        let book = Gradebook::of(&Records::of(&[&desk]).accounts(&items, &[], &set), &pairs);
         let read = book.read_csv(&book.to_csv()).unwrap();
         prop_assert_eq!(read.len(), names.len());
         prop_assert!(book.differing(&read).is_empty());
@@ -206,8 +206,11 @@ fn statistics_count_what_was_typed_and_score_what_counts() {
     assert!((part("v_A2").facility - 0.5).abs() < 1e-12 && (part("T_lost").facility - 0.9 / 4.0).abs() < 1e-12);
     assert_eq!((part("T_lost").mistakes[0].mistake, part("T_lost").mistakes[0].count), ("half-forgotten", 4));
     assert_eq!((part("T_lost").wrong[0].answer.as_str(), part("T_lost").wrong[0].count), ("67.5 joules", 4));
-    assert!(part("v_A2").discrimination.is_some_and(|own| own > 0.9));
-    assert_eq!(part("v_B2").verdicts.iter().find(|own| own.verdict == "unreadable").map(|own| own.count), Some(2));
+    assert!(part("v_A2").discrimination.is_some_and(|value| value > 0.9));
+    assert_eq!(
+        part("v_B2").verdicts.iter().find(|count| count.verdict == "unreadable").map(|count| count.count),
+        Some(2)
+    );
 }
 
 #[test]
@@ -231,10 +234,10 @@ fn problems_of_open_assignments_are_reserved_for_all_but_staff() {
         ("2026-12-06T18:01", true),
         ("2026-12-06T18:02", false),
     ] {
-        let mut own = Reserved::default();
-        own.add(&assignment, &items, &[late.clone(), elsewhere.clone()], at(local));
-        assert_eq!(own.refuses("impact/two-carts", false), reserved, "{local}");
-        assert!(!own.refuses("impact/two-carts", true) && !own.refuses("impact/dropped", false));
+        let mut refused = Reserved::default();
+        refused.add(&assignment, &items, &[late.clone(), elsewhere.clone()], at(local));
+        assert_eq!(refused.refuses("impact/two-carts", false), reserved, "{local}");
+        assert!(!refused.refuses("impact/two-carts", true) && !refused.refuses("impact/dropped", false));
     }
 }
 

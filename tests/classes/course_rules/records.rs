@@ -79,24 +79,29 @@ fn a_roster_that_was_applied_changes_nothing_more() {
     };
     let now = at("2026-11-20T10:00");
     let records = roster_records(&all, (key(1), &course), std::slice::from_ref(&elsewhere), now, &mut random);
-    assert_eq!(records.members.iter().filter(|own| own.person == elsewhere.key).count(), 1);
-    assert!(records.people.iter().all(|own| own.key != elsewhere.key), "another course does not rename people");
+    assert_eq!(records.members.iter().filter(|membership| membership.person == elsewhere.key).count(), 1);
+    assert!(records.people.iter().all(|person| person.key != elsewhere.key), "another course does not rename people");
     // By hand, as storage would: what has a known key is replaced.
     let mut after = course.clone();
-    for own in &records.members {
-        match after.iter_mut().find(|(member, _)| member.key == own.key) {
-            Some((member, _)) => *member = own.clone(),
+    for changed in &records.members {
+        match after.iter_mut().find(|(member, _)| member.key == changed.key) {
+            Some((member, _)) => *member = changed.clone(),
             None => {
-                let person = records.people.iter().chain([&elsewhere]).find(|person| person.key == own.person).unwrap();
-                after.push((own.clone(), person.clone()));
+                let person =
+                    records.people.iter().chain([&elsewhere]).find(|person| person.key == changed.person).unwrap();
+                after.push((changed.clone(), person.clone()));
             }
         }
     }
-    for own in &records.people {
-        after.iter_mut().filter(|(_, person)| person.key == own.key).for_each(|(_, person)| *person = own.clone());
+    for renamed in &records.people {
+        after
+            .iter_mut()
+            .filter(|(_, person)| person.key == renamed.key)
+            .for_each(|(_, person)| *person = renamed.clone());
     }
     let again = roster_changes(&rows, &after).unwrap();
-    let is_florence = |own: &RosterChange| matches!(own, RosterChange::Renamed { from, .. } if from == "Florence");
+    let is_florence =
+        |change: &RosterChange| matches!(change, RosterChange::Renamed { from, .. } if from == "Florence");
     assert!(again.len() == 1 && is_florence(&again[0]), "{again:?}");
     let of = |byte: u8| after.iter().find(|(member, _)| member.key == key(byte)).unwrap();
     assert_eq!((of(3).0.left, of(4).0.left, of(4).1.name.as_str()), (Some(now), None, "Dan D."));
@@ -105,7 +110,7 @@ fn a_roster_that_was_applied_changes_nothing_more() {
 
 #[test]
 fn what_a_student_is_handed_has_no_seed_and_nothing_that_is_not_released() {
-    let (own, person) = member(1, "s1", "Ada", "A", Role::Student);
+    let (ada, person) = member(1, "s1", "Ada", "A", Role::Student);
     let course = Course {
         key: key(1),
         title: "Mechanics".into(),
@@ -131,7 +136,7 @@ fn what_a_student_is_handed_has_no_seed_and_nothing_that_is_not_released() {
     };
     let sheets = [(desk.worked(), vec![set]), (other.worked(), Vec::new())];
     let json = |local: &str| {
-        let data = StudentData::of((&course, &own, &person), &sheets, &[], &[], at(local));
+        let data = StudentData::of((&course, &ada, &person), &sheets, &[], &[], at(local));
         serde_json::to_string(&data).unwrap()
     };
     let before = json("2026-11-25T11:00");

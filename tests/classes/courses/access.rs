@@ -21,7 +21,7 @@ fn every_address_is_shown_to_those_who_may_see_it() {
     let university = University::with_post(Post::new("smtp://127.0.0.1:1", "momentous@example.edu").unwrap());
     let whole = university.assignment(&[("impact/two-carts", "forward", 5)], |_| {});
     for address in addresses() {
-        let own = address
+        let path = address
             .pattern
             .replace("{course}", &university.course.key.to_string())
             .replace("{assignment}", &whole.assignment.key.to_string())
@@ -38,13 +38,13 @@ fn every_address_is_shown_to_those_who_may_see_it() {
                 Who::Member(least) => role.is_some_and(|role| role >= least),
                 Who::Operator => operator,
             };
-            let answer = if address.changes { browser.post(&own, &[]) } else { browser.get(&own) };
+            let answer = if address.changes { browser.post(&path, &[]) } else { browser.get(&path) };
             let to_sign_in = answer.header("location").is_some_and(|to| to.starts_with("/sign-in?to="));
             // Other pages with this status say something of the time, not of who asks.
             let forbidden = answer.status == 403 && answer.text.contains("This page is for those who");
             let refused = answer.status == 401 || forbidden || to_sign_in || (role.is_none() && answer.status == 404);
-            assert_eq!(refused, !may, "{own} as {login:?}: {} {}", answer.status, answer.text);
-            assert_ne!(answer.status, 500, "{own} as {login:?}: {}", answer.text);
+            assert_eq!(refused, !may, "{path} as {login:?}: {} {}", answer.status, answer.text);
+            assert_ne!(answer.status, 500, "{path} as {login:?}: {}", answer.text);
         }
     }
 }
@@ -54,9 +54,9 @@ fn a_form_of_another_site_changes_nothing() {
     let university = University::new();
     let mut ida = university.browser_of("ida");
     for address in addresses().filter(|address| address.changes) {
-        let own = address.pattern.replace("{course}", &university.course.key.to_string());
+        let path = address.pattern.replace("{course}", &university.course.key.to_string());
         for origin in [Some("https://evil.example"), Some("null"), None] {
-            assert_eq!(ida.post_from(origin, &own, &[]).status, 403, "{own} from {origin:?}");
+            assert_eq!(ida.post_from(origin, &path, &[]).status, 403, "{path} from {origin:?}");
         }
     }
 }
@@ -91,8 +91,11 @@ fn who_teaches_one_course_looks_up_no_open_problem_of_another_where_it_learns() 
     let there = |path: &str| format!("/courses/{}{path}", university.other.key);
     assert_eq!(ada.get(&there("/problems/new?from=impact/two-carts")).status, 403, "its file");
     let text = include_str!("../../../problem_bank/impact/two-carts.yaml");
-    let own = ada.post(&there("/problems/new"), &[("text", text)]).text(422);
-    assert!(own.contains("part of an assignment that is open now") && own.contains("impact/two-carts"), "{own}");
+    let refused = ada.post(&there("/problems/new"), &[("text", text)]).text(422);
+    assert!(
+        refused.contains("part of an assignment that is open now") && refused.contains("impact/two-carts"),
+        "{refused}"
+    );
     let fields = [
         ("title", "Mine"),
         ("opens", "2025-12-01T00:00"),

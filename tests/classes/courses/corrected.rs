@@ -110,10 +110,13 @@ fn after_a_correction_solution_and_key_are_of_the_corrected_problem_whatever_the
         let mut ida = handed.university.browser_of("ida");
         let page = ida.get(&handed.assignment("/regrade")).text(200);
         ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, choice)).to();
-        let own = solution(&handed);
-        assert!(own != old_solution && !own.contains("what it says or asks has changed"), "{choice}: {own}");
+        let solution_now = solution(&handed);
+        assert!(
+            solution_now != old_solution && !solution_now.contains("what it says or asks has changed"),
+            "{choice}: {solution_now}"
+        );
         assert_ne!(ida_key(&handed), old_key, "{choice}");
-        found.push(own);
+        found.push(solution_now);
     }
     found.dedup();
     assert_eq!(found.len(), 1, "the solution does not depend on the choice");

@@ -77,7 +77,7 @@ fn right(university: &University, hidden: &str) -> BTreeMap<String, String> {
 /// A response as bytes that can be compared. The key of the next request is drawn at random.
 fn bytes(answer: &Answer) -> String {
     let pieces = answer.text.split("name=\"request\" value=\"").enumerate();
-    let text: String = pieces.map(|(place, own)| if place == 0 { own } else { &own[32..] }).collect();
+    let text: String = pieces.map(|(place, piece)| if place == 0 { piece } else { &piece[32..] }).collect();
     format!("{} {:?}\n{text}", answer.status, answer.headers)
 }
 
@@ -102,8 +102,8 @@ impl Tried<'_, '_> {
     /// Every page on which something of the item stands.
     fn pages(&mut self, university: &University) {
         let assignment = university.address(&format!("/assignments/{}", momentous::course::Key::<()>::new([9; 16])));
-        let own = [self.item.clone(), format!("{}/solution", self.item), assignment, university.address("")];
-        for address in own {
+        let addresses = [self.item.clone(), format!("{}/solution", self.item), assignment, university.address("")];
+        for address in addresses {
             self.get(&address);
         }
         let elsewhere =

@@ -24,7 +24,7 @@ const RIGHT: [(&str, &str); 12] = [
 /// The fields with others in their place, and a button.
 fn typed<'a>(other: &[(&'a str, &'a str)], button: (&'a str, &'a str)) -> Vec<(&'a str, &'a str)> {
     let mut fields: Vec<(&str, &str)> =
-        RIGHT.into_iter().filter(|(name, _)| other.iter().all(|(own, _)| own != name)).collect();
+        RIGHT.into_iter().filter(|(name, _)| other.iter().all(|(chosen, _)| chosen != name)).collect();
     fields.extend_from_slice(other);
     fields.push(button);
     fields
@@ -176,7 +176,8 @@ fn one_student_gets_more_time() {
         ("due", "2025-11-01T18:00", "This is before the assignment opens."),
         ("reason", " ", "Say why: it is kept with the marks."),
     ] {
-        let wrong: Vec<(&str, &str)> = fields.map(|(name, own)| (name, if name == field { value } else { own })).into();
+        let wrong: Vec<(&str, &str)> =
+            fields.map(|(name, usual)| (name, if name == field { value } else { usual })).into();
         let page = ida.post(&more, &wrong).text(422);
         assert!(page.contains(said) && page.contains("2025-12-09T18:00"), "{page}");
     }
@@ -191,7 +192,7 @@ fn one_student_gets_more_time() {
     ida.post(&more, &[("member", "section A"), fields[1], fields[2], ("reason", "snow")]).to();
     let extensions = university.wait(async |store| store.extensions(whole.assignment.key).await).unwrap();
     let students = [University::member("ada"), University::member("bob")];
-    assert!(students.iter().all(|own| extensions.iter().any(|had| had.member == *own && had.reason == "snow")));
+    assert!(students.iter().all(|student| extensions.iter().any(|had| had.member == *student && had.reason == "snow")));
 }
 
 #[test]

@@ -88,7 +88,7 @@ impl<'u> Class<'u> {
             hours: 0,
             count: 0,
             ida: university.browser_of("ida"),
-            students: STUDENTS.map(|own| (own, university.browser_of(own))).into(),
+            students: STUDENTS.map(|student| (student, university.browser_of(student))).into(),
             university,
         }
     }
@@ -113,8 +113,8 @@ impl<'u> Class<'u> {
     /// The variant that a student has seen last.
     fn exercise(&self, student: &str, item: usize) -> Exercise {
         let sheets = self.university.wait(async |store| store.sheets_of(University::member(student)).await).unwrap();
-        let own = sheets.iter().filter(|sheet| sheet.item == self.whole.items[item].key);
-        own.max_by_key(|sheet| sheet.issue).unwrap().issued.draw(&self.problems[item]).unwrap()
+        let sheets_of_item = sheets.iter().filter(|sheet| sheet.item == self.whole.items[item].key);
+        sheets_of_item.max_by_key(|sheet| sheet.issue).unwrap().issued.draw(&self.problems[item]).unwrap()
     }
 
     fn hand_in(&mut self, student: &'static str, item: usize, kinds: [u8; 3]) {
@@ -157,7 +157,7 @@ impl<'u> Class<'u> {
         self.university.wait(async |store| store.save_problem_file(&file, None).await).unwrap();
         let page = self.ida.get(&self.assignment("/regrade")).text(200);
         let offered: Vec<&str> = WAYS.into_iter().filter(|way| page.contains(&format!("value=\"{way}\""))).collect();
-        let Some(column) = offered.iter().position(|own| *own == WAYS[way]) else { return };
+        let Some(column) = offered.iter().position(|offered_way| *offered_way == WAYS[way]) else { return };
         let before = self.csv().0;
         let hidden = |name: &str| between(&page, &format!("name=\"{name}\" value=\""), "\"").unwrap().to_owned();
         let [revision, item, digest] = ["revision", "item", "digest"].map(hidden);
@@ -218,11 +218,11 @@ impl<'u> Class<'u> {
         let mut lines = text.lines();
         let head: Vec<&str> = lines.next().unwrap().split(',').collect();
         let items: Vec<usize> =
-            head[3..head.len() - 2].iter().map(|own| own[..1].parse::<usize>().unwrap() - 1).collect();
+            head[3..head.len() - 2].iter().map(|heading| heading[..1].parse::<usize>().unwrap() - 1).collect();
         let (mut points, mut sums) = (Points::new(), BTreeMap::new());
         for line in lines {
             let cells: Vec<&str> = line.split(',').collect();
-            let student = STUDENTS.into_iter().find(|own| *own == cells[0]).unwrap();
+            let student = STUDENTS.into_iter().find(|student| *student == cells[0]).unwrap();
             for (item, cell) in items.iter().zip(&cells[3..]) {
                 points.insert((student, *item), cell.parse().ok());
             }
@@ -242,18 +242,18 @@ impl<'u> Class<'u> {
             let sum = between(row, "<td><strong>", "<").unwrap();
             assert!(is_same(sum.parse().ok(), sums.get(student).copied()), "{student}: {row}");
             for item in &items {
-                let own = points[&(student, *item)];
+                let expected = points[&(student, *item)];
                 let cell = between(row, &format!("/items/{}/", self.whole.items[*item].key), "</a>").unwrap();
-                assert!(is_same(cell.rsplit('>').next().unwrap().parse().ok(), own), "{student} {item}: {cell}");
+                assert!(is_same(cell.rsplit('>').next().unwrap().parse().ok(), expected), "{student} {item}: {cell}");
                 let answers = self.ida.get(&self.of_student(student, *item, "")).text(200);
                 let has = between(&answers, "<p class=\"total\"><strong>", " of").unwrap();
-                assert!(is_same(has.parse().ok(), own), "{student} {item}: {has} beside {own:?}");
+                assert!(is_same(has.parse().ok(), expected), "{student} {item}: {has} beside {expected:?}");
                 let sheet = self.item(*item, "");
                 let sheet = self.students.get_mut(student).unwrap().get(&sheet).text(200);
                 let has = between(&sheet, "<p class=\"total\" role=\"status\"><strong>", " of");
-                let told = released(student, self.hours).then_some(own).flatten();
+                let told = released(student, self.hours).then_some(expected).flatten();
                 assert!(
-                    is_same(has.map(|own| own.parse().unwrap()), told),
+                    is_same(has.map(|expected| expected.parse().unwrap()), told),
                     "{student} {item}: {has:?} beside {told:?}"
                 );
             }
@@ -265,12 +265,12 @@ impl<'u> Class<'u> {
                 let told = released(student, self.hours).then_some(points[&(student, *item)]).flatten();
                 assert!(is_same(cell.split(" of").next().unwrap().parse().ok(), told), "{student} {item}: {cell}");
             }
-            let together = between(&list, "Total</th><td></td><td>", " of").map(|own| own.parse().unwrap());
+            let together = between(&list, "Total</th><td></td><td>", " of").map(|points| points.parse().unwrap());
             let told = released(student, self.hours).then(|| sums[student]);
             assert!(is_same(together, told), "{student}: {together:?} beside {told:?}");
         }
         for item in items {
-            let all: Vec<f64> = STUDENTS.into_iter().filter_map(|own| points[&(own, item)]).collect();
+            let all: Vec<f64> = STUDENTS.into_iter().filter_map(|student| points[&(student, item)]).collect();
             let row = between(&statistics, &format!("<tr><th scope=\"row\">{}. ", item + 1), "</tr>");
             let said = row.and_then(|row| row.rsplit("<td>").next()?.split(" of").next()?.parse().ok());
             #[expect(clippy::cast_precision_loss, reason = "two students")]

@@ -37,8 +37,8 @@ fn the_gradebook_of_a_course_weighs_what_has_closed() {
     assert!(!handed.university.browser_of("ada").get(&handed.university.address("")).text(200).contains("Your grade"));
     handed.university.set_clock(10 * DAY);
     assert_eq!(grades(&mut ann), ["40", "0"]);
-    let own = handed.university.browser_of("ada").get(&handed.university.address("")).text(200);
-    assert!(own.contains("<strong>40.0\u{a0}%</strong>") && own.contains("4 of 10"), "{own}");
+    let ada_page = handed.university.browser_of("ada").get(&handed.university.address("")).text(200);
+    assert!(ada_page.contains("<strong>40.0\u{a0}%</strong>") && ada_page.contains("4 of 10"), "{ada_page}");
     let mut second = handed.whole.clone();
     second.assignment.key = Key::new([79; 16]);
     second.items[0].key = Key::new([80; 16]);
@@ -121,7 +121,7 @@ fn points_set_by_hand_have_a_reason_and_nothing_before_is_lost() {
     assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10");
     let key = handed.whole.assignment.key;
     let kept = handed.university.wait(async |store| store.set_by_hand(key).await).unwrap();
-    let points: Vec<_> = kept.iter().map(|own| (own.points.as_deref(), own.reason.as_str())).collect();
+    let points: Vec<_> = kept.iter().map(|row| (row.points.as_deref(), row.reason.as_str())).collect();
     assert_eq!(points, [(Some("22/3"), "oral exam"), (None, "a mistake of mine")]);
 }
 
@@ -213,14 +213,14 @@ fn statistics_say_how_easy_a_part_was() {
 fn students_take_their_own_data_and_nobody_elses() {
     let handed = Handed::new();
     let address = handed.university.address(&format!("/members/{}/data", University::member("ada")));
-    let own = handed.university.browser_of("ada").get(&address).text(200);
-    let data: serde_json::Value = serde_json::from_str(&own).unwrap();
+    let json = handed.university.browser_of("ada").get(&address).text(200);
+    let data: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(data["login"], "ada");
     let attempt = &data["sheets"][0]["attempts"][0];
     assert_eq!(attempt["answers"]["v_B2"], "ask 555-0199 <b>");
-    assert!(attempt["report"]["total"].is_string() || attempt["report"]["total"].is_number(), "{own}");
-    assert!(!own.contains("\"seed\"") && !own.contains(&handed.university.course.secret), "{own}");
-    assert_eq!(handed.university.browser_of("ida").get(&address).text(200), own);
+    assert!(attempt["report"]["total"].is_string() || attempt["report"]["total"].is_number(), "{json}");
+    assert!(!json.contains("\"seed\"") && !json.contains(&handed.university.course.secret), "{json}");
+    assert_eq!(handed.university.browser_of("ida").get(&address).text(200), json);
     assert_eq!(handed.university.browser_of("bob").get(&address).status, 404);
     assert_eq!(handed.university.browser_of("ann").get(&address).status, 404);
 }
@@ -241,8 +241,8 @@ fn an_erased_name_is_gone_and_its_marks_stay() {
     let trail = ida.get(&handed.university.address("/trail")).text(200);
     assert!(trail.contains("name erased") && !trail.contains("ada"), "{trail}");
     assert!(ida.post(&address, &[("login", "")]).text(422).contains("erased already"));
-    let own = handed.university.address(&format!("/members/{}/erase", University::member("ida")));
-    assert!(ida.post(&own, &[("login", "ida")]).text(422).contains("own name"));
+    let form = handed.university.address(&format!("/members/{}/erase", University::member("ida")));
+    assert!(ida.post(&form, &[("login", "ida")]).text(422).contains("own name"));
 }
 
 #[test]

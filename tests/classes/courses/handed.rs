@@ -43,15 +43,15 @@ impl Handed {
     pub fn with(change: impl FnOnce(&mut Policy)) -> Self {
         let university = University::new();
         let whole = university.assignment(&[(CARTS, "forward", 10)], change);
-        let own = Self { university, whole };
-        let mut ada = own.university.browser_of("ada");
-        let address = own.item("");
+        let handed = Self { university, whole };
+        let mut ada = handed.university.browser_of("ada");
+        let address = handed.item("");
         ada.get(&address).text(200);
-        let answers = right(&own.university, "ada");
-        own.university.set_clock(DAY / 2);
+        let answers = right(&handed.university, "ada");
+        handed.university.set_clock(DAY / 2);
         let fields = [("request", "1"), ("answer.v_A2", answers["v_A2"].as_str()), ("answer.v_B2", "ask 555-0199 <b>")];
         ada.post(&address, &fields).to();
-        own
+        handed
     }
 
     /// An address below the first item.

@@ -41,13 +41,13 @@ fn is_solved(browser: &mut Browser<'_>) -> bool {
         403 => false,
         other => panic!("{other}: {}", answer.text),
     };
-    let own = status(browser.get(&format!("/solve/{ALIKE}")));
+    let by_solving = status(browser.get(&format!("/solve/{ALIKE}")));
     let typed = status(browser.get(&format!("/practice/{ALIKE}?set.m_A=12+t")));
     let asked = format!(r#"{{"problem":"{ALIKE}","set":{{"m_A":"12 t"}}}}"#);
     let by_solve = status(call(browser, "solve", &asked));
     let practice = browser.get(&format!("/practice/{ALIKE}")).text(200);
-    assert_eq!(practice.contains(">Own numbers</a>"), own, "what is not there is not offered");
-    let all = [!said, by_call, by_discs, own, typed, by_solve];
+    assert_eq!(practice.contains(">Own numbers</a>"), by_solving, "what is not there is not offered");
+    let all = [!said, by_call, by_discs, by_solving, typed, by_solve];
     assert!(all.iter().all(|is_solved| *is_solved == by_call), "{all:?} {by_simulator}");
     browser.get(&format!("/solve/{OTHER}")).text(200);
     assert!(!browser.get("/simulators/restitution").text(200).contains("not solved with own numbers"));

@@ -101,7 +101,7 @@ fn a_homework_becomes_an_assignment_with_the_marks_of_the_file() {
     }
     ada.get(&second).text(200);
     let sheets = university.wait(async |store| store.sheets_of(University::member("ada")).await).unwrap();
-    let seeds: Vec<u64> = sheets.iter().map(|own| own.issued.seed).collect();
+    let seeds: Vec<u64> = sheets.iter().map(|sheet| sheet.issued.seed).collect();
     assert!(seeds.len() == 2 && seeds[0] != seeds[1], "the second of the same problem has other numbers: {seeds:?}");
 }
 

@@ -29,7 +29,10 @@ fn waiting(page: &str) -> Vec<(String, bool)> {
 
 fn members(university: &University, course: &Course) -> Vec<(String, Role)> {
     let all = university.wait(async |store| store.members(course.key).await.unwrap());
-    all.into_iter().filter(|own| own.member.left.is_none()).map(|own| (own.person.login, own.member.role)).collect()
+    all.into_iter()
+        .filter(|membership| membership.member.left.is_none())
+        .map(|membership| (membership.person.login, membership.member.role))
+        .collect()
 }
 
 #[test]

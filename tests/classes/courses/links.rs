@@ -71,7 +71,7 @@ fn the_link_of_a_course_opens_that_course_and_nothing_else() {
     ada.get(&item).text(200);
     let of_first = trail(&university, university.course.key);
     for what in ["link created in another course", "signed in by a link", "password changed"] {
-        assert!(of_first.iter().any(|own| own == what), "{what}: {of_first:?}");
+        assert!(of_first.iter().any(|deed| deed == what), "{what}: {of_first:?}");
     }
 }
 
@@ -130,7 +130,7 @@ fn a_forgotten_password_is_replaced_by_a_link_of_the_operator() {
     for course in [university.course.key, university.other.key] {
         let trail = trail(&university, course);
         for what in ["link created by the operator", "signed in by a link", "password changed"] {
-            assert!(trail.iter().any(|own| own == what), "{what}: {trail:?}");
+            assert!(trail.iter().any(|deed| deed == what), "{what}: {trail:?}");
         }
     }
 }

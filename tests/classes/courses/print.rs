@@ -18,8 +18,8 @@ fn a_printed_sheet_is_the_one_that_the_student_sees() {
     assert!(sheets.contains("ada &lt;script&gt; (ada)") && !sheets.contains("<script>"));
     let kept = university.wait(async |store| store.sheets(whole.assignment.key).await.unwrap());
     assert_eq!(kept.len(), 4);
-    for own in &kept {
-        let digest = &own.issued.digest;
+    for sheet in &kept {
+        let digest = &sheet.issued.digest;
         let file = university.wait(async |store| store.problem_file(university.course.key, digest).await.unwrap());
         assert!(file.is_some(), "its file is kept");
     }

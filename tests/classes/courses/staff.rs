@@ -82,7 +82,7 @@ fn faults_of_a_course_stand_beside_their_fields() {
         ("login", "", "There is no login."),
     ] {
         let typed: Vec<(&str, &str)> =
-            right.iter().map(|(name, own)| (*name, if *name == field { value } else { own })).collect();
+            right.iter().map(|(name, usual)| (*name, if *name == field { value } else { usual })).collect();
         let page = olga.post("/courses/new", &typed).text(422);
         assert!(page.contains(said), "{field} {value}: {page}");
         assert_eq!(page.matches("class=\"fault\"").count(), 1, "{page}");
@@ -192,7 +192,9 @@ fn nobody_gets_a_link_for_somebody_who_may_do_more() {
     let shown = hidden(&page, "shown");
     ida.post(&university.address("/roster/apply"), &[("table", table), ("shown", &shown)]).to();
     let members = university.wait(async |store| store.members(university.course.key).await.unwrap());
-    let member = |login: &str| members.iter().find(|own| own.person.login == login).unwrap().member.key.to_string();
+    let member = |login: &str| {
+        members.iter().find(|membership| membership.person.login == login).unwrap().member.key.to_string()
+    };
     let link = university.address("/roster/link");
     assert_eq!(ida.post(&link, &[("member", &member("olga"))]).status, 409, "olga runs the server");
     ida.post(&link, &[("member", &member("cleo"))]).text(200);
@@ -215,10 +217,10 @@ fn staff_are_added_and_a_course_keeps_an_instructor() {
     );
     let demoted = ida.post(&add, &[("login", "ida"), ("role", "assistant")]).text(422);
     assert!(demoted.contains("This person is the only instructor of the course. Add another first."), "{demoted}");
-    let own = University::member("ida").to_string();
-    assert_eq!(ida.post(&university.address("/roster/remove"), &[("member", &own)]).status, 409);
+    let key = University::member("ida").to_string();
+    assert_eq!(ida.post(&university.address("/roster/remove"), &[("member", &key)]).status, 409);
     ida.post(&add, &[("login", "zoe"), ("role", "instructor")]).text(200);
     zoe.get(&university.address("/roster")).text(200);
-    assert_eq!(ida.post(&university.address("/roster/remove"), &[("member", &own)]).status, 303);
+    assert_eq!(ida.post(&university.address("/roster/remove"), &[("member", &key)]).status, 303);
     assert_eq!(ida.get(&university.address("")).status, 404);
 }

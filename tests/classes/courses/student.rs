@@ -61,9 +61,9 @@ fn everybody_has_a_sheet_of_their_own_and_keeps_it() {
         page.split("<div class=\"statement\">").nth(1).unwrap().split("</div>").next().unwrap().to_owned()
     };
     let (mut ada, mut bob) = (university.browser_of("ada"), university.browser_of("bob"));
-    let own = statement(&mut ada);
-    assert_ne!(own, statement(&mut bob));
-    assert_eq!(own, statement(&mut university.browser_of("ada")), "in another browser");
+    let adas = statement(&mut ada);
+    assert_ne!(adas, statement(&mut bob));
+    assert_eq!(adas, statement(&mut university.browser_of("ada")), "in another browser");
     let list = ada.get(&university.address("")).text(200);
     assert!(list.contains("Sheet &lt;b&gt;1&lt;/b&gt;") && list.contains("Tue, 2 Dec 2025, 09:00"), "{list}");
 }
@@ -74,8 +74,8 @@ fn nothing_is_seen_before_it_opens() {
     let whole = university.assignment(&[(CARTS, "forward", 10)], |policy| policy.opens = policy.due);
     let mut ada = university.browser_of("ada");
     let address = university.address(&format!("/assignments/{}", whole.assignment.key));
-    for own in [first(&university, &whole), address.clone()] {
-        assert_eq!(ada.get(&own).status, 404);
+    for address_of_nobody in [first(&university, &whole), address.clone()] {
+        assert_eq!(ada.get(&address_of_nobody).status, 404);
     }
     assert!(!ada.get(&university.address("")).text(200).contains("Sheet"));
     university.set_clock(DAY);

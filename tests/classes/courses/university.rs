@@ -64,16 +64,16 @@ impl University {
     }
 
     pub fn with(settings: Settings) -> Self {
-        let own = Self::over(tempfile::tempdir().unwrap(), settings);
-        own.fill();
-        own
+        let university = Self::over(tempfile::tempdir().unwrap(), settings);
+        university.fill();
+        university
     }
 
     /// A server that sends letters.
     pub fn with_post(post: Post) -> Self {
-        let own = Self::set_up(tempfile::tempdir().unwrap(), Settings::default(), Some(post));
-        own.fill();
-        own
+        let university = Self::set_up(tempfile::tempdir().unwrap(), Settings::default(), Some(post));
+        university.fill();
+        university
     }
 
     /// A server over what is in the folder `data` of a folder.
@@ -236,7 +236,7 @@ impl University {
     pub fn at_once<T: Send>(&self, browsers: usize, ask: impl Fn(&mut Browser<'_>) -> T + Sync) -> Vec<T> {
         std::thread::scope(|scope| {
             let started: Vec<_> = (0..browsers).map(|_| scope.spawn(|| ask(&mut self.browser()))).collect();
-            started.into_iter().map(|own| own.join().unwrap()).collect()
+            started.into_iter().map(|thread| thread.join().unwrap()).collect()
         })
     }
 

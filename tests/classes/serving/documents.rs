@@ -15,8 +15,8 @@ fn commands() -> Vec<(usize, Vec<String>)> {
         lines.into_iter().filter_map(move |line| {
             let at = format!("{line} ").find("momentous serve ").or_else(|| line.find("momentous\", \"serve"))?;
             let plain = line[at..].replace(['"', ',', '[', ']'], " ");
-            let own = plain.split(" #").next().unwrap_or_default();
-            Some((block.line, own.split_whitespace().map(str::to_owned).collect()))
+            let words = plain.split(" #").next().unwrap_or_default();
+            Some((block.line, words.split_whitespace().map(str::to_owned).collect()))
         })
     };
     blocks(SERVING).into_iter().filter(|block| block.language != "json").flat_map(of_block).collect()
@@ -31,8 +31,8 @@ fn every_command_and_option_exists() {
         let mut asked: Vec<&str> = vec!["serve"];
         asked.extend(words.iter().skip(2).map(String::as_str).take_while(|word| !word.starts_with('-')).take(2));
         let known = match asked.get(1) {
-            Some(own) if subcommands.contains(own) => {
-                if *own == "user" {
+            Some(subcommand) if subcommands.contains(subcommand) => {
+                if *subcommand == "user" {
                     3
                 } else {
                     2
@@ -46,7 +46,7 @@ fn every_command_and_option_exists() {
         asked.push("--help");
         let (code, help) = run(room.path(), &asked);
         assert_eq!(code, 0, "docs/serving.md:{line}: {asked:?}: {help}");
-        let offered: BTreeSet<&str> = help.split(|own: char| !(own.is_alphanumeric() || own == '-')).collect();
+        let offered: BTreeSet<&str> = help.split(|sign: char| !(sign.is_alphanumeric() || sign == '-')).collect();
         for option in words.iter().filter(|word| word.starts_with("--")) {
             let option = option.split('=').next().unwrap();
             assert!(offered.contains(option), "docs/serving.md:{line}: {asked:?} has no {option}");

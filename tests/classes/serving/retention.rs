@@ -14,17 +14,17 @@ fn answers_end_when_they_were_kept_long_enough_and_an_operator_says_so() {
     let room = folder();
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().unwrap();
     let address = Address::Folder(room.path().join("data"));
-    let own = runtime.block_on(async {
+    let sample = runtime.block_on(async {
         let store = Store::serve(&address).await.unwrap();
-        let own = Sample::kept(&store).await;
+        let sample = Sample::kept(&store).await;
         store.close().await;
-        own
+        sample
     });
     let keep = |retention_days: Option<u32>, number: u8| {
         runtime.block_on(async {
             let store = Store::beside(&address).await.unwrap();
-            let course = Course { retention_days, ..own.course.clone() };
-            store.save_course(&course, &own.entry(number)).await.unwrap();
+            let course = Course { retention_days, ..sample.course.clone() };
+            store.save_course(&course, &sample.entry(number)).await.unwrap();
             store.close().await;
         });
     };
@@ -44,8 +44,8 @@ fn answers_end_when_they_were_kept_long_enough_and_an_operator_says_so() {
     assert_eq!(said(&["--delete"]), format!("{title}, deleted\n"));
     let left = runtime.block_on(async {
         let store = Store::beside(&address).await.unwrap();
-        let trail = store.trail(own.course.key, 1).await.unwrap();
-        (store.records_of(own.course.key).await.unwrap().sheets, trail[0].what.clone())
+        let trail = store.trail(sample.course.key, 1).await.unwrap();
+        (store.records_of(sample.course.key).await.unwrap().sheets, trail[0].what.clone())
     });
     assert_eq!(left, (0, "answers deleted".to_owned()));
 }

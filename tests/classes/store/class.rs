@@ -57,7 +57,8 @@ impl Class {
             policy: policy(now),
             pinned: None,
         };
-        let items: Vec<Item> = problems.iter().zip(0..).map(|(own, place)| item(&assignment, *own, place)).collect();
+        let items: Vec<Item> =
+            problems.iter().zip(0..).map(|(problem, place)| item(&assignment, *problem, place)).collect();
         let addresses = items.iter().map(|item| format!("/courses/{}/items/{}", course.key, item.key)).collect();
         let whole = AssignmentWithItems { assignment, items, revision: 0 };
         store.save_assignment(&whole, &entry(4, now)).await.unwrap();

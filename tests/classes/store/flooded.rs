@@ -72,7 +72,7 @@ impl Evening {
                     })
                 })
                 .collect();
-            started.into_iter().flat_map(|own| own.join().unwrap()).collect()
+            started.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
         });
         let mut took: Vec<Duration> = all.iter().map(|(_, took)| *took).collect();
         took.sort();
@@ -85,10 +85,10 @@ impl Evening {
 fn flood<T>(address: &str, request: impl Fn(u32) -> String + Sync, meanwhile: impl FnOnce() -> T) -> (u32, T) {
     let (is_over, answers) = (AtomicBool::new(false), AtomicU32::new(0));
     thread::scope(|scope| {
-        for own in 0..CONNECTIONS {
+        for connection in 0..CONNECTIONS {
             let (is_over, answers, request) = (&is_over, &answers, &request);
             scope.spawn(move || {
-                let mut number = own;
+                let mut number = connection;
                 while !is_over.load(Ordering::Relaxed) {
                     let Ok(mut stream) = TcpStream::connect(address) else { continue };
                     let _ = stream.set_read_timeout(Some(Duration::from_secs(5)));
@@ -192,7 +192,7 @@ fn those_who_never_end_a_request_stop_nobody() {
             }
         }
     };
-    let open = held.iter_mut().filter_map(|own| (!is_closed(own)).then_some(())).count();
+    let open = held.iter_mut().filter_map(|stream| (!is_closed(stream)).then_some(())).count();
     assert_eq!(open, 0, "headers have ten seconds, and the rest thirty");
 }
 
@@ -234,18 +234,18 @@ fn a_server_that_is_told_to_stop_under_load_ends_and_loses_nothing() {
             acknowledged
         };
         thread::scope(|scope| {
-            let item: Vec<_> = students.into_iter().map(|own| scope.spawn(|| hand_in(own))).collect();
+            let item: Vec<_> = students.into_iter().map(|student| scope.spawn(|| hand_in(student))).collect();
             thread::sleep(Duration::from_millis(500));
             assert!(Command::new("kill").arg(&process).status().unwrap().success());
             assert!(has_ended(server, Duration::from_secs(20)), "it goes on");
-            item.into_iter().map(|own| own.join().unwrap()).collect::<Vec<_>>()
+            item.into_iter().map(|thread| thread.join().unwrap()).collect::<Vec<_>>()
         })
     });
     let kept = kept(evening.folder.path(), &evening.class);
     println!("{:?} acknowledged, {:?} kept", lengths(&acknowledged), lengths(&kept));
-    assert!(acknowledged.iter().any(|own| !own.is_empty()));
+    assert!(acknowledged.iter().any(|request| !request.is_empty()));
     for (acknowledged, kept) in acknowledged.iter().zip(&kept) {
-        assert!(acknowledged.iter().all(|own| kept.contains(own)), "{acknowledged:?} {kept:?}");
+        assert!(acknowledged.iter().all(|request| kept.contains(request)), "{acknowledged:?} {kept:?}");
     }
 }
 

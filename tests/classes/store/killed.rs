@@ -62,7 +62,10 @@ async fn all_are_there(store: &Store, class: &Class, works: &[Work]) {
         let expected =
             work.acknowledged.iter().chain(work.pending.as_ref().filter(|_| kept.len() > work.acknowledged.len()));
         assert_eq!(keys, expected.collect::<Vec<_>>());
-        assert!(kept.iter().all(|own| own.answers["v_A2"] == own.request), "each key has the answer that came with it");
+        assert!(
+            kept.iter().all(|attempt| attempt.answers["v_A2"] == attempt.request),
+            "each key has the answer that came with it"
+        );
         if let Some(last) = kept.last() {
             let report = StoredReport::of(last).unwrap();
             assert_eq!(report.history.handed_in() as usize, kept.len(), "each was marked after those before it");

@@ -22,15 +22,18 @@ pub struct Sample {
 impl Sample {
     /// Makes the course and keeps it.
     pub async fn kept(store: &Store) -> Self {
-        let own = Self::new();
-        store.add_people(std::slice::from_ref(&own.student), &Entry { course: None, ..own.entry(40) }).await.unwrap();
-        store.add_course(&own.course, &own.member, &own.entry(41)).await.unwrap();
-        store.save_assignment(&own.whole, &own.entry(42)).await.unwrap();
+        let sample = Self::new();
+        store
+            .add_people(std::slice::from_ref(&sample.student), &Entry { course: None, ..sample.entry(40) })
+            .await
+            .unwrap();
+        store.add_course(&sample.course, &sample.member, &sample.entry(41)).await.unwrap();
+        store.save_assignment(&sample.whole, &sample.entry(42)).await.unwrap();
         for _ in 0..2 {
             // A page that is loaded twice at once draws one sheet.
-            store.add_sheet(&own.sheet).await.unwrap();
+            store.add_sheet(&sample.sheet).await.unwrap();
         }
-        own
+        sample
     }
 
     fn new() -> Self {

@@ -39,11 +39,11 @@ fn nothing_is_handed_in_while_another_server_changes_the_rules() {
     on_both(async |database| {
         let Database::Postgres(_) = database else { return };
         let store = database.serve().await;
-        let own = Sample::kept(&store).await;
-        let (revision, assignment) = (own.revision(&store).await, own.whole.assignment.key);
+        let sample = Sample::kept(&store).await;
+        let (revision, assignment) = (sample.revision(&store).await, sample.whole.assignment.key);
         let change = format!("UPDATE assignment SET revision = revision + 1 WHERE key = '{assignment}'");
         let mut changing = other(database, &[change]).await;
-        let (attempt, held) = (own.attempt(1, "a"), store.clone());
+        let (attempt, held) = (sample.attempt(1, "a"), store.clone());
         let handed_in =
             tokio::spawn(
                 async move { held.hand_in(HandIn { attempt: &attempt, assignment, revision }).await.unwrap() },
@@ -51,7 +51,7 @@ fn nothing_is_handed_in_while_another_server_changes_the_rules() {
         until_it_waits(database, &handed_in).await;
         changing.execute("COMMIT").await.unwrap();
         assert!(matches!(handed_in.await.unwrap(), HandedIn::Stale));
-        assert!(store.attempts(own.sheet.key).await.unwrap().is_empty());
+        assert!(store.attempts(sample.sheet.key).await.unwrap().is_empty());
     });
 }
 
@@ -60,16 +60,16 @@ fn a_correction_waits_for_what_is_handed_in_through_another_server() {
     on_both(async |database| {
         let Database::Postgres(_) = database else { return };
         let store = database.serve().await;
-        let own = Sample::kept(&store).await;
-        let revision = own.revision(&store).await;
-        let hold = format!("SELECT 1 FROM assignment WHERE key = '{}' FOR SHARE", own.whole.assignment.key);
+        let sample = Sample::kept(&store).await;
+        let revision = sample.revision(&store).await;
+        let hold = format!("SELECT 1 FROM assignment WHERE key = '{}' FOR SHARE", sample.whole.assignment.key);
         let add = format!(
             "INSERT INTO attempt (sheet, number, request, data) VALUES ('{}', 1, 'a', '{}')",
-            own.sheet.key,
-            serde_json::to_string(&own.attempt(1, "a")).unwrap()
+            sample.sheet.key,
+            serde_json::to_string(&sample.attempt(1, "a")).unwrap()
         );
         let mut handing_in = other(database, &[hold, add]).await;
-        let (held, item, entry) = (store.clone(), own.whole.items[0].clone(), own.entry(80));
+        let (held, item, entry) = (store.clone(), sample.whole.items[0].clone(), sample.entry(80));
         let (from, to, choice) = ("a".to_owned(), "b".to_owned(), CorrectionChoice::Remark);
         let (reason, comment, never_lower) = (String::new(), String::new(), false);
         let correction = Correction { item: item.key, from, to, choice, never_lower, reason, comment, at: NOW };
@@ -81,7 +81,7 @@ fn a_correction_waits_for_what_is_handed_in_through_another_server() {
         until_it_waits(database, &regraded).await;
         handing_in.execute("COMMIT").await.unwrap();
         assert!(!regraded.await.unwrap(), "an attempt was overlooked");
-        assert_eq!(own.revision(&store).await, revision, "nothing was done");
+        assert_eq!(sample.revision(&store).await, revision, "nothing was done");
     });
 }
 
@@ -89,22 +89,22 @@ fn a_correction_waits_for_what_is_handed_in_through_another_server() {
 fn an_assignment_is_saved_as_it_was_read_or_not_at_all() {
     on_both(async |database| {
         let store = database.serve().await;
-        let own = Sample::kept(&store).await;
-        let key = own.whole.assignment.key;
+        let sample = Sample::kept(&store).await;
+        let key = sample.whole.assignment.key;
         let read = store.assignment(key).await.unwrap().unwrap();
         let mut pinned = read.clone();
         pinned.assignment.pinned = Some(NOW);
         pinned.items[0].digest = Some("d".into());
-        assert!(store.save_assignment(&pinned, &own.entry(80)).await.unwrap());
+        assert!(store.save_assignment(&pinned, &sample.entry(80)).await.unwrap());
         let mut late = read.clone();
         late.assignment.title = "Sheet 2".into();
         late.items.clear();
         for late in [late.clone(), AssignmentWithItems { revision: 0, ..late }] {
-            assert!(!store.save_assignment(&late, &own.entry(81)).await.unwrap(), "it was pinned meanwhile");
+            assert!(!store.save_assignment(&late, &sample.entry(81)).await.unwrap(), "it was pinned meanwhile");
         }
         let kept = store.assignment(key).await.unwrap().unwrap();
         assert_eq!((kept.assignment, kept.items), (pinned.assignment, pinned.items));
-        assert_eq!(store.trail(own.course.key, 10).await.unwrap().len(), 3, "what was refused left nothing");
+        assert_eq!(store.trail(sample.course.key, 10).await.unwrap().len(), 3, "what was refused left nothing");
     });
 }
 
@@ -122,7 +122,7 @@ fn a_database_that_was_away_is_found_again() {
     on_both(async |database| {
         let Database::Postgres(_) = database else { return };
         let store = database.serve().await;
-        let own = Sample::kept(&store).await;
+        let sample = Sample::kept(&store).await;
         let mut connection = database.connection().await;
         let others = "FROM pg_stat_activity WHERE datname = current_database() AND pid <> pg_backend_pid()";
         let end = format!("SELECT pg_terminate_backend(pid) {others}");
@@ -132,9 +132,9 @@ fn a_database_that_was_away_is_found_again() {
         while number(&mut connection, left).await > 0 {}
         for millis in 1..=2 {
             let saved = Moment::from_millis(millis);
-            let draft = Draft { sheet: own.sheet.key, answers: BTreeMap::new(), saved, settled: None };
+            let draft = Draft { sheet: sample.sheet.key, answers: BTreeMap::new(), saved, settled: None };
             store.save_draft(&draft).await.unwrap();
-            assert_eq!(store.draft(own.sheet.key).await.unwrap(), Some(draft));
+            assert_eq!(store.draft(sample.sheet.key).await.unwrap(), Some(draft));
         }
     });
 }

@@ -9,7 +9,7 @@ use super::problems;
 const LEAST: usize = 90;
 
 fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|own| own.as_f64().unwrap()).collect()
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 
 /// Whether momentum and kinetic energy of a moment are those of its bodies, by their definitions.
@@ -23,7 +23,7 @@ fn adds_up(moment: &Value) -> bool {
             kinetic += mass * part * part / 2.0;
         }
     }
-    let same = momentum.iter().zip(&sum).all(|(own, sum)| (own - sum).abs() <= 1e-9 * size);
+    let same = momentum.iter().zip(&sum).all(|(part, sum)| (part - sum).abs() <= 1e-9 * size);
     same && (moment["kinetic_energy"].as_f64().unwrap() - kinetic).abs() <= 1e-3 * kinetic + 1e-12
 }
 

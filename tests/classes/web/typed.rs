@@ -31,11 +31,12 @@ fn every_form_of_the_bank_is_the_same_sheet_with_its_own_numbers_typed() {
             let set = Value::from(set);
             let asked = json!({ "seed": 3 });
             let drawn = client.call("sheet", &json!({ "problem": problem.id(), "form": name, "seed": 3 })).json(200);
-            let own = typed("sheet", &client, problem.id(), name, &set, &asked);
-            assert_eq!(own["statement"], drawn["statement"], "{} {name:?} {set}", problem.id());
+            let by_numbers = typed("sheet", &client, problem.id(), name, &set, &asked);
+            assert_eq!(by_numbers["statement"], drawn["statement"], "{} {name:?} {set}", problem.id());
             // Numbers of one's own have no seed, from which the order of options comes.
-            assert_eq!(in_order(&own["fields"]), in_order(&drawn["fields"]), "{} {name:?} {set}", problem.id());
-            let answers = json!({ "seed": 3, "answers": in_own_letters(json!(printed(&exercise)), &drawn, &own) });
+            assert_eq!(in_order(&by_numbers["fields"]), in_order(&drawn["fields"]), "{} {name:?} {set}", problem.id());
+            let answers =
+                json!({ "seed": 3, "answers": in_own_letters(json!(printed(&exercise)), &drawn, &by_numbers) });
             let marked = typed("mark", &client, problem.id(), name, &set, &answers);
             assert_eq!(marked["right"], true, "{} {name:?}: {marked:#}", problem.id());
         }
@@ -46,20 +47,20 @@ fn every_form_of_the_bank_is_the_same_sheet_with_its_own_numbers_typed() {
 /// The drawings of a field, without the letters under which they are offered.
 fn drawings(field: &Value) -> Vec<String> {
     let pictures = field["pictures"].as_array().into_iter().flatten();
-    let drawing = |own: &Value| own["svg"].as_str().unwrap().split_once("</title>").unwrap().1.to_owned();
+    let drawing = |sheet: &Value| sheet["svg"].as_str().unwrap().split_once("</title>").unwrap().1.to_owned();
     pictures.map(drawing).collect()
 }
 
 /// Answers of one sheet, for another that offers the same pictures under other letters.
-fn in_own_letters(mut answers: Value, drawn: &Value, own: &Value) -> Value {
-    for (drawn, own) in drawn["fields"].as_array().unwrap().iter().zip(own["fields"].as_array().unwrap()) {
+fn in_own_letters(mut answers: Value, drawn: &Value, typed: &Value) -> Value {
+    for (drawn, drawn_field) in drawn["fields"].as_array().unwrap().iter().zip(typed["fields"].as_array().unwrap()) {
         let Some(answer) = answers.get_mut(drawn["id"].as_str().unwrap()).filter(|_| !drawings(drawn).is_empty())
         else {
             continue;
         };
         let letter = drawn["options"].as_array().unwrap().iter().position(|option| option == answer).unwrap();
-        let place = drawings(own).iter().position(|own| *own == drawings(drawn)[letter]).unwrap();
-        *answer = own["options"][place].clone();
+        let place = drawings(drawn_field).iter().position(|drawing| *drawing == drawings(drawn)[letter]).unwrap();
+        *answer = drawn_field["options"][place].clone();
     }
     answers
 }

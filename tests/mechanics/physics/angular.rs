@@ -71,7 +71,7 @@ impl System {
     }
 
     fn bodies(&self) -> impl Iterator<Item = (f64, Vector, Vector)> {
-        let vectors = |list: &[[i64; 3]]| list.iter().map(|own| own.map(tenth)).collect::<Vec<Vector>>();
+        let vectors = |list: &[[i64; 3]]| list.iter().map(|vector| vector.map(tenth)).collect::<Vec<Vector>>();
         let pairs = vectors(&self.places).into_iter().zip(vectors(&self.velocities));
         self.masses.iter().map(|mass| tenth(*mass)).zip(pairs).map(|(mass, (place, velocity))| (mass, place, velocity))
     }
@@ -100,9 +100,9 @@ impl System {
 
     fn scene(&self, axes: usize, point: [i64; 3]) -> String {
         let axes = if axes == 3 { "{ x: east, y: north, z: upwards }" } else { "{ x: east, y: north }" };
-        let bodies = NAMES[..self.masses.len()].iter().map(|own| format!("  {own}: {{ name: body {own} }}\n"));
+        let bodies = NAMES[..self.masses.len()].iter().map(|letter| format!("  {letter}: {{ name: body {letter} }}\n"));
         let bodies = bodies.collect::<Vec<_>>().concat();
-        let [x, y, z] = point.map(|own| decimal(own, 1));
+        let [x, y, z] = point.map(|coordinate| decimal(coordinate, 1));
         let at =
             if axes.contains('z') { format!("x: {x} m, y: {y} m, z: {z} m") } else { format!("x: {x} m, y: {y} m") };
         format!(
@@ -117,7 +117,7 @@ impl System {
     fn sum(&self, of: impl Fn(f64, Vector, Vector) -> Vector) -> Vector {
         self.bodies()
             .map(|(mass, place, velocity)| of(mass, place, velocity))
-            .fold([0.0; 3], |sum, own| [0, 1, 2].map(|axis| sum[axis] + own[axis]))
+            .fold([0.0; 3], |sum, part| [0, 1, 2].map(|axis| sum[axis] + part[axis]))
     }
 
     /// Angular momentum about a place.
@@ -167,7 +167,7 @@ proptest! {
         let velocity = times(1.0 / total, system.sum(|mass, _, velocity| times(mass, velocity)));
         close(found("T_1"), found("T_G1") + found("T_rel_1"))?;
         close(found("T_G1"), total / 2.0 * square(velocity))?;
-        let relative: f64 = system.bodies().map(|(mass, _, own)| mass / 2.0 * square(less(own, velocity))).sum();
+        let relative: f64 = system.bodies().map(|(mass, _, moving)| mass / 2.0 * square(less(moving, velocity))).sum();
         close(found("T_rel_1"), relative)?;
         for (position, letter) in LETTERS[..axes].iter().enumerate() {
             let momentum: f64 = system.bodies().zip(NAMES).map(|((mass, ..), name)| mass * found(&format!("v_rel_{name}1.{letter}"))).sum();
@@ -175,7 +175,7 @@ proptest! {
             close(found(&format!("v_rel_A1.{letter}")), tenth(system.velocities[0][position]) - velocity[position])?;
         }
         // The moment of the relative momenta about the centre of mass is the same as that of the momenta.
-        let about = system.sum(|mass, place, own| times(mass, cross(less(place, centre), less(own, velocity))));
+        let about = system.sum(|mass, place, moving| times(mass, cross(less(place, centre), less(moving, velocity))));
         let turned = if space { LETTERS.map(|letter| found(&format!("H_G1.{letter}"))) } else { [0.0, 0.0, found("H_G1")] };
         all_close(turned, about)?;
     }

@@ -281,7 +281,7 @@ impl Impact {
         let (problem, variant) = self.solved(&self.given(), &self.asked());
         let given_value = value(&problem, &variant, name).value;
         let mut given = self.given();
-        given.retain(|(own, _)| own != name);
+        given.retain(|(listed, _)| listed != name);
         given.push((told.to_owned(), told_value));
         let (problem, variant) = self.solved(&given, &[name.to_owned()]);
         (value(&problem, &variant, name), given_value)

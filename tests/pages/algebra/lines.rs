@@ -70,16 +70,18 @@ impl Line {
 /// Every sentence of a solution that is not true, in words.
 pub fn faults(json: &[Value], actual: &Values) -> Vec<String> {
     let mut lines = Vec::new();
-    for own in json {
-        match Line::read(own) {
+    for written in json {
+        match Line::read(written) {
             Ok(line) => lines.push(line),
-            Err(fault) => return vec![format!("{own}: {fault}")],
+            Err(fault) => return vec![format!("{written}: {fault}")],
         }
     }
     let mut faults = Vec::new();
     for (place, line) in lines.iter().enumerate() {
-        let sources: Vec<&Line> = line.from.iter().filter_map(|own| lines[..place].get(own - 1)).collect();
-        let named: Vec<String> = line.from.iter().map(|own| format!("\n  {own}: {}", lines[own - 1].text)).collect();
+        let sources: Vec<&Line> =
+            line.from.iter().filter_map(|place_before| lines[..place].get(place_before - 1)).collect();
+        let named: Vec<String> =
+            line.from.iter().map(|number| format!("\n  {number}: {}", lines[number - 1].text)).collect();
         let fault = if sources.len() == line.from.len() {
             check(line, &sources, actual)
         } else {
@@ -131,8 +133,12 @@ fn holds(line: &Line, actual: &Values) -> Result<(), String> {
 
 fn check(line: &Line, sources: &[&Line], actual: &Values) -> Result<(), String> {
     holds(line, actual)?;
-    let points =
-        || Points::of(sources.iter().flat_map(|own| own.sides()).chain(line.sides()).chain(&line.factor), actual);
+    let points = || {
+        Points::of(
+            sources.iter().flat_map(|line_before| line_before.sides()).chain(line.sides()).chain(&line.factor),
+            actual,
+        )
+    };
     let everywhere = |holds: &dyn Fn(&Values) -> Option<bool>| points().all(holds);
     let factor = |values: &Values| line.factor.as_ref().map_or(Sized::of(f64::NAN), |factor| factor.value(values));
     match (line.operation.as_str(), sources) {
@@ -236,16 +242,16 @@ fn finite(left: Sized, right: Sized) -> Option<bool> {
 
 /// Whatever stands below a bar that did not before is among what is not zero.
 fn divisors_are_listed(line: &Line, sources: &[&Line], actual: &Values) -> Result<(), String> {
-    let before = sources.iter().flat_map(|own| own.sides()).flat_map(Term::divisors);
+    let before = sources.iter().flat_map(|line_before| line_before.sides()).flat_map(Term::divisors);
     let known: Vec<Term> = before.chain(line.not_zero.iter().cloned()).collect();
     let new = line.factor.iter().chain(&line.right).flat_map(Term::divisors);
     for divisor in new {
-        let found = known.iter().any(|own| {
+        let found = known.iter().any(|listed| {
             let same = |values: &Values| {
-                let [one, other] = [own.value(values), divisor.value(values)];
+                let [one, other] = [listed.value(values), divisor.value(values)];
                 Some(Sized::of(one.value.abs()).agrees(Sized::of(other.value.abs())))
             };
-            Points::of([own, &divisor].into_iter(), actual).all(&same).is_ok()
+            Points::of([listed, &divisor].into_iter(), actual).all(&same).is_ok()
         });
         if !found {
             return Err(format!("divides by {divisor:?}, which is not listed"));

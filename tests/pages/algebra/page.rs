@@ -54,8 +54,8 @@ fn same_equation(block: &str, line: &Value, names: &Names, actual: &Values) -> R
 /// The names that the line itself has come first: a speed and a velocity may share a letter.
 fn of_line(names: &Names, line: &Value) -> Names {
     let text = line.to_string();
-    let (own, others): (Names, Names) = names.iter().cloned().partition(|(_, name)| text.contains(name.as_str()));
-    own.into_iter().chain(others).collect()
+    let (contained, others): (Names, Names) = names.iter().cloned().partition(|(_, name)| text.contains(name.as_str()));
+    contained.into_iter().chain(others).collect()
 }
 
 fn same(printed: &Term, typed: &Term, actual: &Values) -> Result<(), String> {
@@ -66,8 +66,12 @@ fn same(printed: &Term, typed: &Term, actual: &Values) -> Result<(), String> {
 }
 
 fn same_sentence(sentence: &str, line: &Value, lines: &[Value], names: &Names, actual: &Values) -> Result<(), String> {
-    let from: Vec<&Value> =
-        line["from"].as_array().into_iter().flatten().filter_map(|own| lines.get(own.as_u64()? as usize - 1)).collect();
+    let from: Vec<&Value> = line["from"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(|number| lines.get(number.as_u64()? as usize - 1))
+        .collect();
     let mut named: Vec<u64> = from.iter().filter_map(|line| line["number"].as_u64()).collect();
     let said: Vec<u64> = sentence.split('(').skip(1).filter_map(|part| part.split_once(')')?.0.parse().ok()).collect();
     let factor = line["factor"].as_str().map(typed::read).transpose()?;

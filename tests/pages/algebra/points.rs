@@ -27,8 +27,8 @@ impl Points {
         for round in 0..24 {
             let mut point = actual.clone();
             for name in &names {
-                let own = actual.get(name).copied().unwrap_or(f64::NAN);
-                let usual = if own.is_finite() && own != 0.0 { own } else { 1.0 };
+                let value = actual.get(name).copied().unwrap_or(f64::NAN);
+                let usual = if value.is_finite() && value != 0.0 { value } else { 1.0 };
                 let shifted = match round % 3 {
                     0 => usual * (0.8 + 0.4 * random()),
                     1 => 0.2 + 1.3 * random(),

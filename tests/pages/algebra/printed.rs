@@ -164,7 +164,7 @@ impl Reader<'_> {
                 .and_then(|unit| unit.split_once('}'))
         };
         if let Some(after) = degrees.or_else(|| with_unit().map(|(_, after)| after)) {
-            let is_own = |(_, name): &&&(String, String)| name.split_once(' ').is_some_and(|(own, _)| own == number);
+            let is_own = |(_, name): &&&(String, String)| name.split_once(' ').is_some_and(|(word, _)| word == number);
             let (_, name) = self.names.iter().find(is_own).ok_or_else(|| format!("no value is {number}"))?;
             self.rest = after;
             return Ok(Term::Name(name.clone()));

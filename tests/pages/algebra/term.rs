@@ -82,26 +82,30 @@ impl Term {
                     Some((variable, until)) => variable.value(values).value <= until.value(values).value,
                     None => true,
                 };
-                pieces.iter().find(|(bound, _)| holds(bound)).map_or(Sized::of(f64::NAN), |(_, own)| own.value(values))
+                pieces
+                    .iter()
+                    .find(|(bound, _)| holds(bound))
+                    .map_or(Sized::of(f64::NAN), |(_, value)| value.value(values))
             }
         }
     }
 
     /// Whether a name stands in the term.
     pub fn mentions(&self, name: &str) -> bool {
-        matches!(self, Self::Name(own) if own == name) || self.parts().into_iter().any(|part| part.mentions(name))
+        matches!(self, Self::Name(name_here) if name_here == name)
+            || self.parts().into_iter().any(|part| part.mentions(name))
     }
 
     /// Every name, as often as it stands there.
     pub fn names(&self) -> Vec<String> {
-        let own = if let Self::Name(name) = self { vec![name.clone()] } else { Vec::new() };
-        own.into_iter().chain(self.parts().into_iter().flat_map(Self::names)).collect()
+        let names = if let Self::Name(name) = self { vec![name.clone()] } else { Vec::new() };
+        names.into_iter().chain(self.parts().into_iter().flat_map(Self::names)).collect()
     }
 
     /// What stands below a bar, factor by factor.
     pub fn divisors(&self) -> Vec<Term> {
-        let own = if let Self::Quotient(_, below) = self { below.factors() } else { Vec::new() };
-        own.into_iter().chain(self.parts().into_iter().flat_map(Self::divisors)).collect()
+        let factors = if let Self::Quotient(_, below) = self { below.factors() } else { Vec::new() };
+        factors.into_iter().chain(self.parts().into_iter().flat_map(Self::divisors)).collect()
     }
 
     fn factors(&self) -> Vec<Term> {
@@ -126,7 +130,7 @@ impl Term {
             Self::Call(_, parts) => parts.iter().collect(),
             Self::Pieces(pieces) => pieces
                 .iter()
-                .flat_map(|(bound, own)| bound.iter().flat_map(|(variable, until)| [variable, until]).chain([own]))
+                .flat_map(|(bound, value)| bound.iter().flat_map(|(variable, until)| [variable, until]).chain([value]))
                 .collect(),
         }
     }
@@ -136,8 +140,8 @@ fn call(name: &str, parts: &[Term], values: &Values) -> Sized {
     if let ("integral", [integrand, Term::Name(variable), low, high]) = (name, parts) {
         return integral(integrand, variable, [low.value(values).value, high.value(values).value], values);
     }
-    let own: Vec<Sized> = parts.iter().map(|part| part.value(values)).collect();
-    match (name, own.as_slice()) {
+    let numbers: Vec<Sized> = parts.iter().map(|part| part.value(values)).collect();
+    match (name, numbers.as_slice()) {
         ("sqrt", [x]) => x.through(f64::sqrt),
         ("sin", [x]) => x.through(f64::sin),
         ("cos", [x]) => x.through(f64::cos),

@@ -13,7 +13,7 @@ const END: &str = "<!-- end -->";
 /// The law's name; what it is about stands behind a name that several laws share, as trigonometry is.
 fn title(law: &Law) -> String {
     let name = law.name.strip_prefix("the ").unwrap_or(law.name);
-    let shared = CHAPTERS.iter().flat_map(|chapter| chapter.laws).filter(|own| own.name == law.name).count() > 1;
+    let shared = CHAPTERS.iter().flat_map(|chapter| chapter.laws).filter(|other| other.name == law.name).count() > 1;
     let name = if shared {
         format!("{name}: {}", law.id.replace('-', " ").replace("mass centre", "centre of mass"))
     } else {

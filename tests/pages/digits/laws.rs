@@ -68,11 +68,11 @@ fn row(line: &Math, names: &Names) -> Vec<Math> {
 /// The value of a side, and that of the sum of the sizes of its terms; nothing where it holds what cannot be read, such as an integral.
 fn value(parts: &[Math]) -> Option<(f64, f64)> {
     let number = |parts: &[Math]| Some(side(parts)?.values.first()?.to_f64().value());
-    let own = number(parts)?;
+    let magnitude = number(parts)?;
     let sizes: Vec<Math> = parts.iter().map(added).collect();
     // Not every sum is the cosine of an angle.
     let is_inverse = |part: &Math| ["arc", "ln"].iter().any(|name| part.plain().contains(name));
-    Some((own, if parts.iter().any(is_inverse) { own.abs() } else { number(&sizes)?.abs() }))
+    Some((magnitude, if parts.iter().any(is_inverse) { magnitude.abs() } else { number(&sizes)?.abs() }))
 }
 
 /// A part with every minus turned into a plus.

@@ -43,12 +43,14 @@ impl Tally {
     /// What equals what: a number stands behind what is computed.
     fn chain(&mut self, exercise: &Exercise, lines: &[Math]) {
         let sides = sides(lines);
-        let values: Vec<Option<Printed>> = sides.iter().map(|own| side(own)).collect();
+        let values: Vec<Option<Printed>> = sides.iter().map(|text| side(text)).collect();
         for (pair, shown) in values.windows(2).zip(sides.windows(2)) {
             let [Some(computed), Some(result)] = pair else { continue };
             let Some(halves) = &result.halves else { continue };
             self.lines += 1;
-            let near = |(value, half): (&Float, &Float)| computed.values.iter().any(|own| within(own, value, half));
+            let near = |(value, half): (&Float, &Float)| {
+                computed.values.iter().any(|computed_value| within(computed_value, value, half))
+            };
             if !result.values.iter().zip(halves).all(near) {
                 let shown = shown.iter().map(|side| Math::Row(side.clone()).plain()).collect::<Vec<_>>().join(" = ");
                 let identity = exercise.identity();
@@ -59,8 +61,8 @@ impl Tally {
     }
 }
 
-fn within(own: &Float, value: &Float, half: &Float) -> bool {
-    let off = own.clone() - value.clone();
+fn within(exact: &Float, value: &Float, half: &Float) -> bool {
+    let off = exact.clone() - value.clone();
     let off = if off < Float::ZERO { -off } else { off };
     // Beyond fifty digits nothing is told.
     let slack = half.clone() * Float::try_from(1e-50).unwrap().with_precision(256).value();

@@ -66,7 +66,7 @@ pub fn side(parts: &[Math]) -> Option<Printed> {
         }
         values.extend(both(alternative)?);
     }
-    let halves = alternatives.iter().map(|own| half_unit(own).filter(|_| is_number(own))).collect();
+    let halves = alternatives.iter().map(|text| half_unit(text).filter(|_| is_number(text))).collect();
     Some(Printed { values, halves })
 }
 

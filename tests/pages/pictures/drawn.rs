@@ -77,10 +77,10 @@ fn what_parts_is_drawn_together_before() {
         |problem: &&Problem| matches!(problem.loaded().draft.scene.stages.first(), Some(Stage::Separate(_)));
     assert!(bank().iter().filter(is_parting).count() > 5);
     each_variant(1, |at, worked| {
-        let Some(Stage::Separate(own)) = worked.problem.loaded().draft.scene.stages.first() else { return };
+        let Some(Stage::Separate(separate)) = worked.problem.loaded().draft.scene.stages.first() else { return };
         let Some(drawing) = explain::situation(worked) else { return };
         let labels: Vec<String> = labels(&drawing).into_iter().map(Math::plain).collect();
-        for body in own.into.iter().chain(&own.from) {
+        for body in separate.into.iter().chain(&separate.from) {
             assert!(labels.contains(body), "{at}: {body} is not among {labels:?}");
         }
     });

@@ -49,7 +49,8 @@ fn rows(root: &Path, is_wanted: impl Fn(&str) -> bool) -> Vec<String> {
 
 /// What lies in a folder, in the order of the names.
 fn listed(folder: &Path) -> Vec<PathBuf> {
-    let mut paths: Vec<PathBuf> = fs::read_dir(folder).into_iter().flatten().flatten().map(|own| own.path()).collect();
+    let mut paths: Vec<PathBuf> =
+        fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
     paths.sort();
     paths
 }

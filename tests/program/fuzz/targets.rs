@@ -45,7 +45,7 @@ const TABLES: &str = include_str!("tables.txt");
 impl Target {
     /// The target with that name.
     pub fn named(name: &str) -> Self {
-        TARGETS.into_iter().find(|own| own.name == name).expect("there is such a target")
+        TARGETS.into_iter().find(|target| target.name == name).expect("there is such a target")
     }
 
     /// Its pieces.
@@ -113,10 +113,10 @@ fn mark(text: &str, chosen: u8, parts: &[(&Exercise, &Part)]) {
     let Some((exercise, part)) = parts.get(usize::from(chosen) * parts.len() / 256) else { return };
     for decimal in [DecimalMark::Point, DecimalMark::Comma] {
         let report = exercise.grade(&BTreeMap::from([(part.id.clone(), text.to_owned())]), decimal);
-        let own = report.parts.iter().find(|own| own.id == part.id).expect("every part is reported");
-        let points = own.points.0.to_f64().value();
-        assert!((0.0..=f64::from(own.out_of)).contains(&points), "{text:?}: {points} of {}", own.out_of);
-        assert!(own.verdict != Verdict::Unreadable || !own.message.is_empty(), "{text:?}");
+        let reported = report.parts.iter().find(|reported| reported.id == part.id).expect("every part is reported");
+        let points = reported.points.0.to_f64().value();
+        assert!((0.0..=f64::from(reported.out_of)).contains(&points), "{text:?}: {points} of {}", reported.out_of);
+        assert!(reported.verdict != Verdict::Unreadable || !reported.message.is_empty(), "{text:?}");
     }
 }
 
@@ -177,7 +177,7 @@ fn roster(_: u8, text: &str) {
                 students.iter().map(|student| (student.id.as_str(), student.name.as_str())).collect();
             assert!(names.len() == students.len() && names.iter().all(|(id, name)| !id.is_empty() && !name.is_empty()));
         }
-        Err(own) => faults(own),
+        Err(unread) => faults(unread),
     }
 }
 

@@ -48,9 +48,9 @@ fn solutions_and_json_of_a_class_lie_in_the_teachers_folder() {
     use std::os::unix::fs::PermissionsExt;
     let room = Room::with(&[("class.csv", "id\ns1\n"), ("secret.txt", "b289213b44e2929520550277c6eb28ad\n")]);
     let rest = [&["--roster", "class.csv"][..], &["--seed", "1", "--secret", "secret.txt"]];
-    for (own, folder) in rest.iter().zip(["class/", "one/"]) {
+    for (options, folder) in rest.iter().zip(["class/", "one/"]) {
         let generate = |more: &[&str]| {
-            room.fine(&[&["generate", "impact/two-carts", "-o", folder], *own, more].concat());
+            room.fine(&[&["generate", "impact/two-carts", "-o", folder], *options, more].concat());
         };
         generate(&["--solution"]);
         generate(&["--format", "json"]);
@@ -130,8 +130,8 @@ fn every_student_has_a_file_of_his_own() {
         let capitals: std::collections::BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
         assert_eq!((names.len(), capitals.len()), (4, 4), "{names:?}");
         for student in ["Alice", "Bob", "Carol", "Dora"] {
-            let own = |name: &&String| room.read(&format!("{folder}/{name}")).contains(student);
-            assert_eq!(names.iter().filter(own).count(), 1, "{student}");
+            let names_student = |name: &&String| room.read(&format!("{folder}/{name}")).contains(student);
+            assert_eq!(names.iter().filter(names_student).count(), 1, "{student}");
         }
         // The table says which is whose.
         let seeds = room.read(&format!("{format}-teacher/seeds.csv"));
@@ -285,8 +285,8 @@ fn nothing_is_written_over_what_is_read() {
 #[cfg(unix)]
 #[test]
 fn a_link_among_submissions_is_not_followed() {
-    let own = "student: s\nproblem: impact/two-carts\nseed: 1\nanswers: { v_A2: 1 m/s }\n";
-    let room = Room::with(&[("all/a.yaml", own), ("private.yaml", "password: swordfish\n")]);
+    let submission = "student: s\nproblem: impact/two-carts\nseed: 1\nanswers: { v_A2: 1 m/s }\n";
+    let room = Room::with(&[("all/a.yaml", submission), ("private.yaml", "password: swordfish\n")]);
     std::os::unix::fs::symlink("../private.yaml", room.path("all/b.yaml")).unwrap();
     let ran = room.run(&["grade", "all", "--junit", "junit.xml"]);
     assert!(

@@ -57,12 +57,12 @@ impl Looked {
         let worked = Worked::new(problem, variant).unwrap();
         for part in &worked.form.parts {
             let PartKind::Number(number) = &part.kind else { continue };
-            let (own, exact) = (worked.answer(number), truth.answer(number));
+            let (computed, exact) = (worked.answer(number), truth.answer(number));
             let size = rough(&exact).abs();
             if size == 0.0 {
                 continue;
             }
-            let pair = (rough(&(long_f64(own.value) - exact)).abs() / size, own.error / size);
+            let pair = (rough(&(long_f64(computed.value) - exact)).abs() / size, computed.error / size);
             match self.answers.iter_mut().find(|(id, _)| *id == part.id) {
                 Some((_, pairs)) => pairs.push(pair),
                 None => self.answers.push((part.id.clone(), vec![pair])),

@@ -22,11 +22,13 @@ mod writes;
 /// The faults of a database, each at the beginning of a write.
 fn faults(database: &Database) -> Vec<Fault> {
     let both = [Fault::Refused(0), Fault::AtCommit, Fault::Left(0)];
-    let own = match database {
+    let faults = match database {
         Database::Folder(_) => vec![Fault::Full(0), Fault::Locked, Fault::Exhausted],
-        Database::Postgres(_) => [Moment::Before, Moment::Within, Moment::After].map(|own| Fault::Cut(0, own)).to_vec(),
+        Database::Postgres(_) => {
+            [Moment::Before, Moment::Within, Moment::After].map(|moment| Fault::Cut(0, moment)).to_vec()
+        }
     };
-    own.into_iter().chain(both).collect()
+    faults.into_iter().chain(both).collect()
 }
 
 /// Sheets of nobody, whose drafts are written beside what is tried, and by the request that comes next.
@@ -58,8 +60,8 @@ fn kept_draft(whole: &Whole, sheet: Key<Sheet>) -> bool {
 
 /// All but the drafts of nobody.
 fn without_drafts(mut whole: Whole) -> Whole {
-    let own = of_nobody().map(|sheet| sheet.to_string());
-    whole.get_mut("draft").unwrap().retain(|row| !own.iter().any(|own| row[0].contains(own)));
+    let sheets = of_nobody().map(|sheet| sheet.to_string());
+    whole.get_mut("draft").unwrap().retain(|row| !sheets.iter().any(|sheet| row[0].contains(sheet)));
     whole
 }
 

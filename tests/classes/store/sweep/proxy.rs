@@ -37,8 +37,8 @@ impl Proxy {
         let (user, host) = authority.rsplit_once('@').map_or(("", authority), |(user, host)| (user, host));
         let host = if host.contains(':') { host.to_owned() } else { format!("{host}:5432") };
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
-        let own = listener.local_addr().unwrap();
-        let url = format!("{start}://{user}{}{own}/{path}", if user.is_empty() { "" } else { "@" });
+        let address = listener.local_addr().unwrap();
+        let url = format!("{start}://{user}{}{address}/{path}", if user.is_empty() { "" } else { "@" });
         let plan = Arc::new(Mutex::new(None));
         tokio::spawn(serve(listener, host, Arc::clone(&plan)));
         Self { url, plan }

@@ -148,20 +148,20 @@ writes! {
 impl Tried {
     /// Keeps what the writes are tried on: something in every table that one of them changes.
     pub async fn kept(store: &Store) -> Self {
-        let own = Sample::kept(store).await;
-        let (attempt, revision) = (own.attempt(1, "first"), own.revision(store).await);
-        store.set_password(own.student.key, "hash".into(), None, &[own.entry(120)]).await.unwrap();
-        store.save_problem_file(&file(&own), None).await.unwrap();
-        store.hand_in(HandIn { attempt: &attempt, assignment: own.whole.assignment.key, revision }).await.unwrap();
-        store.show_hint(&hint(&own, 1)).await.unwrap();
-        store.save_draft(&draft(own.sheet.key, "1")).await.unwrap();
-        store.set_points(Key::new([121; 16]), &points(&own), &own.entry(121)).await.unwrap();
-        store.add_tickets(vec![ticket(&own, "link")], NOW, &[]).await.unwrap();
-        store.set_mail_address(own.student.key, Some(&address("ada")), &[]).await.unwrap();
-        store.add_mailed_links(vec![mailed(&own, "mailed")], NOW).await.unwrap();
-        store.save_code(&code(&own, 1), &own.entry(122)).await.unwrap();
-        store.ask_for_place(&request(&own, 124)).await.unwrap();
-        Self { own, revision }
+        let sample = Sample::kept(store).await;
+        let (attempt, revision) = (sample.attempt(1, "first"), sample.revision(store).await);
+        store.set_password(sample.student.key, "hash".into(), None, &[sample.entry(120)]).await.unwrap();
+        store.save_problem_file(&file(&sample), None).await.unwrap();
+        store.hand_in(HandIn { attempt: &attempt, assignment: sample.whole.assignment.key, revision }).await.unwrap();
+        store.show_hint(&hint(&sample, 1)).await.unwrap();
+        store.save_draft(&draft(sample.sheet.key, "1")).await.unwrap();
+        store.set_points(Key::new([121; 16]), &points(&sample), &sample.entry(121)).await.unwrap();
+        store.add_tickets(vec![ticket(&sample, "link")], NOW, &[]).await.unwrap();
+        store.set_mail_address(sample.student.key, Some(&address("ada")), &[]).await.unwrap();
+        store.add_mailed_links(vec![mailed(&sample, "mailed")], NOW).await.unwrap();
+        store.save_code(&code(&sample, 1), &sample.entry(122)).await.unwrap();
+        store.ask_for_place(&request(&sample, 124)).await.unwrap();
+        Self { own: sample, revision }
     }
 }
 
@@ -173,22 +173,22 @@ fn another() -> Person {
     Person { key: Key::new([130; 16]), login: "s18".into(), name: "Bo".into(), operator: false, erased: None }
 }
 
-fn code(own: &Sample, number: u8) -> CourseCode {
-    CourseCode { course: own.course.key, code: Code::drawn([number; 8]), expires: NOW.after(1000) }
+fn code(sample: &Sample, number: u8) -> CourseCode {
+    CourseCode { course: sample.course.key, code: Code::drawn([number; 8]), expires: NOW.after(1000) }
 }
 
-fn request(own: &Sample, number: u8) -> PlaceRequest {
+fn request(sample: &Sample, number: u8) -> PlaceRequest {
     let asker = Asker::New { login: "s19".into(), name: "Cy".into(), password: "hash".into() };
-    PlaceRequest { key: Key::new([number; 16]), course: own.course.key, asker, at: NOW }
+    PlaceRequest { key: Key::new([number; 16]), course: sample.course.key, asker, at: NOW }
 }
 
-fn file(own: &Sample) -> ProblemFile {
-    let (digest, problem, course) = ("d".into(), "impact/own".into(), Some(own.course.key));
+fn file(sample: &Sample) -> ProblemFile {
+    let (digest, problem, course) = ("d".into(), "impact/own".into(), Some(sample.course.key));
     ProblemFile { digest, problem, text: "title: Own\n".repeat(50), course, published: None, saved: NOW }
 }
 
-fn hint(own: &Sample, number: u32) -> HintShown {
-    HintShown { sheet: own.sheet.key, part: None, number, at: NOW }
+fn hint(sample: &Sample, number: u32) -> HintShown {
+    HintShown { sheet: sample.sheet.key, part: None, number, at: NOW }
 }
 
 /// What was typed on a sheet.
@@ -197,29 +197,29 @@ pub fn draft(sheet: Key<Sheet>, text: &str) -> Draft {
     Draft { sheet, answers, saved: NOW, settled: None }
 }
 
-fn points(own: &Sample) -> Override {
+fn points(sample: &Sample) -> Override {
     Override {
-        sheet: own.sheet.key,
+        sheet: sample.sheet.key,
         points: Some("1/3".into()),
         rule: OverrideRule::AtLeast,
         reason: "r".into(),
         comment: String::new(),
-        by: own.student.key,
+        by: sample.student.key,
         at: NOW,
     }
 }
 
-fn ticket(own: &Sample, hash: &str) -> Ticket {
+fn ticket(sample: &Sample, hash: &str) -> Ticket {
     let expires = Moment::from_millis(NOW.millis() + 1000);
-    Ticket { hash: hash.into(), person: own.student.key, kind: TicketKind::Session, reach: Reach::All, expires }
+    Ticket { hash: hash.into(), person: sample.student.key, kind: TicketKind::Session, reach: Reach::All, expires }
 }
 
 fn address(name: &str) -> MailAddress {
     MailAddress::read(&format!("{name}@example.edu")).unwrap()
 }
 
-fn mailed(own: &Sample, hash: &str) -> MailedLink {
-    MailedLink { hash: hash.into(), person: own.student.key, address: address("ada"), expires: NOW.after(1000) }
+fn mailed(sample: &Sample, hash: &str) -> MailedLink {
+    MailedLink { hash: hash.into(), person: sample.student.key, address: address("ada"), expires: NOW.after(1000) }
 }
 
 /// The public methods in the sources of the store that call the writer.
