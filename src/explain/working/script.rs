@@ -101,7 +101,11 @@ pub(crate) enum Opening {
 /// The scripts of the steps of the answer plan.
 pub(crate) fn scripts(display: Display<'_>, detail: Detail) -> Vec<Script> {
     let (mut next, mut stated) = (1, Stated::new());
-    let writer = Writer { display, detail };
+    let zeros = match detail {
+        Detail::Short => display.worked.zeros().filter(|symbol| display.is_nothing(*symbol)).collect(),
+        Detail::Full => BTreeSet::new(),
+    };
+    let writer = Writer { display, detail, zeros };
     let later = needed::later(display.worked);
     let steps = display.worked.leaf().answer_steps().iter().zip(&later);
     let write = |(step, later)| {
@@ -117,6 +121,8 @@ pub(crate) fn scripts(display: Display<'_>, detail: Detail) -> Vec<Script> {
 struct Writer<'a> {
     display: Display<'a>,
     detail: Detail,
+    /// What is given as zero and is left out of terms in symbols.
+    zeros: BTreeSet<Symbol>,
 }
 
 impl Writer<'_> {
@@ -126,16 +132,17 @@ impl Writer<'_> {
         let mut derivation = Derivation::of(self.display, step, before, solving);
         derivation.number(next);
         let is_given = renamed(self.display, step).is_some() || printed(self.display, step).is_some();
-        let closes = (step.equations.len() == 1).then_some(step);
         let mut opening = Vec::new();
         for line in &derivation.lines {
             match line.origin {
-                Origin::Law(equation) => opening.extend(self.law(equation, line, closes)),
-                _ => opening.extend(written(sentence::blocks(self.display, &derivation, line, &Expr::clone))),
+                Origin::Law(equation) => opening.extend(self.law(step, equation, line)),
+                _ => opening.extend(written(sentence::blocks(self.display, &derivation, line, &|term| self.plain(step, term)))),
             }
         }
         for (place, step_move) in step.moves.iter().enumerate() {
             match step_move {
+                // Without what is zero, the line of the derivation says it already.
+                Move::Quadratic { unknown, .. } if self.detail == Detail::Short && self.display.is_free(*unknown) => {}
                 Move::Quadratic { .. } => opening.push(Opening::Move(place)),
                 Move::Numeric { unknown }
                     if is_stated_piecewise(self.display, step)
@@ -168,6 +175,15 @@ impl Writer<'_> {
         }
     }
 
+    /// A term in symbols without what is given as zero.
+    fn plain(&self, step: &Step, term: &Expr) -> Expr {
+        let has_zeros = term.symbols().iter().any(|symbol| self.zeros.contains(symbol));
+        if !has_zeros || self.solving(step) == Solving::InNumbers {
+            return term.clone();
+        }
+        algebra::positive_first(&term.substitute(&|symbol| self.zeros.contains(&symbol).then(Expr::zero)).simplify())
+    }
+
     fn solved(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> SolvedUnknown {
         let formula = self.formula(step, unknown, closed);
         let value = match &formula {
@@ -181,7 +197,7 @@ impl Writer<'_> {
     fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Formula {
         let formula = match closed {
             Closed::Formula(formula) if has_pieces(formula) => return Formula::Varies,
-            Closed::Formula(formula) => Some(algebra::positive_first(formula)),
+            Closed::Formula(formula) => Some(algebra::positive_first(&self.plain(step, formula))),
             _ if is_stated_piecewise(self.display, step) => return Formula::Varies,
             _ => formula_of_equation(self.display, step, unknown),
         };
@@ -189,15 +205,16 @@ impl Writer<'_> {
     }
 
     /// The law, why it applies here, and its equation in symbols.
-    fn law(&self, equation: usize, line: &Line, closes: Option<&Step>) -> Vec<Opening> {
+    fn law(&self, step: &Step, equation: usize, line: &Line) -> Vec<Opening> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
         let reason = Block::text(&reason(instance, &stated.statement));
-        if line.shown.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
+        let closes = step.equations.len() == 1;
+        if line.shown.is_none() && closes && is_definition(step, &line.left, &line.right) {
             return vec![Opening::Law { reason, equation: None }];
         }
-        let lines = vec![stated_with(self.display, line, &Expr::clone)];
+        let lines = vec![stated_with(self.display, line, &|term| self.plain(step, term))];
         let equation = Some(Block::Equation { lines, number: line.number });
         let mut opening = vec![Opening::Law { reason, equation }];
         if let (Statement::Equal { left, right }, None) = (&stated.statement, &line.shown) {
