@@ -39,7 +39,8 @@ async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     Ok(if is_wrong { page.wrong() } else { page })
 }
 
-/// Makes the course, with a secret of its own. Its instructor signs in by a link where it has no password yet.
+/// Makes the course, with a secret of its own, and opens it where its instructor is the one who makes it. Another signs in by a link where
+/// there is no password yet.
 pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
     let names: Vec<&str> = course_form::FIELDS.into_iter().chain(person_form::FIELDS).collect();
     let form = Form::sent(visit, &names);
@@ -69,11 +70,12 @@ pub(crate) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
         person_form::unless_taken(visit.store().add_people(std::slice::from_ref(&person), &entry).await)?;
     }
     visit.store().add_course(&course, &first, &visit.entry("course created", key.to_string())).await?;
+    if visit.visitor.as_ref().is_some_and(|visitor| visitor.person.key == person.key) {
+        return Ok(Reply::To(visit.address(&format!("/courses/{key}"))));
+    }
     let link = match visit.store().password(person.key).await? {
         Some(_) => None,
         None => Some(link(visit, &person).await?),
     };
-    let is_own = visit.visitor.as_ref().is_some_and(|visitor| visitor.person.key == person.key);
-    let on = if is_own { format!("/courses/{key}") } else { "/people".to_owned() };
-    LinkPage::new(visit, "Course created", &person, link, visit.address(&on)).reply(visit).await
+    LinkPage::new(visit, "Course created", &person, link, visit.address("/people")).reply(visit).await
 }
