@@ -102,8 +102,9 @@ pub(crate) async fn link_table(visit: &Visit) -> Result<Reply, NotShown> {
     Ok(Reply::Download { name: "sign-in-links.csv".to_owned(), kind: "text/csv; charset=utf-8", bytes })
 }
 
+/// The table begins with the mark of UTF-8, without which Excel reads names in another encoding.
 fn written(members: &[&Membership], links: &[String]) -> io::Result<Vec<u8>> {
-    let mut table = csv::Writer::from_writer(Vec::new());
+    let mut table = csv::Writer::from_writer("\u{feff}".as_bytes().to_vec());
     table.write_record(["id", "name", "section", "role", "link"])?;
     for (membership, link) in members.iter().zip(links) {
         let cells = [

@@ -138,6 +138,7 @@ fn a_roster_changes_what_was_shown_and_nothing_else() {
     let table = ida.post(&university.address("/roster/links"), &[]);
     assert_eq!(table.header("content-disposition"), Some("attachment; filename=\"sign-in-links.csv\""));
     let table = table.text(200);
+    assert!(table.starts_with("\u{feff}id,"), "{table}");
     assert!(table.contains("zoe,'=cmd|' /C calc'!A0,B,student,http://127.0.0.1:8080/sign-in/"), "{table}");
     let link =
         table.lines().find(|line| line.starts_with("zoe")).unwrap().rsplit_once("http://127.0.0.1:8080").unwrap().1;
