@@ -43,7 +43,8 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "stage.js",
     "told.js",
     "watch.js",
-    "work.js"
+    "work.js",
+    "zone.js"
 ];
 
 /// The style of documents, on which that of the pages builds.

@@ -181,6 +181,7 @@ const TOUR = [
   ["Make a course", async () => {
     const { page } = teacher;
     await press(page, "link", "New course", "New course");
+    assert.equal(await page.getByLabel("Time zone").inputValue(), await page.evaluate(() => Intl.DateTimeFormat().resolvedOptions().timeZone));
     await page.getByLabel("Title").fill("Mechanics 1");
     await page.getByLabel("Time zone").fill("Europe/Berlin");
     await press(page, "button", "Create course", "Mechanics 1");

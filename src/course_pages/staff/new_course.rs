@@ -21,6 +21,8 @@ struct NewCoursePage {
     form: Form,
     decimals: Vec<Choice>,
     zones: Vec<String>,
+    /// Whether nothing was typed yet, so that the browser's time zone is proposed.
+    preset: bool,
 }
 
 /// The form.
@@ -34,7 +36,8 @@ pub(crate) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
 
 async fn with(visit: &Visit, form: Form) -> Result<Reply, NotShown> {
     let is_wrong = form.is_wrong();
-    let page = NewCoursePage { title: "New course", form, decimals: course_form::decimals(), zones: zones() };
+    let (decimals, zones) = (course_form::decimals(), zones());
+    let page = NewCoursePage { title: "New course", form, decimals, zones, preset: !is_wrong };
     let page = visit.page("courses/staff/new-course", page).await?;
     Ok(if is_wrong { page.wrong() } else { page })
 }
