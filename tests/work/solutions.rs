@@ -5,9 +5,13 @@ use std::sync::Arc;
 use momentous::bank::Bank;
 use momentous::exercise::{Drawer, Exercise};
 use momentous::explain;
+use momentous::expr::{Expr, Symbol};
 use momentous::grade::DecimalMark;
 use momentous::problem::{compile, load};
 use momentous::work::{Judge, Verdict};
+
+use super::algebra::{equations, typed};
+use super::consequences::LONGEST;
 
 /// Every form of the bank at some seeds.
 pub fn each(seeds: std::ops::RangeInclusive<u64>, visit: &mut dyn FnMut(&str, &Exercise)) {
@@ -65,6 +69,50 @@ fn the_lines_of_every_solution_follow() {
 #[ignore = "takes minutes"]
 fn the_lines_of_every_solution_of_twenty_variants_follow() {
     assert!(solution_lines(20) > 25_000);
+}
+
+/// The equations of every solution with so many seeds, written by a student who takes the other direction as positive: how many there were.
+fn turned_lines(seeds: u64) -> usize {
+    let (mut lines, mut faults) = (0, Vec::new());
+    each(1..=seeds, &mut |entry, exercise| {
+        let worked = exercise.worked();
+        let problem = worked.problem;
+        let symbols: Vec<Symbol> = problem.model().symbols.iter().map(|(symbol, _)| symbol).collect();
+        let Some(direction) = symbols.iter().find_map(|symbol| problem.senses(*symbol)).map(|senses| senses.negative)
+        else {
+            return;
+        };
+        let is_turned =
+            |symbol: Symbol| problem.senses(symbol).is_some_and(|senses| senses.negative == direction);
+        let mut judge = Judge::new(worked, DecimalMark::Point);
+        let convention = judge.line(&format!("take {direction} as positive"));
+        assert_eq!(convention.verdict, Verdict::Convention, "{entry}: {direction}");
+        for sides in equations(worked) {
+            let turned = |symbol: Symbol| is_turned(symbol).then(|| -Expr::from(symbol));
+            let text = typed(worked, &(sides.0.substitute(&turned), sides.1.substitute(&turned)));
+            if text.len() > LONGEST {
+                continue;
+            }
+            let judged = judge.line(&text);
+            lines += 1;
+            if !judged.verdict.is_true() {
+                faults.push(format!("{entry} ({direction}) {:?} {text}: {}", judged.verdict, judged.message));
+            }
+        }
+    });
+    assert!(faults.is_empty(), "{} of {lines}\n{}", faults.len(), faults.join("\n"));
+    lines
+}
+
+#[test]
+fn the_lines_of_every_solution_follow_with_the_other_direction_as_positive() {
+    assert!(turned_lines(1) > 500);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn the_lines_of_twenty_variants_follow_with_the_other_direction_as_positive() {
+    assert!(turned_lines(20) > 10_000);
 }
 
 /// Whoever writes what the hints say comes to every answer.
