@@ -82,8 +82,7 @@ fn turned_lines(seeds: u64) -> usize {
         else {
             return;
         };
-        let is_turned =
-            |symbol: Symbol| problem.senses(symbol).is_some_and(|senses| senses.negative == direction);
+        let is_turned = |symbol: Symbol| problem.senses(symbol).is_some_and(|senses| senses.negative == direction);
         let mut judge = Judge::new(worked, DecimalMark::Point);
         let convention = judge.line(&format!("take {direction} as positive"));
         assert_eq!(convention.verdict, Verdict::Convention, "{entry}: {direction}");

@@ -8,5 +8,5 @@ pub(super) mod letters;
 pub(super) mod manner;
 pub(super) mod numbers;
 pub(super) mod printed;
-mod substitution;
+pub(super) mod substitution;
 pub(super) mod term;

@@ -34,10 +34,7 @@ impl Display<'_> {
 
     /// A term without what is zero and has a unit.
     pub(crate) fn without_zeros(self, term: &Expr) -> Expr {
-        let rest = term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero));
-        // What then stands above and below a fraction cancels.
-        let simple = rest.simplify();
-        if simple.symbols().len() < rest.symbols().len() { simple } else { rest }
+        without(term, &|symbol| self.is_nothing(symbol))
     }
 
     /// The same, but for what is not known yet.
@@ -66,4 +63,12 @@ impl Display<'_> {
         let has_unit = self.worked.problem.model().symbols.entry(symbol).dimension != Dimension::NONE;
         has_unit && self.worked.variant.value(symbol).is_some_and(Bounded::is_zero)
     }
+}
+
+/// A term with zero in place of some symbols. Its terms and factors keep their order.
+pub(crate) fn without(term: &Expr, is_zero: &dyn Fn(Symbol) -> bool) -> Expr {
+    let rest = term.substitute(&|symbol| is_zero(symbol).then(Expr::zero));
+    // What then stands above and below a fraction cancels.
+    let simple = rest.simplify();
+    if simple.symbols().len() < rest.symbols().len() { simple } else { rest }
 }

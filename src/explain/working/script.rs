@@ -27,6 +27,7 @@ use super::super::Detail;
 use super::super::terms::algebra;
 use super::super::terms::display::Display;
 use super::super::terms::display::has_pieces;
+use super::super::terms::substitution::without;
 use super::super::terms::term::Term;
 use super::super::wording::capitalised;
 use super::derivation::Derivation;
@@ -136,7 +137,10 @@ impl Writer<'_> {
         for line in &derivation.lines {
             match line.origin {
                 Origin::Law(equation) => opening.extend(self.law(step, equation, line)),
-                _ => opening.extend(written(sentence::blocks(self.display, &derivation, line, &|term| self.plain(step, term)))),
+                // A root is taken of what stands above.
+                Origin::Collect { unknown, power, .. } if self.is_plain_square(step, line, unknown, power) => {}
+                _ => opening
+                    .extend(written(sentence::blocks(self.display, &derivation, line, &|term| self.plain(step, term)))),
             }
         }
         for (place, step_move) in step.moves.iter().enumerate() {
@@ -153,9 +157,10 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        let printed_answer = |((unknown, closed), is_printed): (&(Symbol, Closed), bool)| SolvedUnknown {
-            is_printed: is_printed || solving == Solving::InSymbols,
-            ..self.solved(step, &derivation, *unknown, closed)
+        let printed_answer = |((unknown, closed), is_printed): (&(Symbol, Closed), bool)| {
+            let solved = self.solved(step, &derivation, *unknown, closed);
+            let is_new = solving == Solving::InSymbols && !self.is_repeated(step, &derivation, *unknown, &solved);
+            SolvedUnknown { is_printed: is_printed || is_new, ..solved }
         };
         let printed = |root: &Root| needed::printed(root, later);
         let roots =
@@ -175,13 +180,33 @@ impl Writer<'_> {
         }
     }
 
+    /// Whether a quadratic equation has no term of first degree once what is given as zero is left out.
+    fn is_plain_square(&self, step: &Step, line: &Line, unknown: Symbol, power: i64) -> bool {
+        let square = Expr::from(unknown).powi(2 * power);
+        let name = |term: Expr| term.substitute(&|symbol| (symbol == unknown).then(Expr::one)).simplify();
+        let left = self.plain(step, &line.left);
+        let without = left.substitute(&|symbol| (symbol == unknown).then(Expr::zero)).simplify();
+        let factor = name((left.clone() - without.clone()).simplify());
+        let is_shorter = left.symbols().len() < line.left.symbols().len();
+        is_shorter && (left - factor * square - without).simplify().is_zero()
+    }
+
+    /// Whether a short solution just wrote what an unknown equals that is not asked for, to put it into another equation.
+    fn is_repeated(&self, step: &Step, derivation: &Derivation, unknown: Symbol, solved: &SolvedUnknown) -> bool {
+        let Formula::Fixed(Some(term)) = &solved.formula else { return false };
+        let is_asked = needed::asked(self.display.worked).contains(&unknown);
+        let lines = derivation.lines.iter().filter(|line| matches!(line.origin, Origin::Solve { .. }));
+        let mut written = lines.filter(|line| line.left == Expr::from(unknown));
+        self.detail == Detail::Short && !is_asked && written.any(|line| self.plain(step, &line.right) == term.expr)
+    }
+
     /// A term in symbols without what is given as zero.
     fn plain(&self, step: &Step, term: &Expr) -> Expr {
         let has_zeros = term.symbols().iter().any(|symbol| self.zeros.contains(symbol));
         if !has_zeros || self.solving(step) == Solving::InNumbers {
             return term.clone();
         }
-        algebra::positive_first(&term.substitute(&|symbol| self.zeros.contains(&symbol).then(Expr::zero)).simplify())
+        algebra::positive_first(&without(term, &|symbol| self.zeros.contains(&symbol)))
     }
 
     fn solved(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> SolvedUnknown {
