@@ -1,34 +1,98 @@
 //! Lines that say which direction counts as positive.
 
+use std::collections::BTreeSet;
+
 use super::judge::Judge;
+
+/// Words that tell no direction.
+const LITTLE_WORDS: [&str; 5] = ["from", "to", "the", "of", "a"];
 
 impl Judge<'_> {
     /// Takes a line such as `take left as positive`; whether it was one.
     pub(crate) fn turn(&mut self, text: &str) -> bool {
-        let words = text.to_lowercase();
-        let is_convention = words.contains("positive") && !words.contains(['=', '<', '>']);
+        let line = words(text);
+        let is_convention = line.contains("positive") && !text.contains(['=', '<', '>']);
         if !is_convention {
             return false;
         }
         let model = self.worked.problem.model();
         let (mut turned, mut is_said) = (Vec::new(), false);
         for (symbol, _) in model.symbols.iter() {
-            let Some(senses) = self.worked.problem.senses(symbol) else { continue };
-            let names = |phrase: &str| {
-                let last = phrase.rfind(' ').map_or(phrase, |space| &phrase[space + 1..]);
-                let last = last.trim_end_matches("wards").trim_end_matches("ward");
-                words
-                    .split(|sign: char| !sign.is_alphanumeric())
-                    .any(|word| word.trim_end_matches("wards").trim_end_matches("ward") == last)
-            };
-            is_said |= names(&senses.positive) || names(&senses.negative);
-            if names(&senses.negative) && !names(&senses.positive) {
-                turned.push(symbol);
+            let Some(senses) = self.worked.problem.turns_with(symbol) else { continue };
+            match named(&line, &senses.positive, &senses.negative) {
+                Some(Named::Positive) => is_said = true,
+                Some(Named::Negative) => {
+                    is_said = true;
+                    turned.push(symbol);
+                }
+                None => {}
             }
         }
         if is_said {
             self.turned = turned;
         }
         is_said
+    }
+}
+
+/// The direction that a line takes as positive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Named {
+    /// That of the axis.
+    Positive,
+    /// The other one.
+    Negative,
+}
+
+/// The words of a text, `leftwards` as `left`.
+fn words(text: &str) -> BTreeSet<String> {
+    let text = text.to_lowercase();
+    let words = text.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(|word| word.trim_end_matches("wards").trim_end_matches("ward").to_owned()).collect()
+}
+
+/// Which of two directions a line names, by the words in which they differ: of `along the rail` and `back along the rail` the one or the
+/// other, as `back` stands in it.
+fn named(line: &BTreeSet<String>, positive: &str, negative: &str) -> Option<Named> {
+    let phrases = [positive, negative].map(words);
+    let names = |this: usize| {
+        let differing: Vec<&String> = phrases[this].difference(&phrases[1 - this]).collect();
+        let telling: Vec<&&String> = differing.iter().filter(|word| !LITTLE_WORDS.contains(&word.as_str())).collect();
+        if telling.is_empty() {
+            phrases[this].is_subset(line)
+        } else {
+            telling.iter().any(|word| line.contains(**word))
+        }
+    };
+    let is_longer = phrases[0].is_subset(&phrases[1]);
+    match (names(0), names(1)) {
+        (true, true) if is_longer => Some(Named::Negative),
+        (true, true) => None,
+        (true, false) => Some(Named::Positive),
+        (false, true) => Some(Named::Negative),
+        (false, false) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_told_apart_by_the_words_in_which_they_differ() {
+        let cases = [
+            ("take left as positive", "to the right", "to the left", Some(Named::Negative)),
+            ("right is positive", "to the right", "to the left", Some(Named::Positive)),
+            ("downwards positive", "upwards", "downwards", Some(Named::Negative)),
+            ("positive away from the net", "towards the net", "away from the net", Some(Named::Negative)),
+            ("positive towards the net", "towards the net", "away from the net", Some(Named::Positive)),
+            ("take back along the rail as positive", "along the rail", "back along the rail", Some(Named::Negative)),
+            ("take along the rail as positive", "along the rail", "back along the rail", Some(Named::Positive)),
+            ("left and right are positive", "to the right", "to the left", None),
+            ("north is positive", "to the right", "to the left", None),
+        ];
+        for (line, positive, negative, direction) in cases {
+            assert_eq!(named(&words(line), positive, negative), direction, "{line}");
+        }
     }
 }

@@ -78,11 +78,12 @@ fn turned_lines(seeds: u64) -> usize {
         let worked = exercise.worked();
         let problem = worked.problem;
         let symbols: Vec<Symbol> = problem.model().symbols.iter().map(|(symbol, _)| symbol).collect();
-        let Some(direction) = symbols.iter().find_map(|symbol| problem.senses(*symbol)).map(|senses| senses.negative)
+        let Some(direction) =
+            symbols.iter().find_map(|symbol| problem.turns_with(*symbol)).map(|senses| senses.negative)
         else {
             return;
         };
-        let is_turned = |symbol: Symbol| problem.senses(symbol).is_some_and(|senses| senses.negative == direction);
+        let is_turned = |symbol: Symbol| problem.turns_with(symbol).is_some_and(|senses| senses.negative == direction);
         let mut judge = Judge::new(worked, DecimalMark::Point);
         let convention = judge.line(&format!("take {direction} as positive"));
         assert_eq!(convention.verdict, Verdict::Convention, "{entry}: {direction}");

@@ -270,6 +270,15 @@ impl Problem {
         senses_of(scene, &self.model().symbols.entry(symbol).name).filter(|_| is_directed)
     }
 
+    /// The words for the two directions of the axis along which a quantity is counted, those of places included: whoever takes the other
+    /// direction as positive turns its sign.
+    #[must_use]
+    pub fn turns_with(&self, symbol: Symbol) -> Option<Senses> {
+        let is_place = matches!(self.model().name(symbol).kind, QuantityKind::Position | QuantityKind::Coordinate(_));
+        let along = || senses_of(&self.loaded().draft.scene, &self.model().symbols.entry(symbol).name);
+        self.senses(symbol).or_else(|| along().filter(|_| is_place))
+    }
+
     /// The directions in space of what is counted along a string and belongs to a body that hangs on it.
     #[must_use]
     pub fn hanging(&self, symbol: Symbol) -> Option<Senses> {
