@@ -267,7 +267,7 @@ fn along(label: Math, size: f64, [x, y]: [f64; 2]) -> LabelledVector {
 }
 
 /// How large the acceleration on a circle is.
-const TOWARDS_CENTRE: &str = "towards the centre it is v\u{b2}/r";
+const TOWARDS_CENTRE: &str = "towards the centre: v\u{b2}/r";
 
 /// On a cord or inside a track, at an angle from straight down, counter-clockwise.
 fn on_circle(quantities: &Quantities<'_>, index: usize, name: &Name, angle: f64, on_track: bool) -> Option<Held> {

@@ -197,7 +197,9 @@ impl Writer<'_> {
         let is_asked = needed::asked(self.display.worked).contains(&unknown);
         let lines = derivation.lines.iter().filter(|line| matches!(line.origin, Origin::Solve { .. }));
         let mut written = lines.filter(|line| line.left == Expr::from(unknown));
-        self.detail == Detail::Short && !is_asked && written.any(|line| self.plain(step, &line.right) == term.expr)
+        self.detail == Detail::Short
+            && !is_asked
+            && written.any(|line| (self.plain(step, &line.right) - term.expr.clone()).simplify().is_zero())
     }
 
     /// A term in symbols without what is given as zero.
