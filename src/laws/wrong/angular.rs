@@ -216,8 +216,8 @@ fn moment(law: &Taught<'_>, change: impl Fn([Expr; 2], [Expr; 2]) -> Expr) -> Ve
     let parts = factors(&law.sides.1);
     let [mass, Expr::Sum(moments)] = &parts[..] else { return Vec::new() };
     let of = |term: &Expr| {
-        let own = factors(term).into_iter().filter(|factor| factor.as_number().is_none()).collect::<Vec<_>>();
-        <[Expr; 2]>::try_from(own).ok()
+        let letters = factors(term).into_iter().filter(|factor| factor.as_number().is_none()).collect::<Vec<_>>();
+        <[Expr; 2]>::try_from(letters).ok()
     };
     let [first, second] = &moments[..] else { return Vec::new() };
     let (Some([x, v]), Some([y, u])) = (of(first), of(second)) else { return Vec::new() };
@@ -239,11 +239,11 @@ fn one_force(law: &Taught<'_>) -> Vec<Wrong> {
     let mut forces: Vec<(BTreeSet<Symbol>, Expr)> = Vec::new();
     for term in terms(&law.sides.1) {
         let of_force = |symbol: &Symbol| apart.iter().all(|dimension| !law.is(*symbol, *dimension));
-        let own = (term.symbols().into_iter().filter(of_force).collect(), term);
+        let force = (term.symbols().into_iter().filter(of_force).collect(), term);
         let (same, others): (Vec<_>, Vec<_>) =
-            forces.into_iter().partition(|(symbols, _)| !symbols.is_disjoint(&own.0));
+            forces.into_iter().partition(|(symbols, _)| !symbols.is_disjoint(&force.0));
         forces = others;
-        forces.push(same.into_iter().fold(own, |(all, sum), (symbols, part)| (&all | &symbols, part + sum)));
+        forces.push(same.into_iter().fold(force, |(all, sum), (symbols, part)| (&all | &symbols, part + sum)));
     }
     let alone = forces.iter().map(|(_, moment)| Wrong::from((law.left(), moment.clone())));
     if forces.len() > 1 { alone.collect() } else { Vec::new() }
@@ -267,12 +267,12 @@ fn distance([x, y]: [Expr; 2], [u, v]: [Expr; 2]) -> Expr {
 /// `H_1 r_2^n = H_2 r_1^n`: the velocity stays for n = 1, the angular velocity for n = 2.
 fn arms(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
     let arm = |momentum: &Expr| {
-        let own = law.beside("angular-momentum").find(|sides| sides.0 == *momentum)?;
+        let definition = law.beside("angular-momentum").find(|sides| sides.0 == *momentum)?;
         // Of several bodies each has a distance of its own.
-        if matches!(own.1, Expr::Sum(_)) {
+        if matches!(definition.1, Expr::Sum(_)) {
             return None;
         }
-        factors(&own.1).into_iter().find(|factor| law.has(factor, Dimension::LENGTH))
+        factors(&definition.1).into_iter().find(|factor| law.has(factor, Dimension::LENGTH))
     };
     let [before] = &terms(&law.sides.0)[..] else { return Vec::new() };
     match (arm(before), arm(&law.sides.1)) {
@@ -287,8 +287,8 @@ fn arms(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
 fn together(law: &Taught<'_>) -> Vec<Wrong> {
     let [before] = &terms(&law.sides.0)[..] else { return Vec::new() };
     let parts = |momentum: &Expr| {
-        let own = law.beside("angular-momentum").find(|sides| sides.0 == *momentum);
-        own.map_or_else(Vec::new, |sides| terms(&sides.1))
+        let definition = law.beside("angular-momentum").find(|sides| sides.0 == *momentum);
+        definition.map_or_else(Vec::new, |sides| terms(&sides.1))
     };
     let (start, end) = (parts(before), parts(&law.sides.1));
     if start.len() < 2 || end.len() < 2 {
@@ -296,15 +296,16 @@ fn together(law: &Taught<'_>) -> Vec<Wrong> {
     }
     let turns = |all: &[Expr]| {
         let mut symbols = all.iter().flat_map(Expr::symbols);
-        symbols.find(|own| law.is(*own, Dimension::new(0, 0, -1))).map(Expr::from)
+        symbols.find(|symbol| law.is(*symbol, Dimension::new(0, 0, -1))).map(Expr::from)
     };
     if let (Some(first), Some(second)) = (turns(&start), turns(&end)) {
         return one((first, second));
     }
     let moves = |all: &[Expr]| {
         let parts = factors(all.first()?);
-        let arm = parts.iter().find(|own| matches!(own, Expr::Symbol(symbol) if law.is(*symbol, Dimension::LENGTH)))?;
-        Some((arm.clone(), parts.iter().find(|own| law.is_velocity(own))?.clone()))
+        let arm =
+            parts.iter().find(|factor| matches!(factor, Expr::Symbol(symbol) if law.is(*symbol, Dimension::LENGTH)))?;
+        Some((arm.clone(), parts.iter().find(|factor| law.is_velocity(factor))?.clone()))
     };
     match (moves(&start), moves(&end)) {
         (Some((arm, velocity)), Some((other, after))) => one((velocity * other, after * arm)),

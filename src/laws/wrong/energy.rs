@@ -162,14 +162,16 @@ fn other_weight(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(upper) = rubbing_mass(law) else { return Vec::new() };
     let beside = law.beside("work-of-friction-between-bodies").flat_map(|(start, _)| start.symbols());
     let mut others: Vec<Symbol> = law.quantities(Dimension::MASS);
-    others.extend(beside.filter(|own| law.is(*own, Dimension::MASS) && !law.quantities(Dimension::MASS).contains(own)));
-    let others = others.into_iter().filter(|own| *own != upper).map(Expr::from);
-    let taken = others.flat_map(|own| [own.clone(), own + Expr::from(upper)]);
+    others.extend(
+        beside.filter(|symbol| law.is(*symbol, Dimension::MASS) && !law.quantities(Dimension::MASS).contains(symbol)),
+    );
+    let others = others.into_iter().filter(|symbol| *symbol != upper).map(Expr::from);
+    let taken = others.flat_map(|mass| [mass.clone(), mass + Expr::from(upper)]);
     let rewritten = taken.flat_map(|mass| {
         law.both(|side| {
             let swap = |term: Expr| {
-                let own = |symbol| (symbol == upper).then(|| mass.clone());
-                if rubs(law, &term) { term.substitute(&own) } else { term }
+                let replaced = |symbol| (symbol == upper).then(|| mass.clone());
+                if rubs(law, &term) { term.substitute(&replaced) } else { term }
             };
             Expr::sum(terms(side).into_iter().map(swap))
         })
@@ -180,8 +182,8 @@ fn other_weight(law: &Taught<'_>) -> Vec<Wrong> {
 /// The kinetic energy of the body on top only.
 fn upper_body(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(upper) = rubbing_mass(law) else { return Vec::new() };
-    let own = |side: &Expr| Expr::sum(terms(side).into_iter().filter(|term| term.contains(upper)));
-    law.both(own)
+    let of_upper = |side: &Expr| Expr::sum(terms(side).into_iter().filter(|term| term.contains(upper)));
+    law.both(of_upper)
 }
 
 /// Friction takes all the kinetic energy of the body on top.
@@ -206,7 +208,7 @@ fn over_ground(law: &Taught<'_>) -> Vec<Wrong> {
 fn rubbing_mass(law: &Taught<'_>) -> Option<Symbol> {
     let [left, right] = [&law.sides.0, &law.sides.1].map(terms);
     let friction = left.into_iter().chain(right).find(|term| rubs(law, term))?;
-    friction.symbols().into_iter().find(|own| law.is(*own, Dimension::MASS))
+    friction.symbols().into_iter().find(|symbol| law.is(*symbol, Dimension::MASS))
 }
 
 fn weight_work_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
@@ -260,7 +262,7 @@ fn kinetic_doubled(law: &Taught<'_>, side: &Expr) -> Expr {
 /// The energy of one body alone, or that of joined bodies with the mass of one.
 fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
     match &law.sides.1 {
-        Expr::Sum(bodies) => bodies.iter().map(|own| Wrong::from((law.left(), own.clone()))).collect(),
+        Expr::Sum(bodies) => bodies.iter().map(|body| Wrong::from((law.left(), body.clone()))).collect(),
         joined => {
             let parts = factors(joined);
             let masses = parts.iter().find(|part| matches!(part, Expr::Sum(_)) && law.has(part, Dimension::MASS));
@@ -288,8 +290,8 @@ fn share(law: &Taught<'_>) -> Vec<Wrong> {
 
 /// Body by body, where each keeps its mass.
 fn difference(law: &Taught<'_>) -> Vec<Wrong> {
-    let energy = |own: &Expr| {
-        let symbol = own.symbols().into_iter().next()?;
+    let energy = |sought: &Expr| {
+        let symbol = sought.symbols().into_iter().next()?;
         let energies = law.beside("kinetic-energy").find(|sides| sides.0 == Expr::from(symbol))?;
         terms(&energies.1).iter().map(|term| mass_and_speed(law, term)).collect::<Option<Vec<_>>>()
     };

@@ -158,7 +158,7 @@ fn height_by_sine(law: &Taught<'_>) -> Vec<Wrong> {
 fn legs(root: &Expr) -> Option<Vec<Expr>> {
     let Expr::Power(pair) = root else { return None };
     let leg = |term: Expr| match term {
-        Expr::Power(own) if own.1 == Expr::integer(2) => Some(own.0.clone()),
+        Expr::Power(square) if square.1 == Expr::integer(2) => Some(square.0.clone()),
         _ => None,
     };
     terms(&pair.0).into_iter().map(leg).collect()
@@ -199,7 +199,7 @@ fn sizes(law: &Taught<'_>) -> Vec<Wrong> {
     };
     let Some(legs) = legs(&law.sides.1) else { return Vec::new() };
     let Some(ends) = legs.iter().map(ends).collect::<Option<Vec<_>>>() else { return Vec::new() };
-    let length = |end: usize| Expr::sum(ends.iter().map(|own| own[end].clone().powi(2))).sqrt();
+    let length = |end: usize| Expr::sum(ends.iter().map(|point| point[end].clone().powi(2))).sqrt();
     let [before, after] = [length(0), length(1)];
     vec![Wrong::from((law.left(), size(&(after.clone() - before.clone())))), Wrong::from((law.left(), after + before))]
 }
@@ -241,7 +241,7 @@ fn quadrant(law: &Taught<'_>) -> Vec<Wrong> {
 fn line_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     let points = |term: &&Expr| matches!(term, Expr::Apply(Function::Atan2, _));
     match &law.sides.1 {
-        Expr::Sum(parts) => parts.iter().filter(points).map(|own| Wrong::from((law.left(), own.clone()))).collect(),
+        Expr::Sum(parts) => parts.iter().filter(points).map(|term| Wrong::from((law.left(), term.clone()))).collect(),
         _ => Vec::new(),
     }
 }
@@ -249,7 +249,7 @@ fn line_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
 /// `v_2 = r_1 omega_2`.
 fn other_radius(law: &Taught<'_>) -> Vec<Wrong> {
     let radii = law.quantities(Dimension::LENGTH);
-    let is_other = |own: &Symbol| law.is(*own, Dimension::LENGTH) && !radii.contains(own);
+    let is_other = |symbol: &Symbol| law.is(*symbol, Dimension::LENGTH) && !radii.contains(symbol);
     let others = law.known.iter().copied().filter(is_other);
     others.flat_map(|other| law.replaced(&|symbol| radii.contains(&symbol).then(|| other.into()))).collect()
 }

@@ -213,7 +213,7 @@ fn end_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
 /// The mass of another body throughout.
 fn other_mass(law: &Taught<'_>) -> Vec<Wrong> {
     let beside = law.beside("impulse-momentum").flat_map(|(_, end)| end.symbols());
-    let others: Vec<Symbol> = beside.filter(|own| law.is(*own, Dimension::MASS)).collect();
+    let others: Vec<Symbol> = beside.filter(|symbol| law.is(*symbol, Dimension::MASS)).collect();
     match law.quantities(Dimension::MASS)[..] {
         [_] => law.of_other_mass(&others, &|_| true),
         _ => Vec::new(),
@@ -274,8 +274,14 @@ fn joint_mass(law: &Taught<'_>) -> Vec<Wrong> {
 fn plain_mean(law: &Taught<'_>) -> Vec<Wrong> {
     let parts = factors(&law.sides.1);
     let [Expr::Sum(masses), velocity] = &parts[..] else { return Vec::new() };
-    let velocities: Vec<Expr> =
-        law.sides.0.symbols().into_iter().filter(|own| law.is(*own, Dimension::VELOCITY)).map(Expr::from).collect();
+    let velocities: Vec<Expr> = law
+        .sides
+        .0
+        .symbols()
+        .into_iter()
+        .filter(|symbol| law.is(*symbol, Dimension::VELOCITY))
+        .map(Expr::from)
+        .collect();
     let sum = Wrong::from((Expr::sum(velocities.iter().cloned()), velocity.clone()));
     if velocities.len() != masses.len() {
         return vec![sum];
@@ -299,7 +305,7 @@ fn partner_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
 /// What external impulses do to several bodies, with the terms of one of them only.
 fn one_of_several(law: &Taught<'_>) -> Vec<Wrong> {
     let masses = |term: &Expr| -> Vec<Symbol> {
-        term.symbols().into_iter().filter(|own| law.is(*own, Dimension::MASS)).collect()
+        term.symbols().into_iter().filter(|symbol| law.is(*symbol, Dimension::MASS)).collect()
     };
     let bodies = terms(&law.sides.1);
     let is_momentum = |term: &Expr| law.has(term, Dimension::VELOCITY) && !masses(term).is_empty();
@@ -307,11 +313,11 @@ fn one_of_several(law: &Taught<'_>) -> Vec<Wrong> {
         return Vec::new();
     }
     let alone = bodies.iter().flat_map(|body| {
-        let own = masses(body);
+        let masses_of_body = masses(body);
         let is_other = |term: &Expr| {
             let of = masses(term);
             let is_single = !factors(term).iter().any(|factor| matches!(factor, Expr::Sum(_)));
-            is_single && !of.is_empty() && !of.iter().any(|mass| own.contains(mass))
+            is_single && !of.is_empty() && !of.iter().any(|mass| masses_of_body.contains(mass))
         };
         // Without the forces on the others, and with all forces.
         [law.without(&is_other), law.without(&|term| is_momentum(term) && is_other(term))].concat()
@@ -338,8 +344,8 @@ fn weight_in_impact(law: &Taught<'_>) -> Vec<Wrong> {
 pub(super) fn impulse_of_weight(law: &Taught<'_>, balance: &Sides, time: &Expr) -> Option<Expr> {
     let gravity = law.symbols.find("g").filter(|_| !law.has_gravity(&balance.0))?;
     let speeds = [&balance.0, &balance.1].into_iter().flat_map(Expr::symbols);
-    let mut speeds = speeds.filter(|own| law.symbols.entry(*own).dimension == Dimension::VELOCITY);
-    let level = speeds.any(|own| law.symbols.entry(own).name.rsplit_once('.').is_some_and(|(_, axis)| axis == "x"));
+    let mut speeds = speeds.filter(|speed| law.symbols.entry(*speed).dimension == Dimension::VELOCITY);
+    let level = speeds.any(|speed| law.symbols.entry(speed).name.rsplit_once('.').is_some_and(|(_, axis)| axis == "x"));
     let [mass, _] = &factors(&balance.1)[..] else { return None };
     (!level).then(|| Expr::product([mass.clone(), gravity.into(), time.clone()]))
 }
@@ -352,8 +358,8 @@ fn same_sign(law: &Taught<'_>) -> Vec<Wrong> {
 fn heavier_harder(law: &Taught<'_>) -> Vec<Wrong> {
     let mass = |impulse: &Expr| {
         let symbol = impulse.symbols().into_iter().next()?;
-        let own = law.beside("impulse-momentum").find(|sides| sides.0.contains(symbol))?;
-        factors(&own.1).into_iter().next()
+        let law_of_impulse = law.beside("impulse-momentum").find(|sides| sides.0.contains(symbol))?;
+        factors(&law_of_impulse.1).into_iter().next()
     };
     match (mass(&law.sides.0), mass(&law.sides.1)) {
         (Some(first), Some(second)) => one((law.left() * second, law.right() * first)),

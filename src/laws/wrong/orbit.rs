@@ -106,7 +106,8 @@ fn pi_square(law: &Taught<'_>) -> Vec<Wrong> {
 fn unsquared(law: &Taught<'_>, term: &Expr) -> Expr {
     match term {
         Expr::Power(pair)
-            if pair.1 == Expr::integer(2) && matches!(&pair.0, Expr::Symbol(own) if law.is(*own, Dimension::NONE)) =>
+            if pair.1 == Expr::integer(2)
+                && matches!(&pair.0, Expr::Symbol(symbol) if law.is(*symbol, Dimension::NONE)) =>
         {
             pair.0.clone()
         }

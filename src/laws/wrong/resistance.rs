@@ -74,10 +74,10 @@ pub(super) fn displaced(law: &Taught<'_>, rewrite: Rewrite) -> Vec<Wrong> {
 
 /// The velocity and the displacement, in place of what impulse and momentum would say of it.
 fn velocity(law: &Taught<'_>, [velocity, displacement]: [Rewrite; 2]) -> Vec<Wrong> {
-    let own = (law.left(), velocity(&law.sides.1));
+    let equation = (law.left(), velocity(&law.sides.1));
     let moved = law.beside("displacement").filter(|(_, value)| exponent(value).is_some());
     let moved = moved.map(|(moved, value)| (moved.clone(), displacement(value)));
-    let equations: Vec<Sides> = [own].into_iter().chain(moved).collect();
+    let equations: Vec<Sides> = [equation].into_iter().chain(moved).collect();
     vec![Wrong { equations, without: &["impulse-momentum"] }]
 }
 

@@ -91,8 +91,8 @@ impl Taught<'_> {
     /// The coefficient of restitution of the same stage.
     pub(super) fn restitution(&self) -> Option<Expr> {
         let laws = ["restitution", "restitution-at-a-surface"];
-        let own = laws.iter().flat_map(|law| self.beside(law)).next()?;
-        self.coefficient(&own.1)
+        let sides = laws.iter().flat_map(|law| self.beside(law)).next()?;
+        self.coefficient(&sides.1)
     }
 
     /// The factor without dimension of a product: e of `e (v_A1 - v_B1)`.

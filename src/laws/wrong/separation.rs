@@ -119,7 +119,8 @@ fn conserved_across(law: &Taught<'_>) -> Vec<Wrong> {
     let after = law.beside("impulse-momentum-of-a-system").filter(|(_, end)| !end.symbols().is_disjoint(&held));
     let conserved = |(start, end): &Sides| {
         let kept = terms(start).into_iter().filter(|term| !is_impulse(term));
-        let turned = law.beside("turned-axes").filter(|(own, _)| !own.symbols().is_disjoint(&end.symbols()));
+        let turned =
+            law.beside("turned-axes").filter(|(direction, _)| !direction.symbols().is_disjoint(&end.symbols()));
         let equations = [(Expr::sum(kept), end.clone())].into_iter().chain(turned.cloned()).collect();
         Wrong { equations, without: &[] }
     };
@@ -128,10 +129,10 @@ fn conserved_across(law: &Taught<'_>) -> Vec<Wrong> {
 
 /// `m v_A1^2 / 2 = m g h`: without the other body, and without what both have in common where they move together.
 fn carrier_fixed(law: &Taught<'_>) -> Vec<Wrong> {
-    let both = law.beside("same-velocity").flat_map(|(carrier, own)| [carrier.symbols(), own.symbols()]);
+    let both = law.beside("same-velocity").flat_map(|(carrier, carried)| [carrier.symbols(), carried.symbols()]);
     let common: Vec<Symbol> = both.flatten().collect();
     law.without(&|term| {
-        carries(law, term) || !matches!(term, Expr::Sum(_)) && common.iter().any(|own| term.contains(*own))
+        carries(law, term) || !matches!(term, Expr::Sum(_)) && common.iter().any(|symbol| term.contains(*symbol))
     })
 }
 
@@ -146,16 +147,16 @@ fn carrier_energy_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
 /// Whether a term is a kinetic energy of the other body: one without the mass whose weight does work.
 fn carries(law: &Taught<'_>, term: &Expr) -> bool {
     let masses =
-        |term: &Expr| term.symbols().into_iter().filter(|own| law.is(*own, Dimension::MASS)).collect::<Vec<_>>();
+        |term: &Expr| term.symbols().into_iter().filter(|symbol| law.is(*symbol, Dimension::MASS)).collect::<Vec<_>>();
     let parts = terms(&law.sides.0).into_iter().chain(terms(&law.sides.1));
-    let own: Vec<Symbol> = parts.filter(|part| law.has_gravity(part)).flat_map(|part| masses(&part)).collect();
-    !matches!(term, Expr::Sum(_)) && !masses(term).is_empty() && masses(term).iter().all(|mass| !own.contains(mass))
+    let weighed: Vec<Symbol> = parts.filter(|part| law.has_gravity(part)).flat_map(|part| masses(&part)).collect();
+    !matches!(term, Expr::Sum(_)) && !masses(term).is_empty() && masses(term).iter().all(|mass| !weighed.contains(mass))
 }
 
 /// `v_A = u`.
 fn absolute(law: &Taught<'_>) -> Vec<Wrong> {
     match &terms(&law.sides.0)[..] {
-        [own, _] => one((own.clone(), law.right())),
+        [first, _] => one((first.clone(), law.right())),
         _ => Vec::new(),
     }
 }
@@ -163,12 +164,12 @@ fn absolute(law: &Taught<'_>) -> Vec<Wrong> {
 /// `v_A2 - v_1 = u`: the other body's velocity before, from its own balance of momentum.
 fn relative_to_before(law: &Taught<'_>) -> Vec<Wrong> {
     let parts = terms(&law.sides.0);
-    let [own, other] = &parts[..] else { return Vec::new() };
+    let [first, other] = &parts[..] else { return Vec::new() };
     let other = -other.clone();
     let is_velocity = |part: &Expr| law.is_velocity(part);
     let balances = law.beside("impulse-momentum").filter(|(_, end)| factors(end).contains(&other));
     let before = balances.flat_map(|(start, _)| terms(start)).flat_map(|term| factors(&term)).filter(is_velocity);
-    before.map(|before| Wrong::from((own.clone() - before, law.right()))).collect()
+    before.map(|before| Wrong::from((first.clone() - before, law.right()))).collect()
 }
 
 /// `E = T_2`: the energy released stands last.

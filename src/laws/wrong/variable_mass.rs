@@ -240,9 +240,9 @@ fn to_base_ten(ratio: &Expr) -> Expr {
 fn first_mass_kept(law: &Taught<'_>) -> Vec<Wrong> {
     let started = terms(&law.sides.0).into_iter().next().unwrap_or_else(Expr::zero);
     let [before, after] =
-        [&started, &law.sides.1].map(|momentum| factors(momentum).into_iter().find(|own| law.is_velocity(own)));
+        [&started, &law.sides.1].map(|momentum| factors(momentum).into_iter().find(|factor| law.is_velocity(factor)));
     let (Some(before), Some(after)) = (before, after) else { return Vec::new() };
-    let masses = factors(&started).into_iter().filter(|own| *own != before);
+    let masses = factors(&started).into_iter().filter(|factor| *factor != before);
     one((law.left(), Expr::product(masses.chain([after]))))
 }
 
