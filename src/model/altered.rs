@@ -24,6 +24,9 @@ use super::Name;
 use super::QuantityKind;
 use super::mistaken::unit_acceleration;
 
+/// The powers of length and time in forces and how fast they grow, in impulses, and in moments and how fast they grow.
+const FORCES: [(i8, i8); 5] = [(1, -2), (1, -3), (1, -1), (2, -2), (2, -3)];
+
 /// The expression in the place of each given.
 type InPlace = BTreeMap<Symbol, Expr>;
 
@@ -54,6 +57,23 @@ impl Model {
             }
         }
         mistaken
+    }
+
+    /// Every system in which a given is too large by a factor in one of the equations, where it stands in several.
+    #[must_use]
+    pub fn misread_in_one_place(
+        &self,
+        system: &System,
+        used: &BTreeSet<usize>,
+        given: Symbol,
+        factor: &Expr,
+    ) -> Vec<(System, BTreeSet<usize>)> {
+        let in_place = InPlace::from([(given, factor.clone() * Expr::from(given))]);
+        let holds =
+            |place: &&usize| system.equations.get(**place).is_some_and(|equation| equation.symbols().contains(&given));
+        let places: Vec<usize> = used.iter().filter(holds).copied().collect();
+        let places = if places.len() > 1 { places } else { Vec::new() };
+        places.into_iter().map(|place| altered(system, used, &BTreeSet::from([place]), &in_place)).collect()
     }
 
     /// The sets of equations in which givens are got wrong: all together, or each by itself.
@@ -93,6 +113,18 @@ impl Model {
             Givens::Gravity => Vec::new(),
             Givens::Angles => vec![told_that(&|symbol| self.is_direction(symbol))],
             Givens::Durations => vec![measured(Dimension::TIME)],
+            Givens::Forces => {
+                // Energies have the dimension of moments, but do not act for a time.
+                let acts = |given: &Symbol| {
+                    let beside =
+                        system.equations.iter().map(Equation::symbols).filter(|all| all.contains(given)).flatten();
+                    let energy = Dimension::new(1, 2, -2);
+                    self.symbols.entry(*given).dimension != energy
+                        || beside.into_iter().any(|other| self.symbols.entry(other).dimension == Dimension::TIME)
+                };
+                let groups = FORCES.map(|(length, time)| measured(Dimension::new(1, length, time)));
+                groups.map(|group| group.into_iter().filter(acts).collect()).into()
+            }
             Givens::Restitutions => vec![self.restitutions(system, told)],
             Givens::RestitutionOfHeights => {
                 let is_counted = |equation: &&Equation| matches!(equation.statement, Statement::FirstInteger { .. });
@@ -234,6 +266,7 @@ fn one(givens: Givens, units: UnitSystem) -> Expr {
         | Givens::VelocitiesOfOneEquation
         | Givens::Angles
         | Givens::Durations
+        | Givens::Forces
         | Givens::Restitutions
         | Givens::RestitutionOfHeights => Expr::one(),
     }

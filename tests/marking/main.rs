@@ -13,6 +13,7 @@ mod honest_rounding;
 mod items;
 mod misreadings;
 mod mistakes_met;
+mod no_reason;
 mod readings;
 mod round_trip;
 mod several_roots;

@@ -10,16 +10,16 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
-use super::force::ENDS_AVERAGED;
-use super::force::VALUE_TIMES_TIME;
+use super::integral::ENDS_AVERAGED;
+use super::integral::VALUE_TIMES_TIME;
+use super::integral::ends_averaged;
+use super::integral::value_times_time;
 use super::mass_centre::SOME_FORCES;
-use super::rewrite::ends_averaged;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
 use super::rewrite::one;
 use super::rewrite::start_forgotten;
 use super::rewrite::terms;
-use super::rewrite::value_times_time;
 
 /// Momentum for angular momentum.
 pub const RADIUS_FORGOTTEN: Misconception = Misconception {
@@ -48,6 +48,13 @@ pub const ROTOR_AS_RING: Misconception = Misconception {
     does: "leaves out the factor of one half in the moment of inertia of a disc",
     ask: "How is the mass of a disc spread between its axle and its rim?",
     hint: "Use the moment of inertia that the problem gives, with every factor.",
+};
+/// `m r^2 / 2`.
+pub const PARTICLE_AS_DISC: Misconception = Misconception {
+    id: "particle-as-disc",
+    does: "gives particles at a distance from the axle the factor of one half that belongs to a disc",
+    ask: "Which bodies are spread between the axle and the rim, and which have all their mass at one distance?",
+    hint: "A particle has its mass times the square of its distance, without a factor of one half.",
 };
 /// Components with the wrong arms.
 pub const ARMS_EXCHANGED: Misconception = Misconception {
@@ -130,6 +137,7 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
     WrongForm { of: &ARMS_EXCHANGED, write: arms_exchanged },
     WrongForm { of: &ROTOR_AS_RING, write: rotor_as_ring },
+    WrongForm { of: &PARTICLE_AS_DISC, write: particle_as_disc },
     WrongForm { of: &FACTORS_EXCHANGED, write: reversed },
     WrongForm { of: &ROTOR_FORGOTTEN, write: rotor_forgotten },
 ];
@@ -197,6 +205,17 @@ fn rotor_as_ring(law: &Taught<'_>) -> Vec<Wrong> {
     } else {
         Vec::new()
     }
+}
+
+/// The terms beside a disc with its factor of one half.
+fn particle_as_disc(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_disc = |term: &Expr| factors(term).iter().any(|part| part.as_number().is_some());
+    let all = terms(&law.sides.1);
+    if !all.iter().any(is_disc) || all.iter().all(is_disc) {
+        return Vec::new();
+    }
+    let halved = |term: Expr| if is_disc(&term) { term } else { Expr::ratio(1, 2) * term };
+    one((law.left(), Expr::sum(all.into_iter().map(halved))))
 }
 
 /// `m (x u - y v)`, and the sum of both: the product of what lies along the same axis.

@@ -76,6 +76,13 @@ pub const DURATION_LEFT_OUT: Misconception = Misconception {
     ask: "Is a force asked, or an impulse? Where does the given time enter?",
     hint: "An impulse is an average force times the time for which it acts: check the units of your answer.",
 };
+/// A force that is missing.
+pub const FORCE_LEFT_OUT: Misconception = Misconception {
+    id: "force-left-out",
+    does: "leaves a given force, moment or impulse out, or its growth",
+    ask: "Which forces act all this time, and do they stay the same? Which of those that are given is missing from your sum?",
+    hint: "Draw every force, then find the place of each given one in your equations.",
+};
 /// The coefficients of two impacts in each other's place.
 pub const COEFFICIENTS_EXCHANGED: Misconception = Misconception {
     id: "coefficients-exchanged",
@@ -111,6 +118,14 @@ pub const ANOTHER_QUANTITY: Misconception = Misconception {
     does: "gives the value of another quantity that occurs in the solution",
     ask: "Read the question again: is this the quantity that is asked?",
     hint: "Your value is that of another quantity in this problem. One step is still missing, or one is too many.",
+};
+
+/// A root that is not possible.
+pub const OTHER_ROOT: Misconception = Misconception {
+    id: "other-root",
+    does: "takes the root of a quadratic equation that is not possible here",
+    ask: "A quadratic equation has two roots. What would have to happen for yours to be true?",
+    hint: "Put your value into the story: bodies do not pass through each other, and time does not run backwards.",
 };
 
 /// The mass of all for that of one.
@@ -159,6 +174,8 @@ pub enum Givens {
     Angles,
     /// Durations.
     Durations,
+    /// Forces, moments and impulses, and how fast they grow.
+    Forces,
     /// Coefficients of restitution.
     Restitutions,
     /// The coefficient of restitution of bounces that are counted.
@@ -236,6 +253,7 @@ pub const ALTERED: &[Altered] = &[
     Altered { of: &GRAVITY_REVERSED, givens: Givens::Gravity, how: Alteration::Reversed },
     Altered { of: &ANGLE_LEFT_OUT, givens: Givens::Angles, how: Alteration::Zero },
     Altered { of: &ANGLE_REVERSED, givens: Givens::Angles, how: Alteration::Reversed },
+    Altered { of: &FORCE_LEFT_OUT, givens: Givens::Forces, how: Alteration::Zero },
     Altered { of: &DURATION_LEFT_OUT, givens: Givens::Durations, how: Alteration::One },
     Altered { of: &COEFFICIENTS_EXCHANGED, givens: Givens::Restitutions, how: Alteration::Exchanged },
     Altered { of: &RESTITUTION_SQUARED, givens: Givens::Restitutions, how: Alteration::Squared },

@@ -92,6 +92,14 @@ pub const SPRING_HALF: Misconception = Misconception {
     hint: "Draw the force against the deformation: the energy is the area of a triangle.",
 };
 
+/// `k s / 2`.
+pub const SPRING_SQUARE: Misconception = Misconception {
+    id: "spring-square-forgotten",
+    does: "does not square the deformation in the energy of a spring",
+    ask: "How much more energy does a spring hold when it is pressed twice as far?",
+    hint: "The force and the distance both grow with the deformation: check the units of your energy.",
+};
+
 /// The lower body taken as fixed.
 pub const LOWER_FIXED: Misconception = Misconception {
     id: "lower-body-taken-as-fixed",
@@ -127,12 +135,16 @@ pub const WORK: &[WrongForm] = &[
     WrongForm { of: &WEIGHT_WORK, write: weight_work_forgotten },
     WrongForm { of: &WEIGHT_WORK_REVERSED, write: |law| law.both(|side| weight_work(law, side)) },
     WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
+    WrongForm { of: &SPRING_SQUARE, write: |law| law.both(|side| spring_unsquared(law, side)) },
+    WrongForm { of: &ONE_BODY, write: kinetic_of_one },
 ];
 /// Wrong forms of conservation of energy.
 pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &WEIGHT_WORK, write: weight_work_forgotten },
     WrongForm { of: &WEIGHT_WORK_REVERSED, write: |law| law.both(|side| weight_work(law, side)) },
     WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
+    WrongForm { of: &SPRING_SQUARE, write: |law| law.both(|side| spring_unsquared(law, side)) },
+    WrongForm { of: &HALF, write: |law| law.both(|side| kinetic_doubled(law, side)) },
     WrongForm { of: &SQUARE, write: square },
 ];
 /// Wrong forms of the energy of a spring.
@@ -227,6 +239,29 @@ fn spring_doubled(law: &Taught<'_>, side: &Expr) -> Expr {
     Expr::sum(parts.into_iter().map(|part| if law.has(&part, spring) { Expr::integer(2) * part } else { part }))
 }
 
+/// The deformation of each spring to the first power.
+fn spring_unsquared(law: &Taught<'_>, side: &Expr) -> Expr {
+    let spring = Dimension::new(1, 0, -2);
+    Expr::sum(terms(side).into_iter().map(|part| if law.has(&part, spring) { unsquared(&part) } else { part }))
+}
+
+/// The kinetic energy with the mass of one of the bodies that move together, and with all that does work.
+fn kinetic_of_one(law: &Taught<'_>) -> Vec<Wrong> {
+    let masses = |term: &Expr| {
+        factors(term).into_iter().find(|part| matches!(part, Expr::Sum(_)) && law.has(part, Dimension::MASS))
+    };
+    let moves = |term: &Expr| law.has(term, Dimension::VELOCITY);
+    let together =
+        [&law.sides.0, &law.sides.1].into_iter().flat_map(terms).filter(moves).find_map(|term| masses(&term));
+    let Some(together) = together else { return Vec::new() };
+    let alone = |mass: Expr| {
+        let swap = |factor: Expr| if factor == together { mass.clone() } else { factor };
+        let change = |term: Expr| if moves(&term) { Expr::product(factors(&term).into_iter().map(swap)) } else { term };
+        law.both(|side| Expr::sum(terms(side).into_iter().map(change)))
+    };
+    terms(&together).into_iter().flat_map(alone).collect()
+}
+
 /// Of every squared speed the square of one component.
 fn one_component(law: &Taught<'_>, place: usize) -> Vec<Wrong> {
     fn within(law: &Taught<'_>, term: &Expr, place: usize) -> Expr {
@@ -280,12 +315,16 @@ fn remainder(law: &Taught<'_>) -> Vec<Wrong> {
     }
 }
 
+/// A share of all the energy before, or of that of one body.
 fn share(law: &Taught<'_>) -> Vec<Wrong> {
     let (Some(e), Some(before)) = (law.restitution(), terms(&law.sides.1).into_iter().next()) else {
         return Vec::new();
     };
-    let lost = |kept: Expr| Wrong::from((law.left(), (Expr::one() - kept) * before.clone()));
-    vec![lost(e.clone().powi(2)), lost(e)]
+    let lost = |kept: Expr, energy: &Expr| Wrong::from((law.left(), (Expr::one() - kept) * energy.clone()));
+    let bodies = law.beside("kinetic-energy").filter(|(energy, _)| *energy == before).map(|(_, bodies)| terms(bodies));
+    let bodies = bodies.filter(|bodies| bodies.len() > 1).flatten();
+    let of_one: Vec<Wrong> = bodies.map(|body| lost(e.clone().powi(2), &body)).collect();
+    [vec![lost(e.clone().powi(2), &before), lost(e, &before)], of_one].concat()
 }
 
 /// Body by body, where each keeps its mass.

@@ -8,43 +8,27 @@ use super::Wrong;
 use super::WrongForm;
 use super::geometry::TANGENT_INVERTED;
 use super::geometry::tangent_inverted;
+use super::integral::ENDS_AVERAGED;
+use super::integral::HALF_PEAK;
+use super::integral::PART;
+use super::integral::VALUE_TIMES_TIME;
+use super::integral::ends_averaged;
+use super::integral::half_peak;
+use super::integral::part_of_the_area;
+use super::integral::value_times_time;
 use super::momentum::GRAVITY_REVERSED;
 use super::momentum::WEIGHT_AS_MASS;
-use super::rewrite::ends_averaged;
 use super::rewrite::factors;
-use super::rewrite::half_peak;
 use super::rewrite::one;
 use super::rewrite::sine_and_cosine;
 use super::rewrite::terms;
-use super::rewrite::value_times_time;
 
-/// One value of a changing force.
-pub const VALUE_TIMES_TIME: Misconception = Misconception {
-    id: "value-times-time",
-    does: "multiplies one value of what changes with time by the whole time",
-    ask: "Does it have this value all the time? What does the graph against time look like?",
-    hint: "The integral is the area under the curve: a rectangle only if the curve is level.",
-};
 /// A value times the distance.
 pub const VALUE_TIMES_DISTANCE: Misconception = Misconception {
     id: "value-times-distance",
     does: "multiplies one value of a changing force by the whole distance",
     ask: "Does the force have this value all along the way? What does its graph against the position look like?",
     hint: "The work is the area under the curve: a rectangle only if the force is constant.",
-};
-/// The mean of first and last.
-pub const ENDS_AVERAGED: Misconception = Misconception {
-    id: "ends-averaged",
-    does: "takes the mean of the first and the last value as the average over time",
-    ask: "Is the graph against time a straight line?",
-    hint: "The mean of the two end values is the average over time only for a straight line.",
-};
-/// The mean of zero and the peak.
-pub const HALF_PEAK: Misconception = Misconception {
-    id: "half-of-the-peak",
-    does: "takes half of the peak as the average force",
-    ask: "Which shape does the graph of the force have? Is it a triangle that begins and ends at zero?",
-    hint: "Half of the peak is the average over time only if the graph is a triangle on the time axis.",
 };
 /// The impulse of a push counted before anything moves.
 pub const FROM_ZERO: Misconception = Misconception {
@@ -119,6 +103,7 @@ pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
     WrongForm { of: &HALF_PEAK, write: half_peak },
+    WrongForm { of: &PART, write: part_of_the_area },
     WrongForm { of: &FROM_ZERO, write: from_zero },
     WrongForm { of: &super::friction::FRICTION_FORGOTTEN, write: friction_forgotten },
 ];

@@ -103,13 +103,23 @@ pub const FROM_FIXED_END: Misconception = Misconception {
     ask: "From which point is the height measured, and where does the length times the cosine begin?",
     hint: "Try an angle of zero: the body is then at its lowest point, and the height must be zero.",
 };
+/// The whole length for the height.
+pub const WHOLE_RADIUS: Misconception = Misconception {
+    id: "whole-radius-as-height",
+    does: "takes the whole radius, or the whole length of the cord, for the height",
+    ask: "Does the body move from the height of the centre, or of the fixed end? What does the given angle say?",
+    hint: "Draw the start and the lowest point: the height is the length less what the cosine of the angle leaves of it.",
+};
 /// What can be got wrong in any law in which a sine or a cosine stands.
 pub const ANYWHERE: &[WrongForm] =
     &[WrongForm { of: &SINE_COSINE, write: sine_and_cosine }, WrongForm { of: &WHOLE, write: whole }];
 
 /// Wrong forms of a height on a circle.
-pub const HEIGHT_ON_CIRCLE: &[WrongForm] =
-    &[WrongForm { of: &FROM_FIXED_END, write: from_fixed_end }, WrongForm { of: &SINE_COSINE, write: height_by_sine }];
+pub const HEIGHT_ON_CIRCLE: &[WrongForm] = &[
+    WrongForm { of: &FROM_FIXED_END, write: from_fixed_end },
+    WrongForm { of: &WHOLE_RADIUS, write: whole_radius },
+    WrongForm { of: &SINE_COSINE, write: height_by_sine },
+];
 /// Wrong forms of a height in a bowl.
 pub const HEIGHT_IN_BOWL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of components.
@@ -138,6 +148,14 @@ pub const ARC: &[WrongForm] =
 fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {
     match &terms(&law.sides.1)[..] {
         [Expr::Symbol(_), raised] => one((law.left(), -raised.clone())),
+        _ => Vec::new(),
+    }
+}
+
+/// `h = L`.
+fn whole_radius(law: &Taught<'_>) -> Vec<Wrong> {
+    match &terms(&law.sides.1)[..] {
+        [Expr::Symbol(length), _] => one((law.left(), (*length).into())),
         _ => Vec::new(),
     }
 }

@@ -2,6 +2,7 @@
 
 use momentous_expr::Expr;
 use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
 
 use super::Misconception;
 use super::Taught;
@@ -67,7 +68,7 @@ pub const STRANDS_FORGOTTEN: Misconception = Misconception {
 /// Wrong forms of the constraint of a string over movable pulleys.
 pub const STRANDS: &[WrongForm] = &[
     WrongForm { of: &STRANDS_EXCHANGED, write: |law| strands_to(law, -1) },
-    WrongForm { of: &STRANDS_FORGOTTEN, write: |law| strands_to(law, 0) },
+    WrongForm { of: &STRANDS_FORGOTTEN, write: strands_forgotten },
 ];
 
 /// The place at the start left out.
@@ -129,6 +130,26 @@ fn root_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
         }
         _ => Vec::new(),
     }
+}
+
+/// One strand for each body, in the constraint alone or in the balances of momentum as well.
+fn strands_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    fn one_strand(law: &Taught<'_>, term: &Expr) -> Expr {
+        let is_force = |factor: &Expr| matches!(factor, Expr::Symbol(symbol) if law.is(*symbol, Dimension::FORCE));
+        match term {
+            Expr::Product(parts) if parts.iter().any(is_force) => Expr::product(
+                parts.iter().filter(|factor| factor.as_number().is_none_or(|number| *number < Rational::ONE)).cloned(),
+            ),
+            other => other.map_children(|part| one_strand(law, part)),
+        }
+    }
+    let everywhere = |wrong: &Wrong| {
+        let balances = law.beside("impulse-momentum").map(|(start, end)| (one_strand(law, start), end.clone()));
+        Wrong { equations: wrong.equations.iter().cloned().chain(balances).collect(), without: &["impulse-momentum"] }
+    };
+    let constraint = strands_to(law, 0);
+    let both: Vec<Wrong> = constraint.iter().map(everywhere).collect();
+    [constraint, both].concat()
 }
 
 /// Both sides with the numbers of strands to another power.

@@ -10,6 +10,7 @@ pub mod energy;
 pub mod force;
 pub mod friction;
 pub mod geometry;
+pub mod integral;
 pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
@@ -48,7 +49,7 @@ pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
         .collect();
     rows.push(("Reading the question", once(&mut reading::MISREADINGS.iter().map(|row| row.of))));
     rows.push(("Using the data", once(&mut data::ALTERED.iter().map(|row| row.of))));
-    rows.push(("Answering another question", once(&mut data::TAKEN.iter().copied())));
+    rows.push(("Answering another question", once(&mut data::TAKEN.iter().copied().chain([&data::OTHER_ROOT]))));
     rows.push(("Writing the answer", once(&mut reading::SLIPS.iter().map(|row| row.of))));
     rows.push(("Judging a scene", once(&mut concept::CONCEPTS.iter().copied())));
     rows.retain(|(_, kinds)| !kinds.is_empty());

@@ -17,6 +17,9 @@ use super::friction::friction_forgotten;
 use super::friction::friction_reversed;
 use super::friction::friction_whole;
 use super::friction::rubs;
+use super::integral::VALUE_TIMES_TIME;
+use super::integral::growth_not_halved;
+use super::rewrite::all_but_one;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
 use super::rewrite::one;
@@ -86,7 +89,7 @@ pub const OTHER_WEIGHT: Misconception = Misconception {
 pub const PARTNER_FORGOTTEN: Misconception = Misconception {
     id: "partner-forgotten",
     does: "leaves the momentum of one body out of the sum",
-    ask: "Which bodies belong to the system, and which of them moved before?",
+    ask: "Which bodies belong to the system, and which of them move before, which afterwards?",
     hint: "Every body that moves carries momentum: count the terms on both sides.",
 };
 /// `m v^2` in place of `m v`.
@@ -175,6 +178,7 @@ pub const CONSERVATION: &[WrongForm] = &[
 pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &SIGN_LOST, write: sign_lost },
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
+    WrongForm { of: &VALUE_TIMES_TIME, write: growth_not_halved },
     WrongForm { of: &END_FORGOTTEN, write: end_forgotten },
     WrongForm { of: &OTHER_MASS, write: other_mass },
     WrongForm { of: &OTHER_WEIGHT, write: friction_of_other },
@@ -290,16 +294,11 @@ fn plain_mean(law: &Taught<'_>) -> Vec<Wrong> {
     vec![Wrong::from((Expr::sum(velocities), count * velocity.clone())), sum]
 }
 
+/// One body of several left out before, or one of several afterwards.
 fn partner_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
-    let before = terms(&law.sides.0);
-    if before.len() < 2 {
-        return Vec::new();
-    }
-    let without = |place: usize| {
-        let kept = before.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, term)| term.clone());
-        Wrong::from((Expr::sum(kept), law.right()))
-    };
-    (0..before.len()).map(without).collect()
+    let [before, after] = [all_but_one(&law.sides.0), all_but_one(&law.sides.1)];
+    let before = before.into_iter().map(|kept| Wrong::from((kept, law.right())));
+    before.chain(after.into_iter().map(|kept| Wrong::from((law.left(), kept)))).collect()
 }
 
 /// What external impulses do to several bodies, with the terms of one of them only.

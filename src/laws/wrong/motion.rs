@@ -1,22 +1,23 @@
 //! Mistakes about motions that are given as functions.
 
 use momentous_expr::Expr;
+use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
-use super::force::ENDS_AVERAGED;
-use super::force::VALUE_TIMES_TIME;
+use super::integral::ENDS_AVERAGED;
+use super::integral::VALUE_TIMES_TIME;
+use super::integral::ends_averaged;
+use super::integral::value_times_time;
 use super::resistance::AS_AT_FIRST;
 use super::resistance::NEGLECTED;
 use super::resistance::displaced;
 use super::resistance::displaced_as_at_first;
 use super::resistance::displaced_freely;
-use super::rewrite::ends_averaged;
 use super::rewrite::one;
-use super::rewrite::value_times_time;
 
 /// `x / t` for dx/dt.
 pub const DIVIDED: Misconception = Misconception {
@@ -33,8 +34,19 @@ pub const MASS_FORGOTTEN: Misconception = Misconception {
     hint: "The same acceleration needs twice the force for twice the mass.",
 };
 
+/// The greatest velocity for rest.
+pub const STATIONARY: Misconception = Misconception {
+    id: "greatest-velocity-for-rest",
+    does: "takes the moment at which the velocity stops growing for that at which the body is at rest",
+    ask: "Which quantity is zero when the body is at rest: its velocity, or the rate at which that changes?",
+    hint: "Where the velocity is greatest its rate of change is zero; the body is at rest where the velocity itself is.",
+};
+
 /// Wrong forms of the velocity at an instant.
-pub const VELOCITY: &[WrongForm] = &[WrongForm { of: &DIVIDED, write: |law| divided(law, "place-as-told") }];
+pub const VELOCITY: &[WrongForm] = &[
+    WrongForm { of: &DIVIDED, write: |law| divided(law, "place-as-told") },
+    WrongForm { of: &STATIONARY, write: stationary },
+];
 /// Wrong forms of the acceleration at an instant.
 pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &DIVIDED, write: |law| divided(law, "velocity-as-told") }];
 /// Wrong forms of the net force.
@@ -55,6 +67,14 @@ fn divided(law: &Taught<'_>, other: &str) -> Vec<Wrong> {
         Some((law.left(), value.clone() / Expr::from(time)))
     };
     law.beside(other).filter_map(over).flat_map(one).collect()
+}
+
+/// `dv/dt = 0`, where the time is sought at which the velocity is zero.
+fn stationary(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_time = |own: &Symbol| law.is(*own, Dimension::TIME) && !law.known.contains(own);
+    let times: Vec<Symbol> = law.sides.1.symbols().into_iter().filter(is_time).collect();
+    let [time] = times[..] else { return Vec::new() };
+    one((law.sides.1.differentiate(time).simplify(), Expr::zero()))
 }
 
 /// `F = a`, in units in which the mass is one.

@@ -9,6 +9,7 @@ use super::Wrong;
 use super::WrongForm;
 use super::energy::HALF;
 use super::energy::WEIGHT_WORK_REVERSED;
+use super::rewrite::factors;
 use super::rewrite::one;
 
 /// `g h` far from the ground.
@@ -24,6 +25,13 @@ pub const AXIS: Misconception = Misconception {
     does: "confuses the semi-major axis with the major axis",
     ask: "Is a the whole length of the orbit, from the nearest point to the farthest, or half of it?",
     hint: "The nearest and the farthest distance add up to the major axis, which is twice a.",
+};
+/// `r_max = 2 a`.
+pub const OTHER_END: Misconception = Misconception {
+    id: "other-end-of-the-axis-forgotten",
+    does: "gives the whole axis of an ellipse for the distance of one of its ends from the focus",
+    ask: "From which point is this distance counted, and from which to which does the axis reach?",
+    hint: "The centre of force is a focus, inside the ellipse: the nearest and the farthest distance share the axis.",
 };
 /// `T^3 = 4 pi^2 a^2 / GM`.
 pub const POWERS: Misconception = Misconception {
@@ -59,7 +67,8 @@ pub const ELLIPSE: &[WrongForm] = &[
     WrongForm { of: &AXIS, write: |law| one((law.left(), Expr::integer(2) * law.right())) },
 ];
 /// Wrong forms of the geometry of an ellipse.
-pub const APSES: &[WrongForm] = &[WrongForm { of: &AXIS, write: axis_of_sum }];
+pub const APSES: &[WrongForm] =
+    &[WrongForm { of: &AXIS, write: axis_of_sum }, WrongForm { of: &OTHER_END, write: other_end_forgotten }];
 /// Wrong forms of the period.
 pub const PERIOD: &[WrongForm] =
     &[WrongForm { of: &POWERS, write: powers }, WrongForm { of: &PI_SQUARE, write: |law| pi_square(law) }];
@@ -84,6 +93,14 @@ fn radius(law: &Taught<'_>, symbol: momentous_expr::Symbol) -> Option<Expr> {
 fn axis_of_sum(law: &Taught<'_>) -> Vec<Wrong> {
     match &law.sides.1 {
         Expr::Sum(_) => one((law.left(), Expr::integer(2) * law.right())),
+        _ => Vec::new(),
+    }
+}
+
+/// `r_max = 2 a`.
+fn other_end_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    match &factors(&law.sides.1)[..] {
+        [Expr::Symbol(axis), Expr::Sum(_)] => one((law.left(), Expr::integer(2) * Expr::from(*axis))),
         _ => Vec::new(),
     }
 }

@@ -131,6 +131,15 @@ pub(super) fn factors(term: &Expr) -> Vec<Expr> {
     }
 }
 
+/// A sum with each of its terms left out in turn; nothing where there is no sum.
+pub(super) fn all_but_one(sum: &Expr) -> Vec<Expr> {
+    let parts = terms(sum);
+    let kept =
+        |out: usize| parts.iter().enumerate().filter(move |(place, _)| *place != out).map(|(_, part)| part.clone());
+    let places = if parts.len() > 1 { 0..parts.len() } else { 0..0 };
+    places.map(|out| Expr::sum(kept(out))).collect()
+}
+
 fn thinned(term: &Expr, out: &dyn Fn(&Expr) -> bool) -> Expr {
     match term {
         Expr::Sum(parts) => Expr::sum(parts.iter().filter(|part| !out(part)).map(|part| thinned(part, out))),
@@ -138,14 +147,15 @@ fn thinned(term: &Expr, out: &dyn Fn(&Expr) -> bool) -> Expr {
     }
 }
 
-/// A known velocity against the axis enters without its sign: each such velocity alone, then all of them.
+/// A velocity against the axis enters without its sign: each known one alone, each other one that stands alone, then all known ones.
 pub(super) fn sign_lost(law: &Taught<'_>) -> Vec<Wrong> {
-    let signed: Vec<Symbol> =
-        law.quantities(Dimension::VELOCITY).into_iter().filter(|symbol| law.known.contains(symbol)).collect();
+    let (signed, unknown): (Vec<Symbol>, Vec<Symbol>) =
+        law.quantities(Dimension::VELOCITY).into_iter().partition(|symbol| law.known.contains(symbol));
     let bare = |of: &dyn Fn(Symbol) -> bool| {
         law.replaced(&|symbol| of(symbol).then(|| Expr::apply(Function::Abs, symbol.into())))
     };
-    let mut ways: Vec<Wrong> = signed.iter().flat_map(|own| bare(&|symbol| symbol == *own)).collect();
+    let one_by_one = signed.iter().chain(&unknown);
+    let mut ways: Vec<Wrong> = one_by_one.flat_map(|own| bare(&|symbol| symbol == *own)).collect();
     if signed.len() > 1 {
         ways.extend(bare(&|symbol| signed.contains(&symbol)));
     }
@@ -211,78 +221,5 @@ pub(super) fn gain_reversed(law: &Taught<'_>) -> Vec<Wrong> {
             one((Expr::sum(signed), law.right()))
         }
         _ => Vec::new(),
-    }
-}
-
-/// A value of what changes, times the whole time: that at the end, at the start, half-way, and where its pieces meet.
-pub(super) fn value_times_time(law: &Taught<'_>) -> Vec<Wrong> {
-    let Some(graph) = Graph::of(law) else { return Vec::new() };
-    let [low, high] = graph.ends;
-    let times = [high.clone(), low.clone(), graph.middle()].into_iter().chain(graph.corners());
-    // Nobody takes a force for zero all the time.
-    let values = times.map(|time| graph.at(&time).simplify()).filter(|value| !value.is_zero());
-    values.map(|value| Wrong::from((law.left(), value * graph.duration()))).collect()
-}
-
-/// The mean of the values at both ends, times the time.
-pub(super) fn ends_averaged(law: &Taught<'_>) -> Vec<Wrong> {
-    let Some(graph) = Graph::of(law) else { return Vec::new() };
-    let [low, high] = graph.ends;
-    let mean = (Expr::ratio(1, 2) * (graph.at(low) + graph.at(high))).simplify();
-    if mean.is_zero() {
-        return Vec::new();
-    }
-    one((law.left(), mean * graph.duration()))
-}
-
-/// Half of a value where pieces meet, times the time; of a force that rises and falls in one piece, half of that half-way.
-pub(super) fn half_peak(law: &Taught<'_>) -> Vec<Wrong> {
-    let Some(graph) = Graph::of(law) else { return Vec::new() };
-    let mut tops = graph.corners();
-    if tops.is_empty() && graph.ends.iter().all(|end| graph.at(end).simplify().is_zero()) {
-        tops.push(graph.middle());
-    }
-    let half = |time: &Expr| Expr::product([Expr::ratio(1, 2), graph.at(time), graph.duration()]);
-    tops.iter().map(|time| Wrong::from((law.left(), half(time)))).collect()
-}
-
-/// What changes, against time or position.
-struct Graph<'a> {
-    value: &'a Expr,
-    variable: Symbol,
-    ends: [&'a Expr; 2],
-}
-
-impl<'a> Graph<'a> {
-    fn of(law: &Taught<'a>) -> Option<Self> {
-        law.integral.map(|(value, variable, ends)| Self { value, variable, ends })
-    }
-
-    fn at(&self, time: &Expr) -> Expr {
-        self.value.substitute(&|symbol| (symbol == self.variable).then(|| time.clone()))
-    }
-
-    fn duration(&self) -> Expr {
-        let [low, high] = self.ends;
-        high.clone() - low.clone()
-    }
-
-    fn middle(&self) -> Expr {
-        let [low, high] = self.ends;
-        Expr::ratio(1, 2) * (low.clone() + high.clone())
-    }
-
-    /// The places at which one piece ends and another begins.
-    fn corners(&self) -> Vec<Expr> {
-        fn collect(term: &Expr, found: &mut Vec<Expr>) {
-            if let Expr::Piecewise(own) = term {
-                found.extend(own.pieces.iter().filter_map(|(until, _)| until.clone()));
-            }
-            term.children().for_each(|part| collect(part, found));
-        }
-        let mut found = Vec::new();
-        collect(self.value, &mut found);
-        found.retain(|time| !self.ends.contains(&time));
-        found
     }
 }

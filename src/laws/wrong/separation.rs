@@ -106,8 +106,11 @@ pub const RELATIVE_WAY: &[WrongForm] = &[
     WrongForm { of: &REVERSED_WAY, write: |law| one((law.left(), -law.right())) },
 ];
 /// Wrong forms of the balance of energy.
-pub const ENERGY: &[WrongForm] =
-    &[WrongForm { of: &START, write: start_forgotten }, WrongForm { of: &SUBTRACTED, write: subtracted }];
+pub const ENERGY: &[WrongForm] = &[
+    WrongForm { of: &START, write: start_forgotten },
+    WrongForm { of: &SUBTRACTED, write: subtracted },
+    WrongForm { of: &super::energy::ONE_BODY, write: all_to_one },
+];
 /// Wrong forms of energy gained.
 pub const GAIN: &[WrongForm] = &[WrongForm { of: &START, write: gain_from_nothing }];
 
@@ -187,6 +190,12 @@ fn subtracted(law: &Taught<'_>) -> Vec<Wrong> {
         }
         _ => Vec::new(),
     }
+}
+
+/// `E = m v_B2^2 / 2`: all that is released goes to one body.
+fn all_to_one(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some(released), bodies) = (terms(&law.sides.0).pop(), terms(&law.sides.1)) else { return Vec::new() };
+    bodies.into_iter().map(|body| Wrong::from((released.clone(), body))).collect()
 }
 
 fn gain_from_nothing(law: &Taught<'_>) -> Vec<Wrong> {

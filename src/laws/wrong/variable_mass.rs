@@ -70,6 +70,13 @@ pub const MASS_KEPT: Misconception = Misconception {
     ask: "Does the thrust move the same mass at the end of the burn as at its start?",
     hint: "The rocket becomes lighter all the time: the small gains in velocity add up to a logarithm.",
 };
+/// The mass that was burnt in the place of the mass that is left.
+pub const BURNT_FOR_LEFT: Misconception = Misconception {
+    id: "burnt-mass-for-the-rest",
+    does: "divides by the mass that was thrown away in place of the mass that is left",
+    ask: "Which two masses does the rocket have, before the burn and after it?",
+    hint: "The mass after the burn is the mass before it less what was thrown away.",
+};
 /// A logarithm to the base of ten.
 pub const BASE_TEN: Misconception = Misconception {
     id: "logarithm-to-base-ten",
@@ -80,7 +87,7 @@ pub const BASE_TEN: Misconception = Misconception {
 /// The mass taken to stay what it was, although some joins or leaves.
 pub const CHANGE_FORGOTTEN: Misconception = Misconception {
     id: "change-of-mass-forgotten",
-    does: "takes the mass to stay what it is at the start",
+    does: "takes the mass to stay what it is at the start, or at the end",
     ask: "Is the mass that moves at the end the same as that at the start?",
     hint: "Mass joins the body or leaves it all the time: write the mass at the end by the flow and the time.",
 };
@@ -127,6 +134,7 @@ pub const ROCKET: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
     WrongForm { of: &WEIGHT_FORGOTTEN, write: |law| law.without(&|term| law.has_gravity(term)) },
     WrongForm { of: &MASS_KEPT, write: mass_kept },
+    WrongForm { of: &BURNT_FOR_LEFT, write: burnt_for_left },
     WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
     WrongForm { of: &IMPULSE_REVERSED, write: |law| law.both(|side| logarithm(side, &reversed)) },
 ];
@@ -144,7 +152,7 @@ pub const GAINING: &[WrongForm] = &[
 ];
 /// Wrong forms of the velocity of a body that loses mass.
 pub const LOSING: &[WrongForm] = &[
-    WrongForm { of: &CHANGE_FORGOTTEN, write: |law| law.both(|side| logarithm(side, &linear)) },
+    WrongForm { of: &CHANGE_FORGOTTEN, write: mass_kept },
     WrongForm { of: &LEAK_AS_THRUST, write: leak_as_thrust },
     WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
 ];
@@ -172,13 +180,11 @@ fn leaving(term: &Expr, change: &dyn Fn(Expr) -> Expr) -> Expr {
     }
 }
 
-/// Twice the force of a stream that neither is turned by an angle nor comes back.
+/// Twice the force of a stream that does not come back; of one that is turned by an angle, as if that were half a turn.
 fn returned(law: &Taught<'_>) -> Vec<Wrong> {
-    if law.right() == leaving(&law.sides.1, &|_| Expr::zero()) {
-        one((law.left(), law.right() * Expr::integer(2)))
-    } else {
-        Vec::new()
-    }
+    let back = leaving(&law.sides.1, &|_| Expr::one());
+    let right = if law.right() == back { law.right() * Expr::integer(2) } else { back };
+    one((law.left(), right))
 }
 
 /// `q v^2 / 2` in numbers, as well as `q v / 2`; and `q v^2`.
@@ -194,7 +200,9 @@ fn stream_energy(law: &Taught<'_>) -> Vec<Wrong> {
 fn stream_weight(law: &Taught<'_>) -> Vec<Wrong> {
     let is_flow = |symbol: &Symbol| law.is(*symbol, Dimension::new(1, 0, -1));
     let flows = law.sides.1.symbols().into_iter().filter(is_flow);
-    flows.map(|flow| Wrong::from((law.left(), Expr::ratio(981, 100) * Expr::from(flow)))).collect()
+    let sense = law.right() / Expr::apply(Function::Abs, law.right());
+    let weight = |flow: Symbol| Expr::product([sense.clone(), Expr::ratio(981, 100), flow.into()]);
+    flows.map(|flow| Wrong::from((law.left(), weight(flow)))).collect()
 }
 
 /// The speed of the body, where it is used, as zero.
@@ -220,10 +228,16 @@ fn linear(ratio: &Expr) -> Expr {
     Expr::one() - ratio.clone().powi(-1)
 }
 
-/// The mass at the start throughout, and that at the end.
+/// The mass at the start throughout, or that at the end.
 fn mass_kept(law: &Taught<'_>) -> Vec<Wrong> {
     let ways: [&dyn Fn(&Expr) -> Expr; 2] = [&linear, &|ratio| ratio.clone() - Expr::one()];
     ways.into_iter().flat_map(|instead| law.both(|side| logarithm(side, instead))).collect()
+}
+
+/// The logarithm of `m_1 / (m_1 - m_2)`.
+fn burnt_for_left(law: &Taught<'_>) -> Vec<Wrong> {
+    let instead = |ratio: &Expr| Expr::apply(Function::Ln, (Expr::one() - ratio.clone().powi(-1)).powi(-1));
+    law.both(|side| logarithm(side, &instead))
 }
 
 /// The logarithm with the other sign.

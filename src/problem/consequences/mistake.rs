@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use momentous_expr::Symbol;
 use momentous_laws::wrong::Misconception;
 use momentous_laws::wrong::reading::SlipOf;
+use momentous_quantity::Unit;
 use momentous_solve::Batch;
 
 use super::solver::Solver;
@@ -43,7 +44,7 @@ impl Mistake {
     pub fn is_of_data(&self) -> bool {
         match self.made {
             Made::Solved(_) => self.instance.is_none(),
-            Made::Misread(..) | Made::Taken(_) => true,
+            Made::OtherRoot(_) | Made::Misread(..) | Made::Taken(_) => true,
             Made::Written(..) => false,
         }
     }
@@ -53,7 +54,7 @@ impl Mistake {
     pub fn yields(&self) -> bool {
         match self.made {
             Made::Solved(_) => self.instance.is_none(),
-            Made::Taken(_) => true,
+            Made::OtherRoot(_) | Made::Taken(_) => true,
             Made::Misread(..) | Made::Written(..) => false,
         }
     }
@@ -69,7 +70,7 @@ impl Mistake {
     pub fn is_of_one_answer(&self) -> bool {
         match self.made {
             Made::Written(..) | Made::Taken(_) => true,
-            Made::Solved(_) | Made::Misread(..) => false,
+            Made::Solved(_) | Made::OtherRoot(_) | Made::Misread(..) => false,
         }
     }
 }
@@ -78,12 +79,28 @@ impl Mistake {
 pub(crate) enum Made {
     /// The system has a wrong equation.
     Solved(Vec<WrongSystem>),
-    /// Some givens are taken too large or too small by a factor; at this place in the batch, where it is in there.
-    Misread(Arc<Solver>, Vec<(Symbol, f64)>, Option<usize>),
+    /// The laws and the data are right, and a root is taken that is not possible.
+    OtherRoot(Arc<Solver>),
+    /// A unit of some givens is misread.
+    Misread(Misread),
     /// The value of another quantity is written down: what is asked, and what is taken for it.
     Taken(Vec<(Symbol, Symbol)>),
     /// The right value is written down wrongly.
     Written(SlipOf, fn(f64) -> f64),
+}
+
+/// Givens that are taken too large or too small, since one unit is read for another.
+#[derive(Clone, Debug)]
+pub(crate) struct Misread {
+    /// The right program.
+    pub(super) right: Arc<Solver>,
+    /// By which factor each is too large.
+    pub(super) read: Vec<(Symbol, f64)>,
+    /// The unit in which they are given, and how many of it the other one is: whoever overlooks it in a given does not convert an
+    /// answer to it.
+    pub(super) unit: (Unit, f64),
+    /// The place in the batch, where it is in there.
+    pub(super) batched: Option<usize>,
 }
 
 /// How the values that come of a mistake are found.

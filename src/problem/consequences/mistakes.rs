@@ -4,19 +4,24 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_laws::wrong::Misconception;
+use momentous_laws::wrong::data::OTHER_ROOT;
+use momentous_laws::wrong::reading::DEGREES;
 use momentous_laws::wrong::reading::MISREADINGS;
 use momentous_laws::wrong::reading::SLIPS;
 use momentous_quantity::Rational;
 use momentous_quantity::Unit;
 use momentous_solve::BatchWriter;
+use momentous_solve::System;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::planned::Problem;
 use super::super::compiling::regimes::Leaf;
 use super::super::sampling::variant::Worked;
 use super::mistake::Made;
+use super::mistake::Misread;
 use super::mistake::Mistake;
 use super::mistake::Mistakes;
 use super::mistake::Planned;
@@ -41,23 +46,25 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let laws = problem.model().mistaken(&leaf.system, &used, &form.told, problem.units());
     let data = problem.model().altered(&leaf.system, &used, &form.told, problem.units());
     for mistaken in laws.into_iter().chain(data) {
-        let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
-        let solvers = solvers.filter_map(|solver| solver.of_what_depends(&mistaken.system, &mistaken.wrong));
-        let ways: Vec<WrongSystem> = solvers
-            .map(|solver| WrongSystem { batched: solver.batched(&mistaken.system, &[], &mut batch), solver })
-            .collect();
-        if !ways.is_empty() {
-            let (of, instance, places) = (mistaken.of, mistaken.instance, mistaken.places);
-            mistakes.push(Mistake { of, instance, places, made: Made::Solved(ways) });
-        }
+        let ways = solved(&mistaken.system, &mistaken.wrong, (&form.told, &wanted), &mut batch);
+        let (of, instance, places) = (mistaken.of, mistaken.instance, mistaken.places);
+        mistakes.extend(ways.map(|made| Mistake { of, instance, places, made }));
     }
     let restricted = Restricted::new(&leaf.system, used);
     if let Some(right) = Solver::new(&restricted.system, &form.told, &wanted).map(Arc::new) {
-        for (of, read) in misread(problem, form) {
+        if right.chooses() {
+            let made = Made::OtherRoot(Arc::clone(&right));
+            mistakes.push(Mistake { of: &OTHER_ROOT, instance: None, places: 1, made });
+        }
+        for (of, read, unit) in misread(problem, form) {
+            for (system, wrong) in in_one_place(problem, leaf, (&restricted.places, of), &read) {
+                let made = solved(&system, &wrong, (&form.told, &wanted), &mut batch);
+                mistakes.extend(made.map(|made| Mistake { of, instance: None, places: 1, made }));
+            }
             let exactly = |(symbol, factor): &(Symbol, f64)| Some((*symbol, Rational::try_from(*factor).ok()?));
             let exactly: Option<Vec<_>> = read.iter().map(exactly).collect();
-            let place = exactly.and_then(|read| right.batched(&restricted.system, &read, &mut batch));
-            let made = Made::Misread(Arc::clone(&right), read, place);
+            let batched = exactly.and_then(|read| right.batched(&restricted.system, &read, &mut batch));
+            let made = Made::Misread(Misread { right: Arc::clone(&right), read, unit, batched });
             mistakes.push(Mistake { of, instance: None, places: 1, made });
         }
     }
@@ -72,9 +79,42 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     Planned { list: mistakes, inputs, batch: batch.finish(), directed }
 }
 
+/// The programs for a system with wrong equations; nothing where no answer depends on these.
+fn solved(
+    system: &System,
+    wrong: &BTreeSet<usize>,
+    (told, wanted): (&BTreeSet<Symbol>, &[Symbol]),
+    batch: &mut BatchWriter,
+) -> Option<Made> {
+    let solvers = Solver::each(system, told, wanted).into_iter();
+    let solvers = solvers.filter_map(|solver| solver.of_what_depends(system, wrong));
+    let ways = solvers.map(|solver| WrongSystem { batched: solver.batched(system, &[], batch), solver });
+    let ways: Vec<WrongSystem> = ways.collect();
+    if ways.is_empty() { None } else { Some(Made::Solved(ways)) }
+}
+
+/// A larger factor leaves nothing of a term, or nothing beside it, which is another mistake.
+const MOST_IN_ONE_PLACE: f64 = 100.0;
+
+/// The systems in which a given is misread in one equation. Angles that are misread are so in every calculation.
+fn in_one_place(
+    problem: &Problem,
+    leaf: &Leaf,
+    (used, of): (&[usize], &'static Misconception),
+    read: &[(Symbol, f64)],
+) -> Vec<(System, BTreeSet<usize>)> {
+    let &[(given, factor)] = read else { return Vec::new() };
+    if *of == DEGREES || factor >= MOST_IN_ONE_PLACE {
+        return Vec::new();
+    }
+    let Ok(factor) = Rational::try_from(factor) else { return Vec::new() };
+    let used = used.iter().copied().collect();
+    problem.model().misread_in_one_place(&leaf.system, &used, given, &Expr::Number(factor))
+}
+
 /// Every unit that some given has and that is often overlooked: of all its givens, of each alone where that is told from
 /// other mistakes, and by how much.
-fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(Symbol, f64)>)> {
+fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(Symbol, f64)>, (Unit, f64))> {
     let mut readings = Vec::new();
     for row in MISREADINGS {
         let (Ok(given), Ok(taken)) = (Unit::parse(row.given), Unit::parse(row.taken)) else { continue };
@@ -83,10 +123,10 @@ fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(
             form.told.iter().filter(|symbol| problem.unit_told(form, **symbol).is_some_and(|unit| unit == given));
         let read: Vec<(Symbol, f64)> = told.map(|symbol| (*symbol, factor)).collect();
         if read.len() > 1 && row.alone {
-            readings.extend(read.iter().map(|result| (row.of, vec![*result])));
+            readings.extend(read.iter().map(|result| (row.of, vec![*result], (given.clone(), factor))));
         }
         if !read.is_empty() {
-            readings.push((row.of, read));
+            readings.push((row.of, read, (given, factor)));
         }
     }
     readings

@@ -17,6 +17,7 @@ use super::super::questions::part::PartKind;
 use super::super::questions::part::VectorPart;
 use super::super::sampling::variant::Worked;
 use super::mistake::Made;
+use super::mistake::Misread;
 use super::mistake::Mistake;
 
 /// A formula and a program give the same within this share.
@@ -70,27 +71,10 @@ impl Simulated<'_> {
                     }
                 }
             }
-            Made::Misread(right, read, place) => {
-                // An inverse function of the same calculator gives its angles in radians, too.
-                let unit = if *mistake.of == DEGREES && is_in_degrees(number) { 1.0 } else { unit };
-                let mut values = Vec::new();
-                let mut wanted = |value: f64| {
-                    if is_wanted(value / unit) {
-                        values.push(value);
-                    }
-                };
-                match place {
-                    Some(place) => {
-                        let batch = self.batch.as_ref();
-                        let is_near = |value| is_wanted(value / unit);
-                        let value = batch.and_then(|batch| batch.value(*place, number.symbol, &is_near));
-                        value.into_iter().for_each(&mut wanted);
-                    }
-                    None => right.values(number.symbol, &self.misread(read, 1.0, 0.0), &mut wanted),
-                }
-                values.retain(|value| self.hangs_on(mistake, number.symbol, *value));
-                values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).for_each(add);
+            Made::OtherRoot(right) => {
+                right.roots(number.symbol, &told, &mut keep);
             }
+            Made::Misread(misread) => self.each_misread(mistake, misread, number, is_wanted, add),
             Made::Taken(pairs) => {
                 let others = pairs.iter().filter(|(asked, _)| *asked == number.symbol);
                 let values = others.filter_map(|(asked, other)| Some((told(*asked)?.value, told(*other)?.value)));
@@ -109,6 +93,40 @@ impl Simulated<'_> {
                 told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut keep);
             }
         }
+    }
+
+    /// The same of a unit that is misread.
+    fn each_misread(
+        &self,
+        mistake: &Mistake,
+        misread: &Misread,
+        number: &NumberPart,
+        is_wanted: &dyn Fn(f64) -> bool,
+        add: &mut dyn FnMut(f64),
+    ) {
+        let unit = self.worked.unit_of(number);
+        // An answer in the unit that is overlooked is not converted to it either; one with the sines of a wrong calculator never is.
+        let overlooked = &misread.unit;
+        let is_overlooked = matches!(&number.unit, AskedUnit::Unit(own) if *own == overlooked.0);
+        let units = match (is_overlooked, *mistake.of == DEGREES && is_in_degrees(number)) {
+            (_, true) => vec![1.0],
+            (true, false) => vec![unit, unit * overlooked.1],
+            (false, false) => vec![unit],
+        };
+        let is_near = |value: f64| units.iter().any(|unit| is_wanted(value / unit));
+        let mut values = Vec::new();
+        match misread.batched {
+            Some(place) => {
+                let batch = self.batch.as_ref();
+                values.extend(batch.and_then(|batch| batch.value(place, number.symbol, &is_near)));
+            }
+            None => misread.right.values(number.symbol, &self.misread(&misread.read, 1.0, 0.0), &mut |value| {
+                values.extend(Some(value).filter(|value| is_near(*value)));
+            }),
+        }
+        values.retain(|value| self.hangs_on(mistake, number.symbol, *value));
+        let written = values.iter().flat_map(|value| units.iter().map(move |unit| value / unit));
+        written.filter(|value| value.is_finite() && is_wanted(*value)).for_each(add);
     }
 
     /// Whether a number is the angle between two arrows.
@@ -134,7 +152,7 @@ impl Simulated<'_> {
     /// Whether what comes of a misreading hangs on by how much the given is misread. Where it does not, it is what comes of
     /// leaving the given out, or of making it as large as can be, and nothing says that a unit was misread.
     fn hangs_on(&self, mistake: &Mistake, symbol: Symbol, value: f64) -> bool {
-        let Made::Misread(right, read, _) = &mistake.made else { return true };
+        let Made::Misread(Misread { right, read, .. }) = &mistake.made else { return true };
         let others = if *mistake.of == DEGREES { [(1.0, -TURNED), (1.0, TURNED)] } else { [(0.5, 0.0), (2.0, 0.0)] };
         others.into_iter().all(|(times, plus)| {
             let mut is_other = true;

@@ -7,8 +7,10 @@ use momentous_expr::Symbol;
 use momentous_quantity::Rational;
 use momentous_solve::BatchWriter;
 use momentous_solve::Bounded;
+use momentous_solve::Equation;
 use momentous_solve::Plan;
 use momentous_solve::Program;
+use momentous_solve::Statement;
 use momentous_solve::System;
 use momentous_solve::Verify;
 use momentous_solve::Workspace;
@@ -31,9 +33,12 @@ thread_local! {
 }
 
 impl Solver {
-    /// A program for everything that is wanted; where the mistake leaves some of it open, one for each that it does not.
+    /// A program for everything that is wanted; where the mistake leaves some of it open, or may leave nothing to count, one for
+    /// each that it does not.
     pub(super) fn each(system: &System, told: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Vec<Self> {
-        match Self::new(system, told, wanted) {
+        let counts = |own: &Equation| matches!(own.statement, Statement::FirstInteger { .. });
+        let whole = if system.equations.iter().any(counts) { None } else { Self::new(system, told, wanted) };
+        match whole {
             Some(whole) => vec![whole],
             None => wanted.iter().filter_map(|symbol| Self::new(system, told, &[*symbol])).collect(),
         }
