@@ -79,7 +79,9 @@ fn filled(kind: &UnreadableKind) -> String {
             format!("\"{word}\" is a direction, but only a size is asked for: leave it out.")
         }
         UnreadableKind::OtherDirection { word, senses: [plus, minus] } => {
-            format!("\"{word}\" is not one of the directions here: \"{plus}\" or \"{minus}\".")
+            let thousand =
+                if word == "k" { " If a thousand is meant, write it into the unit, as in `kN`." } else { "" };
+            format!("\"{word}\" is not one of the directions here: \"{plus}\" or \"{minus}\".{thousand}")
         }
         UnreadableKind::NoOption(count) => {
             format!("choose one of the {count} options, by its letter, its number or its text.")

@@ -60,8 +60,11 @@ fn ambiguous(at: usize, readings: [String; 2]) -> At<()> {
     Err((at, UnreadableKind::Ambiguous(readings)))
 }
 
+/// Right angles and their multiples, from which angles are taken.
+const RIGHT_ANGLES: [&str; 4] = ["90", "180", "270", "360"];
+
 /// `1190-1210`, `2-1/2`: nothing but two numbers with a minus sign directly between them; or with spaces around it, the
-/// greater one last.
+/// greater one last. `360-17.5` is a difference: no range descends from a full turn.
 fn range(text: &str, tokens: &[Token<'_>]) -> At<()> {
     let bare = tokens.strip_prefix(&[Token::Sign(0, '(')]).and_then(|rest| match rest {
         [inner @ .., Token::Sign(_, ')')] => Some(inner),
@@ -80,6 +83,10 @@ fn range(text: &str, tokens: &[Token<'_>]) -> At<()> {
         _ => return Ok(()),
     };
     let glued = !text[..at].ends_with(' ') && !text[at + 1..].starts_with(' ');
+    let descends = value(left).zip(value(right)).is_some_and(|(left, right)| left > right);
+    if descends && !fraction && RIGHT_ANGLES.contains(&left) {
+        return Ok(());
+    }
     let ascends = value(left).zip(value(right)).is_some_and(|(left, right)| left < right);
     if glued && fraction {
         return ambiguous(at, [format!("{left} {}", &text[at + 1..]), format!("{left} - {}", &text[at + 1..])]);

@@ -15,6 +15,8 @@ const OPERATORS: [&str; 8] = ["*", "·", "×", "x", "+", "^", "-", "**"];
 const DEGREES: [&str; 4] = ["o", "O", "^o", "^0"];
 /// Signs behind which something else than a unit begins.
 const SEPARATORS: [&str; 5] = [",", ";", ":", "=", "?"];
+/// Prefixes as they are spoken, whose letter is their first.
+const SPOKEN: [&str; 2] = ["kilo", "milli"];
 /// What is shown of a text that is not understood, in characters.
 const SHOWN: usize = 20;
 
@@ -63,6 +65,9 @@ pub(super) fn unit(text: &str, from: usize, to: usize, asked: &Unit) -> At<Optio
         let behind = written[at..].trim_start().chars().take(SHOWN).collect();
         return Err((start + at + 1, UnreadableKind::Behind(behind)));
     }
+    if let Some(unit) = thousandfold(bare, asked) {
+        return Ok(Some(unit));
+    }
     if let Some(unit) = remarked(bare, asked) {
         return Ok(Some(unit));
     }
@@ -73,6 +78,19 @@ pub(super) fn unit(text: &str, from: usize, to: usize, asked: &Unit) -> At<Optio
         None => unit_cache::parse(written, asked).map_err(|found| fault(found, 0)),
     }
     .map(Some)
+}
+
+/// `kilo N s`, `mega-newtons`: a spoken prefix apart from its unit. `kilo` alone is a kilogram.
+fn thousandfold(written: &str, asked: &Unit) -> Option<Unit> {
+    let (prefix, rest) = written.split_once([' ', '-'])?;
+    let spoken = SPOKEN.iter().find(|spoken| spoken.eq_ignore_ascii_case(prefix))?;
+    let unit = unit_cache::parse(&format!("{spoken}{}", rest.trim_start()), asked);
+    let letter = spoken.chars().next().filter(|_| unit.is_err());
+    let unit = unit.or_else(|fault| match letter {
+        Some(letter) => unit_cache::parse(&format!("{letter}{}", rest.trim_start()), asked),
+        None => Err(fault),
+    });
+    unit.ok().filter(|unit| unit.dimension() == asked.dimension())
 }
 
 /// `Ns (kg m/s)`: the same unit again in brackets is a remark.

@@ -93,7 +93,7 @@ fn solved(
     if ways.is_empty() { None } else { Some(Made::Solved(ways)) }
 }
 
-/// A larger factor leaves nothing of a term, or nothing beside it, which is another mistake.
+/// A larger factor leaves nothing beside a term, and a smaller one than its inverse nothing of it, which is another mistake.
 const MOST_IN_ONE_PLACE: f64 = 100.0;
 
 /// The systems in which a given is misread in one equation. Angles that are misread are so in every calculation.
@@ -104,7 +104,7 @@ fn in_one_place(
     read: &[(Symbol, f64)],
 ) -> Vec<(System, BTreeSet<usize>)> {
     let &[(given, factor)] = read else { return Vec::new() };
-    if *of == DEGREES || factor >= MOST_IN_ONE_PLACE {
+    if *of == DEGREES || factor.max(factor.recip()) >= MOST_IN_ONE_PLACE {
         return Vec::new();
     }
     let Ok(factor) = Rational::try_from(factor) else { return Vec::new() };

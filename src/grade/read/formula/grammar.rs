@@ -212,7 +212,9 @@ impl<'a> Grammar<'a> {
                     product = Term { bare: product.bare && divisor.bare, value: product.value / divisor.value };
                     divided = true;
                 }
-                Some(next) if self.is_factor(next) => {
+                Some(next)
+                    if self.is_factor(next) || next.is_decimal() && self.gap() && !self.is_numeric(&product.value) =>
+                {
                     // `1/2 m v^2` is plain; `a/b c` may mean either.
                     let fraction = self.is_numeric(&product.value) && self.gap() && !bracketed;
                     let is_below = divided && !fraction && self.vocabulary.behind_bars == BehindBars::Below;

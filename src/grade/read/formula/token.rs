@@ -92,7 +92,12 @@ impl Token {
         self.begins_factor() || matches!(self, Self::Number { .. } | Self::Written { .. } | Self::Bar)
     }
 
-    /// Whether it continues a product without a sign; a number never does, and a bar may close what it opened.
+    /// Whether it is a number that can be neither an index nor meant for a power: behind a name it is a factor, `m u 1.26`.
+    pub(super) fn is_decimal(&self) -> bool {
+        matches!(self, Self::Number { value, .. } if !value.is_int())
+    }
+
+    /// Whether it continues a product without a sign; a whole number never does, and a bar may close what it opened.
     pub(super) fn begins_factor(&self) -> bool {
         matches!(
             self,
