@@ -56,6 +56,8 @@ pub struct KnownBy {
     pub heading: String,
     /// Whether it is a name, which two may have.
     pub is_name: bool,
+    /// Whether other columns of the table identify students, too.
+    pub is_one_of_several: bool,
 }
 
 /// A student.
@@ -107,7 +109,10 @@ impl Student {
                     .find_map(|[first, last]| Some(vec![column(first)?, column(last)?]))
                     .unwrap_or_default(),
             };
+        let identifies =
+            |heading: &&String| IDENTITIES.contains(&heading.as_str()) && !NAMES.contains(&heading.as_str());
         let known_by = KnownBy {
+            is_one_of_several: headings.iter().filter(identifies).count() > 1,
             heading: table.headings().get(identity).cloned().unwrap_or_default(),
             is_name: headings.get(identity).is_some_and(|heading| ["name", "full name"].contains(&heading.as_str())),
         };
@@ -179,6 +184,9 @@ mod tests {
         assert_eq!((both[1].shown(), alone[0].shown()), ("Bob (b)".into(), "b".into()));
     }
 
+    /// A heading of each table below that identifies students in two ways.
+    const SEVERAL: [&str; 5] = ["SIS User ID", "Email", "UIN", "user_id", "Username"];
+
     #[test]
     fn tables_of_other_systems_are_known_by_their_headings() {
         for (text, by, id, name) in [
@@ -221,6 +229,7 @@ mod tests {
         ] {
             let (students, known_by) = Student::listed(Table::read(text.as_bytes()).unwrap()).unwrap();
             assert_eq!((known_by.heading.as_str(), known_by.is_name), (by, false), "{text}");
+            assert_eq!(known_by.is_one_of_several, SEVERAL.iter().any(|heading| text.contains(heading)), "{text}");
             assert_eq!((students.len(), students[0].id.as_str(), students[0].name.as_str()), (1, id, name), "{text}");
         }
         let (_, known_by) = Student::listed(Table::read("name\nAda\n".as_bytes()).unwrap()).unwrap();

@@ -38,7 +38,7 @@ pub(in crate::cli) fn students(path: &Path) -> Result<Vec<Student>, Failure> {
     let (students, known_by) = Student::listed(table::whole(path)?).map_err(failed)?;
     if known_by.is_name {
         tell("note: students are known by their names; a column `id` tells two of one name apart");
-    } else if !known_by.heading.eq_ignore_ascii_case("id") {
+    } else if known_by.is_one_of_several || !known_by.heading.eq_ignore_ascii_case("id") {
         tell(&format!("note: students are known by `{}`", known_by.heading));
     }
     Ok(students)

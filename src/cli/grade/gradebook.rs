@@ -21,6 +21,9 @@ const BRIGHTSPACE: &str = "OrgDefinedId";
 const POINTS_GRADE: &str = " Points Grade";
 const END_OF_LINE: [&str; 2] = ["End-of-Line Indicator", "#"];
 
+/// The points are written to five decimal places, as Moodle keeps them.
+const PLACES: f64 = 1e5;
+
 /// The headings of Canvas before the points. It finds students by their number; the other two only have to be there.
 const CANVAS: [&str; 3] = ["Student", "ID", "Section"];
 
@@ -115,7 +118,7 @@ impl Gradebook {
             let attempts: Vec<Rational> = attempts.values().cloned().collect();
             let counts = self.attempts.as_ref().map(|(counts, _)| *counts).unwrap_or_default();
             let points = counts.counted(&attempts);
-            let points = points.to_f64().value().to_string();
+            let points = ((points.to_f64().value() * PLACES).round() / PLACES).to_string();
             let who = [student.as_str(), student, ""].into_iter().take(headings.len());
             let cells = who.chain([points.as_str()]).chain(mark).map(|cell| defused(cell).into_owned());
             table.write_record(cells).map_err(unwritten)?;
