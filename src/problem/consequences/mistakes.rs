@@ -112,9 +112,12 @@ fn in_one_place(
     problem.model().misread_in_one_place(&leaf.system, &used, given, &Expr::Number(factor))
 }
 
+/// A mistake about a unit: the givens that are misread with their factors, and the unit with the factor.
+type Overlooked = (&'static Misconception, Vec<(Symbol, f64)>, (Unit, f64));
+
 /// Every unit that some given has and that is often overlooked: of all its givens, of each alone where that is told from
 /// other mistakes, and by how much.
-fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(Symbol, f64)>, (Unit, f64))> {
+fn misread(problem: &Problem, form: &Form) -> Vec<Overlooked> {
     let mut readings = Vec::new();
     for row in MISREADINGS {
         let (Ok(given), Ok(taken)) = (Unit::parse(row.given), Unit::parse(row.taken)) else { continue };
