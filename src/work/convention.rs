@@ -66,10 +66,9 @@ fn named(line: &BTreeSet<String>, positive: &str, negative: &str) -> Option<Name
     };
     let is_longer = phrases[0].is_subset(&phrases[1]);
     match (names(0), names(1)) {
-        (true, true) if is_longer => Some(Named::Negative),
-        (true, true) => None,
         (true, false) => Some(Named::Positive),
         (false, true) => Some(Named::Negative),
+        (true, true) => is_longer.then_some(Named::Negative),
         (false, false) => None,
     }
 }
