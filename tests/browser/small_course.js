@@ -40,8 +40,7 @@ export async function small_course(students = ["bob", "cleo"], rules = {}) {
   const server = await start_clocked("2026-10-05T09:00:00+02:00");
   const operator = await Visitor.by(server.link);
   const made = { title: "Mechanics", zone: "Europe/Berlin", decimal: "either", retention: "", login: "operator", name: "" };
-  await operator.send("/courses/new", made);
-  const course = (await operator.get("/courses")).match(/\/courses\/[0-9a-f]{32}/)?.[0] ?? "";
+  const course = await operator.post("/courses/new", made);
   const table = ["id,name,section", ...["ada", ...students].map((id) => `${id},${id} Example-Long-Family-Name,A`), ""].join("\n");
   const shown = hidden(await operator.send(`${course}/roster/preview`, { table }), "shown");
   await operator.post(`${course}/roster/apply`, { table, shown });
