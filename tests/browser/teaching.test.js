@@ -366,7 +366,7 @@ const TOUR = [
       assert.deepEqual(points?.map((own) => own === undefined), PROBLEMS.map((_, place) => is_missing(id, place)), name);
     }
     await press(page, "link", "Statistics", /^Statistics/);
-    assert.match((await page.locator("tr", { hasText: "Coupled trolleys: v_A2" }).textContent()) ?? "", /400 %/);
+    assert.match((await page.locator("tr", { hasText: "Two trolleys that couple: (a)" }).textContent()) ?? "", /400 %/);
   }],
 
   ["Change points by hand", async () => {
