@@ -8,6 +8,7 @@ use momentous_explain::Detail;
 use momentous_problem::PartKind;
 use momentous_render as render;
 use momentous_render::Fragment;
+use momentous_render::Identity;
 use momentous_render::Page;
 use momentous_render::Solution;
 
@@ -77,7 +78,9 @@ impl Engine<'_> {
         let outline = exercise.outline(Audience::Everyone, detail);
         let (title, all) = (outline.title.clone(), render::steps(&outline));
         let faded = steps.filter(|steps| *steps < all);
-        let solution = Solution { outline, identity: exercise.identity(), audience: Audience::Everyone, faded };
+        // The page around it says which numbers these are, in words for students.
+        let identity = Identity::default();
+        let solution = Solution { outline, identity, audience: Audience::Everyone, faded };
         let solution = Fragment::page(self.renderer, &Page::Solution(solution));
         Ok(SolveResponse {
             title,

@@ -157,3 +157,10 @@ fn fields_of_own_numbers_are_labelled_with_the_names_of_their_quantities() {
     let page = Client::new().get("/solve/impact/two-carts").text(200);
     assert!(page.contains("<span>The mass of cart A "), "{page}");
 }
+
+#[test]
+fn a_worked_solution_says_in_words_which_numbers_it_has() {
+    let page = Client::new().get("/solution/impact/two-carts?form=forward&seed=3").text(200);
+    assert!(page.contains("Numbers of seed 3"), "{page}");
+    assert!(!page.contains("· digest") && !page.contains("· scheme"), "{page}");
+}
