@@ -11,7 +11,7 @@ use momentous_render::Fragment;
 /// A part: its letter on the sheet, and what it asks, as `(a) the velocity of cart A after the collision`.
 #[derive(Clone, Serialize)]
 pub(super) struct PartTitle {
-    letter: String,
+    pub(super) letter: String,
     asks: Fragment,
 }
 

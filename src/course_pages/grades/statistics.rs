@@ -82,6 +82,8 @@ pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
 
 /// What the problems of an assignment ask.
 struct Asked {
+    /// Problems and forms in the order of the assignment.
+    order: Vec<(String, String)>,
     /// Titles, by the problems' identities.
     problems: BTreeMap<String, String>,
     /// Parts, by problem and form; the form is empty where the problem has one without a name.
@@ -90,12 +92,13 @@ struct Asked {
 
 impl Asked {
     async fn of(visit: &Visit, whole: &AssignmentWithItems) -> Result<Self, NotShown> {
-        let mut asked = Self { problems: BTreeMap::new(), parts: BTreeMap::new() };
+        let mut asked = Self { order: Vec::new(), problems: BTreeMap::new(), parts: BTreeMap::new() };
         // What was never drawn has no answers, and its file may be at fault just now.
         for item in whole.items.iter().filter(|item| item.digest.is_some()) {
             let problem = items::problem(visit, item).await?;
             asked.problems.insert(item.problem.clone(), problem.title().to_owned());
             let place = (item.problem.clone(), item.form.clone().unwrap_or_default());
+            asked.order.push(place.clone());
             asked.parts.insert(place, PartTitle::all(&problem, item.form.as_deref()));
         }
         Ok(asked)
@@ -103,6 +106,12 @@ impl Asked {
 
     fn title(&self, part: &AnsweredPart) -> Option<PartTitle> {
         self.parts.get(&(part.problem.clone(), part.form.clone()))?.get(&part.part).cloned()
+    }
+
+    /// The place of a part on the sheets: that of its problem in the assignment, and its letter.
+    fn place(&self, part: &AnsweredPart) -> (usize, Option<String>) {
+        let place = self.order.iter().position(|(problem, form)| (problem, form) == (&part.problem, &part.form));
+        (place.unwrap_or(usize::MAX), self.title(part).map(|title| title.letter))
     }
 
     /// The form of a part, where the problem stands in the assignment in several.
@@ -123,7 +132,9 @@ fn shown(title: String, assignment: String, class: ClassStatistics, asked: &Aske
         mean: if statistics.students == 0 { "\u{2013}".to_owned() } else { Points(statistics.mean).to_string() },
         out_of: statistics.out_of,
     });
-    let parts = class.parts.items.into_iter().map(|statistics| PartShown {
+    let mut parts = class.parts.items;
+    parts.sort_by_cached_key(|statistics| asked.place(&statistics.item));
+    let parts = parts.into_iter().map(|statistics| PartShown {
         problem: asked
             .problems
             .get(&statistics.item.problem)

@@ -205,6 +205,8 @@ fn statistics_say_how_easy_a_part_was() {
             && page.contains("100 %"),
         "{page}"
     );
+    let places = ["(a) the velocity of", "(b) the velocity of", "(c) the kinetic energy"].map(|part| page.find(part));
+    assert!(places.iter().flatten().is_sorted() && places.iter().flatten().count() > 1, "{places:?} {page}");
 }
 
 /// The key of the class.
