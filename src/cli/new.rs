@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::bank::FOLDER;
+use crate::exercise::titled;
 
 use super::exit::Exit;
 use super::failure::Failure;
@@ -85,9 +86,7 @@ fn is_identity(id: &str) -> bool {
 
 fn filled(id: &str, path: &Path) -> String {
     let topic = id.split('/').next().unwrap_or(id);
-    let title: String = id.rsplit('/').next().unwrap_or(id).replace('-', " ");
-    let mut letters = title.chars();
-    let title = letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>()).unwrap_or_default();
+    let title = titled(id.rsplit('/').next().unwrap_or(id));
     let file = path.display().to_string();
     let fields = [("{{id}}", id), ("{{topic}}", topic), ("{{title}}", &title), ("{{file}}", &file)];
     fields.iter().fold(TEMPLATE.to_owned(), |text, (field, value)| text.replace(field, value))

@@ -36,6 +36,14 @@ impl Titles {
     pub(super) fn title(&self, app: &App, problem: &str) -> Result<String, Refused> {
         self.by_course.get(problem).map_or_else(|| app.pages.library.title(problem), |title| Ok(title.clone()))
     }
+
+    /// The same; nothing where neither has a problem of this identity.
+    pub(super) fn known(&self, app: &App, word: &str) -> Result<Option<String>, Refused> {
+        match self.by_course.get(word) {
+            Some(title) => Ok(Some(title.clone())),
+            None => app.pages.library.known_title(word),
+        }
+    }
 }
 
 /// The title in a problem file; where an older program could read it and this one cannot, words made of the problem's identity.

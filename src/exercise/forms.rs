@@ -1,6 +1,7 @@
 //! Labels of the forms of a problem on a page: by what each asks.
 
 use momentous_explain::Inline;
+use momentous_explain::capitalised;
 use momentous_problem::PlannedForm;
 use momentous_problem::Problem;
 
@@ -53,7 +54,5 @@ fn sought(problem: &Problem, form: &PlannedForm) -> Vec<Inline> {
 /// A name in hyphens as people write it: `week-one` as `Week one`.
 #[must_use]
 pub fn titled(name: &str) -> String {
-    let words = name.replace('-', " ");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capitalised(&name.replace('-', " "))
 }

@@ -22,3 +22,4 @@ pub use outline::{Audience, Block, Inline, Outline, Section};
 pub use reach::last_instant;
 pub use sections::solution::solution;
 pub use terms::printed::{printed_range, printed_vector};
+pub use wording::capitalised;

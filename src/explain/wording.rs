@@ -2,8 +2,9 @@
 
 use super::Inline;
 
-/// The sentence with its first letter large.
-pub(super) fn capitalised(text: &str) -> String {
+/// The text with its first letter as a capital, and all others as they are.
+#[must_use]
+pub fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }

@@ -120,9 +120,16 @@ impl Library {
     /// # Errors
     /// The folder cannot be read.
     pub fn title(&self, id: &str) -> Result<String, Refused> {
+        Ok(self.known_title(id)?.unwrap_or_else(|| titled(id.rsplit('/').next().unwrap_or(id))))
+    }
+
+    /// The title of a problem of the bank; nothing where the bank has none of this identity.
+    ///
+    /// # Errors
+    /// The folder cannot be read.
+    pub fn known_title(&self, id: &str) -> Result<Option<String>, Refused> {
         let exhibits = self.exhibits()?;
-        let title = exhibits.iter().find(|exhibit| exhibit.card.id == id).map(|exhibit| exhibit.card.title.clone());
-        Ok(title.unwrap_or_else(|| titled(id.rsplit('/').next().unwrap_or(id))))
+        Ok(exhibits.iter().find(|exhibit| exhibit.card.id == id).map(|exhibit| exhibit.card.title.clone()))
     }
 
     /// The file of a problem of the bank.

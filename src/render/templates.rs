@@ -5,6 +5,7 @@ use std::path::Path;
 
 use tera::{Delimiters, Error, ErrorKind, Kwargs, State, Tera, Value};
 
+use momentous_explain::capitalised;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Faults;
@@ -67,12 +68,6 @@ impl Templates {
     }
 }
 
-/// The text with its first letter as a capital. Tera's own filter would take the capitals from the names within.
-fn initial_capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
 /// A template engine that speaks the format: its escapes, and in LaTeX and Typst signs that these do not use.
 fn engine(format: Format) -> Tera {
     let mut tera = Tera::new();
@@ -80,7 +75,8 @@ fn engine(format: Format) -> Tera {
     match format {
         Format::Html => {
             tera.set_escape_fn(|text, out| out.write_all(html::escape(text).as_bytes()));
-            tera.register_filter("initial_capital", |text: &str, _: Kwargs, _: &State<'_>| initial_capital(text));
+            // Tera's own filter would take the capitals from the names within.
+            tera.register_filter("initial_capital", |text: &str, _: Kwargs, _: &State<'_>| capitalised(text));
             tera.register_filter("said", |text: &str, _: Kwargs, _: &State<'_>| Value::safe_string(&html::said(text)));
         }
         Format::Markdown => tera.set_escape_fn(|text, out| out.write_all(markdown::escape(text).as_bytes())),

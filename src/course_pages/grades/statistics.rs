@@ -80,44 +80,57 @@ pub(crate) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
     visit.page("courses/grades/statistics", page.await?).await
 }
 
-/// What the problems of an assignment ask.
-struct Asked {
-    /// Problems and forms in the order of the assignment.
-    order: Vec<(String, String)>,
-    /// Titles, by the problems' identities.
-    problems: BTreeMap<String, String>,
-    /// Parts, by problem and form; the form is empty where the problem has one without a name.
-    parts: BTreeMap<(String, String), BTreeMap<String, PartTitle>>,
+/// A form of a problem that an assignment asks.
+struct AskedForm {
+    problem: String,
+    /// Empty where the problem has one without a name.
+    form: String,
+    /// The problem's title.
+    title: String,
+    /// Its parts, by their names in answers.
+    parts: BTreeMap<String, PartTitle>,
 }
+
+/// The forms that an assignment asks, in its order.
+struct Asked(Vec<AskedForm>);
 
 impl Asked {
     async fn of(visit: &Visit, whole: &AssignmentWithItems) -> Result<Self, NotShown> {
-        let mut asked = Self { order: Vec::new(), problems: BTreeMap::new(), parts: BTreeMap::new() };
+        let mut asked = Vec::new();
         // What was never drawn has no answers, and its file may be at fault just now.
         for item in whole.items.iter().filter(|item| item.digest.is_some()) {
             let problem = items::problem(visit, item).await?;
-            asked.problems.insert(item.problem.clone(), problem.title().to_owned());
-            let place = (item.problem.clone(), item.form.clone().unwrap_or_default());
-            asked.order.push(place.clone());
-            asked.parts.insert(place, PartTitle::all(&problem, item.form.as_deref()));
+            asked.push(AskedForm {
+                problem: item.problem.clone(),
+                form: item.form.clone().unwrap_or_default(),
+                title: problem.title().to_owned(),
+                parts: PartTitle::all(&problem, item.form.as_deref()),
+            });
         }
-        Ok(asked)
+        Ok(Self(asked))
+    }
+
+    /// The form of a part, and its place in the assignment.
+    fn form_of(&self, part: &AnsweredPart) -> Option<(usize, &AskedForm)> {
+        self.0.iter().enumerate().find(|(_, asked)| asked.problem == part.problem && asked.form == part.form)
     }
 
     fn title(&self, part: &AnsweredPart) -> Option<PartTitle> {
-        self.parts.get(&(part.problem.clone(), part.form.clone()))?.get(&part.part).cloned()
+        self.form_of(part)?.1.parts.get(&part.part).cloned()
     }
 
     /// The place of a part on the sheets: that of its problem in the assignment, and its letter.
     fn place(&self, part: &AnsweredPart) -> (usize, Option<String>) {
-        let place = self.order.iter().position(|(problem, form)| (problem, form) == (&part.problem, &part.form));
-        (place.unwrap_or(usize::MAX), self.title(part).map(|title| title.letter))
+        let place = self.form_of(part).map_or(usize::MAX, |(place, _)| place);
+        (place, self.title(part).map(|title| title.letter))
     }
 
-    /// The form of a part, where the problem stands in the assignment in several.
-    fn form(&self, part: &AnsweredPart) -> Option<String> {
-        let forms = self.parts.keys().filter(|(problem, _)| *problem == part.problem).count();
-        (forms > 1).then(|| titled(&part.form))
+    /// The title of a part's problem, and of its form where the problem stands in the assignment in several.
+    fn problem(&self, part: &AnsweredPart) -> (String, Option<String>) {
+        let forms: Vec<&AskedForm> = self.0.iter().filter(|asked| asked.problem == part.problem).collect();
+        let title = forms.first().map_or_else(|| titled(&part.problem), |asked| asked.title.clone());
+        let has_others = forms.iter().any(|asked| asked.form != part.form);
+        (title, has_others.then(|| titled(&part.form)))
     }
 }
 
@@ -134,23 +147,28 @@ fn shown(title: String, assignment: String, class: ClassStatistics, asked: &Aske
     });
     let mut parts = class.parts.items;
     parts.sort_by_cached_key(|statistics| asked.place(&statistics.item));
-    let parts = parts.into_iter().map(|statistics| PartShown {
-        problem: asked
-            .problems
-            .get(&statistics.item.problem)
-            .cloned()
-            .unwrap_or_else(|| titled(&statistics.item.problem)),
-        title: asked.title(&statistics.item),
-        form: asked.form(&statistics.item),
-        answers: statistics.answers,
-        facility: percent(statistics.facility),
-        discrimination: statistics.discrimination.map_or_else(|| "\u{2013}".to_owned(), |value| format!("{value:.2}")),
-        mistakes: statistics
-            .mistakes
-            .into_iter()
-            .map(|mistake| Counted { what: mistake.does.to_owned(), count: mistake.count })
-            .collect(),
-        wrong: statistics.wrong.into_iter().map(|wrong| Counted { what: wrong.answer, count: wrong.count }).collect(),
+    let parts = parts.into_iter().map(|statistics| {
+        let (problem, form) = asked.problem(&statistics.item);
+        PartShown {
+            problem,
+            title: asked.title(&statistics.item),
+            form,
+            answers: statistics.answers,
+            facility: percent(statistics.facility),
+            discrimination: statistics
+                .discrimination
+                .map_or_else(|| "\u{2013}".to_owned(), |value| format!("{value:.2}")),
+            mistakes: statistics
+                .mistakes
+                .into_iter()
+                .map(|mistake| Counted { what: mistake.does.to_owned(), count: mistake.count })
+                .collect(),
+            wrong: statistics
+                .wrong
+                .into_iter()
+                .map(|wrong| Counted { what: wrong.answer, count: wrong.count })
+                .collect(),
+        }
     });
     StatisticsPage {
         title,

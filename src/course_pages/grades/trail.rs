@@ -58,7 +58,7 @@ pub(crate) async fn trail(visit: &Visit) -> Result<Reply, NotShown> {
                 at: entry.at.shown(&zone),
                 by: entry.by.and_then(|by| names.get(&by).cloned()).unwrap_or_else(|| "the program".to_owned()),
                 what: entry.what,
-                detail: said(&entry.detail, &called, &zone, |problem| titles.title(app, problem))?,
+                detail: said(&entry.detail, &called, &zone, |word| titles.known(app, word))?,
             })
         };
         entries.into_iter().take(MOST as usize).map(shown).collect()
@@ -82,34 +82,48 @@ fn said(
     detail: &str,
     called: &BTreeMap<String, String>,
     zone: &str,
-    title: impl Fn(&str) -> Result<String, Refused>,
+    title: impl Fn(&str) -> Result<Option<String>, Refused>,
 ) -> Result<String, Refused> {
     let mut said: Vec<String> = Vec::new();
+    // Behind a colon stand a reason and other words of people.
+    let mut is_head = true;
     for word in detail.split(' ') {
         let bare = word.trim_end_matches([':', ',', '.', ';']);
         let mark = word.strip_prefix(bare).unwrap_or_default();
         if let Some(name) = called.get(bare) {
             said.push(format!("{name}{mark}"));
-        } else if is_digest(bare) {
+        } else if is_head && is_digest(bare) {
             if let Some(before) = said.last_mut() {
                 before.push_str(mark);
             }
-        } else if is_problem(bare) {
-            said.push(format!("{}{mark}", title(bare)?));
+        } else if let Some(title) = title(bare)? {
+            said.push(format!("{title}{mark}"));
         } else if let Ok(at) = bare.parse::<Moment>() {
             said.push(format!("{}{mark}", at.shown(zone)));
         } else {
             said.push(word.to_owned());
         }
+        is_head &= !word.ends_with(':');
     }
     Ok(said.join(" "))
 }
 
-/// Whether a word is the identity of a problem, as `impact/two-carts`.
-fn is_problem(word: &str) -> bool {
-    let is_name = |name: &str| {
-        name.bytes().any(|byte| byte.is_ascii_lowercase())
-            && name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-')
-    };
-    word.contains('/') && word.split('/').all(is_name)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_known_by_name_is_named_and_a_reason_stays_as_it_was_typed() {
+        let called = BTreeMap::from([("0a".to_owned(), "Ada".to_owned())]);
+        let title = |word: &str| Ok((word == "class/carts").then(|| "Two carts".to_owned()));
+        let cases = [
+            ("member 0a, class/carts: 3", "member Ada, Two carts: 3"),
+            ("class/carts 0123456789abcdef 0123456789abcdee: once more", "Two carts: once more"),
+            ("class/carts: and/or 0123456789abcdef", "Two carts: and/or 0123456789abcdef"),
+            ("0a until 2025-12-01T08:00:00Z, closes", "Ada until Mon, 1 Dec 2025, 09:00, closes"),
+        ];
+        for (detail, text) in cases {
+            assert_eq!(said(detail, &called, "Europe/Berlin", title).unwrap(), text);
+        }
+    }
 }

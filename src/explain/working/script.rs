@@ -138,7 +138,7 @@ impl Writer<'_> {
             match line.origin {
                 Origin::Law(equation) => opening.extend(self.law(step, equation, line)),
                 // A root is taken of what stands above.
-                Origin::Collect { unknown, power, .. } if self.is_plain_square(step, line, unknown, power) => {}
+                Origin::Collect { .. } if self.is_plain_square(step) => {}
                 _ => opening
                     .extend(written(sentence::blocks(self.display, &derivation, line, &|term| self.plain(step, term)))),
             }
@@ -180,15 +180,12 @@ impl Writer<'_> {
         }
     }
 
-    /// Whether a quadratic equation has no term of first degree once what is given as zero is left out.
-    fn is_plain_square(&self, step: &Step, line: &Line, unknown: Symbol, power: i64) -> bool {
-        let square = Expr::from(unknown).powi(2 * power);
-        let name = |term: Expr| term.substitute(&|symbol| (symbol == unknown).then(Expr::one)).simplify();
-        let left = self.plain(step, &line.left);
-        let without = left.substitute(&|symbol| (symbol == unknown).then(Expr::zero)).simplify();
-        let factor = name((left.clone() - without.clone()).simplify());
-        let is_shorter = left.symbols().len() < line.left.symbols().len();
-        is_shorter && (left - factor * square - without).simplify().is_zero()
+    /// Whether the quadratic equation of a step has a term of first degree that goes with what is given as zero.
+    fn is_plain_square(&self, step: &Step) -> bool {
+        step.moves.iter().any(|step_move| match step_move {
+            Move::Quadratic { b, .. } => !b.is_zero() && self.plain(step, b).is_zero(),
+            _ => false,
+        })
     }
 
     /// Whether a short solution just wrote what an unknown equals that is not asked for, to put it into another equation.
