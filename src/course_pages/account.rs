@@ -14,6 +14,7 @@ use super::outcome::NotShown;
 use super::password;
 use super::reply::Reply;
 use super::session;
+use super::tries;
 use super::visit::Visit;
 
 /// The bytes of the longest name by which anybody signs in.
@@ -86,10 +87,9 @@ pub(super) async fn sign_in(visit: &Visit) -> Result<Reply, NotShown> {
 
 /// The person of that name, where the password is right.
 async fn let_in(visit: &Visit, login: &str) -> Result<Option<Person>, NotShown> {
-    visit.courses.limits.password(visit.from, login)?;
+    tries::password(visit, login).await?;
     let Some(person) = visit.store().person_named(login).await? else { return Ok(None) };
     let Some(kept) = visit.store().password(person.key).await? else { return Ok(None) };
-    visit.courses.limits.compared(visit.from)?;
     let typed = visit.fields.text("password").to_owned();
     let is_right = visit.work(move |_| Ok(password::is_right(&typed, &kept))).await?;
     Ok(is_right.then_some(person))

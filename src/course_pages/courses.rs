@@ -9,6 +9,7 @@ use super::outcome::NotShown;
 use super::password;
 use super::reply::Reply;
 use super::session;
+use super::tries;
 use super::visit::Visit;
 
 #[derive(Serialize)]
@@ -98,7 +99,7 @@ pub(super) async fn owner(visit: &Visit) -> Result<(), NotShown> {
 /// Whether the field `old` holds the password of whoever has signed in. A session by which the person gets a new one asks for none.
 pub(super) async fn knows_password(visit: &Visit) -> Result<bool, NotShown> {
     let (person, reach) = (visit.person()?, visit.visitor()?.reach);
-    visit.courses.limits.password(visit.from, &person.login)?;
+    tries::password(visit, &person.login).await?;
     let kept = visit.store().password(person.key).await?.filter(|_| reach != Reach::Anew);
     let Some(kept) = kept else { return Ok(true) };
     let old = visit.fields.text("old").to_owned();

@@ -71,7 +71,7 @@ pub(super) async fn ask_page(visit: &Visit) -> Result<Reply, NotShown> {
 pub(super) async fn ask(visit: &Visit) -> Result<Reply, NotShown> {
     let Some(course) = course(visit).await? else { return unknown(visit, visit.part("code")).await };
     if visit.visitor.is_none() {
-        visit.courses.limits.compared(visit.from)?;
+        visit.courses.limits.tried(visit.from)?;
     }
     if visit.store().waiting(course.key).await? >= MANY {
         let message = "many people wait for a place in this course; tell whoever teaches it";

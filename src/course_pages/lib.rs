@@ -32,6 +32,7 @@ mod state;
 mod student;
 mod table;
 mod titles;
+mod tries;
 mod visit;
 mod visitor;
 mod withheld;

@@ -4,6 +4,7 @@
 //! found and which must be unique.
 
 mod address;
+mod allowance;
 mod assignments;
 mod backup;
 mod connection;
@@ -29,6 +30,7 @@ mod trail;
 mod writer;
 
 pub use address::Address;
+pub use allowance::Rate;
 pub use assignments::AssignmentWithItems;
 pub use fault::StoreFault;
 pub use health::Ill;

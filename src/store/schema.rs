@@ -6,11 +6,15 @@ use sqlx::Row;
 use super::fault::StoreFault;
 
 /// The statements that lead from each version to the next, the first from nothing. A row is never changed once a version with it was released.
-const STEPS: [(i64, &str); 3] =
-    [(1, include_str!("schema/1.sql")), (2, include_str!("schema/2.sql")), (3, include_str!("schema/3.sql"))];
+const STEPS: [(i64, &str); 4] = [
+    (1, include_str!("schema/1.sql")),
+    (2, include_str!("schema/2.sql")),
+    (3, include_str!("schema/3.sql")),
+    (4, include_str!("schema/4.sql")),
+];
 
 /// Every table, each after those that it speaks of: the order of a backup.
-pub(super) const TABLES: [(&str, &str); 20] = [
+pub(super) const TABLES: [(&str, &str); 21] = [
     ("person", "key, login, data"),
     ("password", "person, hash"),
     ("ticket", "hash, person, kind, expires"),
@@ -31,6 +35,7 @@ pub(super) const TABLES: [(&str, &str); 20] = [
     ("draft", "sheet, data"),
     ("decision", "key, sheet, item, at, data"),
     ("trail", "key, course, at, data"),
+    ("allowance", "key, free_at"),
 ];
 
 /// The version of the tables of this program.

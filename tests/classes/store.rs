@@ -20,6 +20,7 @@ mod full;
 mod in_time;
 mod killed;
 mod letters;
+mod replicas;
 pub mod sample;
 mod server;
 mod servers;
@@ -316,7 +317,7 @@ fn data_of_a_later_program_are_refused_by_name() {
         let refused = Store::beside(&database.address()).await.err().unwrap();
         assert_eq!(
             refused.to_string(),
-            "the data are of version 99, and this program knows versions up to 3; use a later program"
+            "the data are of version 99, and this program knows versions up to 4; use a later program"
         );
     });
 }

@@ -6,6 +6,7 @@ use super::super::cookie::Cookie;
 use super::super::courses;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
+use super::super::tries;
 use super::super::visit::Visit;
 use super::letter::{NotSent, Writer};
 use super::sign_in::{browser, post, send};
@@ -29,7 +30,7 @@ pub(crate) async fn change(visit: &Visit) -> Result<Reply, NotShown> {
         visit.store().set_mail_address(person.key, None, &entries).await?;
         return Ok(Reply::To(visit.address("/courses?mail=removed")));
     };
-    visit.courses.limits.letter(visit.from, &address)?;
+    tries::letter(visit, &address).await?;
     let browser = browser(visit);
     let linked = Writer::new(visit, &browser, None).write((person.key, person.shown()), &address);
     match send(&visit.courses, post, linked, visit.now).await {

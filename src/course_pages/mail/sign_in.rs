@@ -13,6 +13,7 @@ use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::session;
 use super::super::state::Courses;
+use super::super::tries;
 use super::super::visit::Visit;
 use super::letter::{Linked, NotSent, Writer, hash};
 use super::post::Post;
@@ -35,7 +36,7 @@ pub(crate) async fn ask(visit: &Visit) -> Result<Reply, NotShown> {
         Ok(address) => address,
         Err(fault) => return account::sign_in_page_with(visit, fault.to_string()).await,
     };
-    visit.courses.limits.letter(visit.from, &address)?;
+    tries::letter(visit, &address).await?;
     let browser = browser(visit);
     let writer = Writer::new(visit, &browser, visit.fields.get("to").filter(|to| !to.is_empty()));
     let (courses, now) = (Arc::clone(&visit.courses), visit.now);

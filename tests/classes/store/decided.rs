@@ -98,7 +98,7 @@ fn an_inspection_changes_nothing() {
         let store = database.serve().await;
         Sample::kept(&store).await;
         let found = Inspection::of(&address).await.unwrap();
-        assert_eq!((found.version, found.latest, found.is_earlier()), (Some(3), Some(NOW), false));
+        assert_eq!((found.version, found.latest, found.is_earlier()), (Some(4), Some(NOW), false));
         let is_folder = matches!(address, momentous::store::Address::Folder(_));
         assert_eq!((found.is_served, found.now.is_none()), (is_folder, is_folder));
     });

@@ -1,5 +1,6 @@
 //! An acknowledged attempt is never lost: the server is killed in the midst of a class that hands in, again and again.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
@@ -15,21 +16,27 @@ use super::server::Server;
 const STUDENTS: u32 = 8;
 
 /// What a student has sent.
-struct Work {
+pub struct Work {
     item: String,
     cookie: String,
     /// What the server has said is kept, in its order.
-    acknowledged: Vec<String>,
+    pub acknowledged: Vec<String>,
     /// What it has not answered: it may be kept or not.
     pending: Option<String>,
     sent: usize,
 }
 
 impl Work {
-    /// Hands in until the server is gone. What was not answered before is sent again first, as a browser's reload does.
-    fn hand_in(&mut self, address: &str, told: &Sender<()>) {
+    /// The work of a student who has signed in and has sent nothing.
+    pub fn begin(item: &str, cookie: String) -> Self {
+        Self { item: item.to_owned(), cookie, acknowledged: Vec::new(), pending: None, sent: 0 }
+    }
+
+    /// Hands in until the server is gone, or the class has ended. What was not answered before is sent again first, as a browser's
+    /// reload does.
+    pub fn hand_in(&mut self, address: &str, told: &Sender<()>, has_ended: &AtomicBool) {
         let Ok(mut client) = Client::of(address) else { return };
-        loop {
+        while !has_ended.load(Ordering::Relaxed) {
             let again = self.pending.take();
             let text = again.unwrap_or_else(|| {
                 self.sent += 1;
@@ -54,7 +61,7 @@ impl Work {
 
 /// Every attempt that was acknowledged is there, once, in its order, under its key; besides these there is at most the one that was
 /// not answered.
-async fn all_are_there(store: &Store, class: &Class, works: &[Work]) {
+pub async fn all_are_there(store: &Store, class: &Class, works: &[Work]) {
     for (student, work) in class.students.iter().zip(works) {
         let kept = store.attempts_of(class.assignment.key, student.member).await.unwrap();
         let kept: Vec<_> = kept.into_values().flatten().collect();
@@ -73,7 +80,7 @@ async fn all_are_there(store: &Store, class: &Class, works: &[Work]) {
     }
 }
 
-fn enough(told: &Receiver<()>, count: usize) {
+pub fn enough(told: &Receiver<()>, count: usize) {
     assert_eq!(told.iter().take(count).count(), count, "the students have stopped before the server was killed");
 }
 
@@ -85,20 +92,14 @@ async fn kill(database: &Database, times: usize) {
     drop(store);
     let mut server = Server::start(room.path(), &database.address());
     let mut client = Client::of(&server.address).unwrap();
-    let mut work = |student: &Student| Work {
-        item: class.items[0].clone(),
-        cookie: student.sign_in(&mut client),
-        acknowledged: Vec::new(),
-        pending: None,
-        sent: 0,
-    };
+    let mut work = |student: &Student| Work::begin(&class.items[0], student.sign_in(&mut client));
     let mut works: Vec<Work> = class.students.iter().map(&mut work).collect();
     for time in 0..times {
         thread::scope(|scope| {
             let (tell, told) = channel();
             for work in &mut works {
                 let (tell, address) = (tell.clone(), server.address.clone());
-                scope.spawn(move || work.hand_in(&address, &tell));
+                scope.spawn(move || work.hand_in(&address, &tell, &AtomicBool::new(false)));
             }
             drop(tell);
             // Each time after another count, so that it is killed in all that it does.

@@ -16,7 +16,12 @@ pub struct Server {
 impl Server {
     /// A server in a folder, over these data.
     pub fn start(folder: &Path, data: &Address) -> Self {
-        Self::run(Command::new(env!("CARGO_BIN_EXE_momentous")), folder, data)
+        Self::at(folder, data, "127.0.0.1:0")
+    }
+
+    /// The same at a given host and port.
+    pub fn at(folder: &Path, data: &Address, address: &str) -> Self {
+        Self::run(Command::new(env!("CARGO_BIN_EXE_momentous")), folder, data, address)
     }
 
     /// The same, whose files can be kept from growing: it is told so, and does not end.
@@ -24,15 +29,15 @@ impl Server {
     pub fn bounded(folder: &Path, data: &Address) -> Self {
         let mut command = Command::new("/bin/sh");
         command.args(["-c", "trap '' XFSZ; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_momentous")]);
-        Self::run(command, folder, data)
+        Self::run(command, folder, data, "127.0.0.1:0")
     }
 
-    fn run(mut command: Command, folder: &Path, data: &Address) -> Self {
+    fn run(mut command: Command, folder: &Path, data: &Address, address: &str) -> Self {
         let data = match data {
             Address::Folder(folder) => folder.display().to_string(),
             Address::Postgres(url) => url.clone(),
         };
-        command.args(["serve", "--quiet", "--bind", "127.0.0.1:0", "--data", &data]).current_dir(folder);
+        command.args(["serve", "--quiet", "--bind", address, "--data", &data]).current_dir(folder);
         let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut told = String::new();
         BufReader::new(process.stdout.as_mut().unwrap()).read_line(&mut told).unwrap();

@@ -8,7 +8,7 @@ use momentous::course::{
     Asker, Attempt, Code, Correction, CorrectionChoice, CourseCode, Draft, HintShown, Item, Key, MailAddress, Member,
     Moment, Override, OverrideRule, Person, PlaceRequest, ProblemFile, Role, Sheet,
 };
-use momentous::store::{HandIn, HandedIn, MailedLink, Reach, Regrade, Store, StoreFault, Ticket, TicketKind};
+use momentous::store::{HandIn, HandedIn, MailedLink, Rate, Reach, Regrade, Store, StoreFault, Ticket, TicketKind};
 
 use super::super::NOW;
 use super::super::sample::Sample;
@@ -142,6 +142,7 @@ writes! {
         let entries = [tried.own.entry(132)];
         store.take_mailed_link("mailed", &address("ada"), ticket(&tried.own, "by mail"), &entries).await
     };
+    allow: |store, _tried| store.allow("a hash", Rate { at_once: 1, interval: 1 }, NOW).await;
     take_ticket: |store, tried| store.take_ticket("link", Some(ticket(&tried.own, "session")), &[tried.own.entry(118)]).await;
 }
 
