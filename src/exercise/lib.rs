@@ -85,7 +85,7 @@ pub use sheet_seed::SheetSeed;
 pub use sheets::{Derived, HandedOut, Listed, NotIssued, Sheets};
 pub use spoilt_seed::SpoiltSeed;
 pub use student_sheet::{Field, FieldKind, StudentSheet};
-pub use submission::{Column, Key, Place, Submission, excerpt};
+pub use submission::{Column, Key, Place, Submission, excerpt, is_beside};
 pub use table::{Line, Lines, Row, Rows, Table, defused};
 pub use together::{MOST_ATTEMPTS, Standing, Together};
 pub use work::WORK;

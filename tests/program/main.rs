@@ -16,6 +16,7 @@ mod hand;
 mod help_examples;
 mod homework;
 mod issued_numbers;
+mod other_tables;
 mod readme;
 #[path = "../support/room.rs"]
 mod room;

@@ -24,8 +24,15 @@ const END_OF_LINE: [&str; 2] = ["End-of-Line Indicator", "#"];
 /// The points are written to five decimal places, as Moodle keeps them.
 const PLACES: f64 = 1e5;
 
-/// The headings of Canvas before the points. It finds students by their number; the other two only have to be there.
-const CANVAS: [&str; 3] = ["Student", "ID", "Section"];
+/// The name of a student in Canvas' gradebook; it only has to be there, unless students are known by it.
+const NAME: &str = "Student";
+/// By what a table of Canvas knows students, under which heading its gradebook finds them, and all headings before the points: those
+/// that it asks for, and the identity of an institution only beside its login.
+const CANVAS: [(&str, &str, &[&str]); 3] = [
+    ("id", "ID", &[NAME, "ID", "Section"]),
+    ("sis_id", "SIS User ID", &[NAME, "ID", "SIS User ID", "SIS Login ID", "Section"]),
+    ("name", NAME, &[NAME, "ID", "Section"]),
+];
 
 /// Which of a student's attempts at a quiz counts. Each may have other variants of its questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -62,8 +69,36 @@ impl Attempts {
 pub(super) enum Students {
     /// By a column of that heading.
     Column(String),
-    /// As in Canvas.
-    Canvas,
+    /// As in Canvas, which calls the column so in its responses.
+    Canvas(String),
+}
+
+impl Students {
+    /// The headings before the points.
+    fn headings(&self) -> Vec<&str> {
+        match self {
+            Self::Column(heading) => vec![heading],
+            Self::Canvas(column) => canvas(column).1.to_vec(),
+        }
+    }
+
+    /// What stands under them for a student.
+    fn cells<'s>(&self, student: &'s str) -> Vec<&'s str> {
+        match self {
+            Self::Column(_) => vec![student],
+            Self::Canvas(column) => {
+                let (found_by, headings) = canvas(column);
+                let cell = |heading: &&str| if [NAME, found_by].contains(heading) { student } else { "" };
+                headings.iter().map(cell).collect()
+            }
+        }
+    }
+}
+
+/// The heading under which Canvas finds students that a column of its responses identifies, and all headings before the points.
+fn canvas(column: &str) -> (&'static str, &'static [&'static str]) {
+    let row = CANVAS.iter().find(|(listed, ..)| listed.eq_ignore_ascii_case(column)).unwrap_or(&CANVAS[0]);
+    (row.1, row.2)
 }
 
 /// The numbers of attempts that a table says, by its lines.
@@ -105,10 +140,7 @@ impl Gradebook {
     pub(super) fn finish(self) -> Result<(), Failure> {
         let mut table = csv::Writer::from_writer(Vec::new());
         let unwritten = |error: csv::Error| Failure::unusable(format!("the gradebook cannot be written: {error}"));
-        let headings: Vec<&str> = match &self.students {
-            Students::Column(heading) => vec![heading],
-            Students::Canvas => CANVAS.to_vec(),
-        };
+        let headings = self.students.headings();
         let is_of_brightspace = headings.iter().any(|heading| heading.eq_ignore_ascii_case(BRIGHTSPACE));
         let [end, mark] = END_OF_LINE.map(|text| is_of_brightspace.then_some(text));
         let title = format!("{}{}", self.title, if is_of_brightspace { POINTS_GRADE } else { "" });
@@ -119,8 +151,13 @@ impl Gradebook {
             let counts = self.attempts.as_ref().map(|(counts, _)| *counts).unwrap_or_default();
             let points = counts.counted(&attempts);
             let points = ((points.to_f64().value() * PLACES).round() / PLACES).to_string();
-            let who = [student.as_str(), student, ""].into_iter().take(headings.len());
-            let cells = who.chain([points.as_str()]).chain(mark).map(|cell| defused(cell).into_owned());
+            let cells = self
+                .students
+                .cells(student)
+                .into_iter()
+                .chain([points.as_str()])
+                .chain(mark)
+                .map(|cell| defused(cell).into_owned());
             table.write_record(cells).map_err(unwritten)?;
         }
         let bytes = table.into_inner().map_err(|error| Failure::unusable(error.to_string()))?;

@@ -19,6 +19,7 @@ use crate::exercise::Together;
 use crate::exercise::VariantRef;
 use crate::exercise::WORK;
 use crate::exercise::excerpt;
+use crate::exercise::is_beside;
 use crate::grade::HintsSeen;
 use crate::grade::PartReport;
 use crate::problem::Scheme;
@@ -330,9 +331,12 @@ impl OpenProblem {
         let names = submission.answers().map(|(name, _)| name);
         for name in names.filter(|name| *name != WORK || marker.part(WORK).is_some()) {
             let id = self.problem.id();
-            let part = marker.part(name).ok_or_else(|| {
-                format!("`{}` has an answer, but {id} does not ask for it in this form", excerpt(name))
-            })?;
+            let Some(part) = marker.part(name) else {
+                if is_beside(name) {
+                    continue;
+                }
+                return Err(format!("`{}` has an answer, but {id} does not ask for it in this form", excerpt(name)));
+            };
             if answered.contains(&part) {
                 return Err(format!("`{}` is answered twice", excerpt(name)));
             }

@@ -70,8 +70,8 @@ pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<R
     }
     tell(&format!("note: students are known by `{}`", responses.student()));
     read_rows.sort_by(|left, right| (&left.0, left.1).cmp(&(&right.0, right.1)));
-    let students =
-        if responses.is_of_canvas() { Students::Canvas } else { Students::Column(responses.student().to_owned()) };
+    let known_by = responses.student().to_owned();
+    let students = if responses.is_of_canvas() { Students::Canvas(known_by) } else { Students::Column(known_by) };
     let submissions = read_rows.into_iter().map(|(_, _, line, next)| (line, next)).collect();
     Ok(ReadResponses { submissions, students, numbers })
 }

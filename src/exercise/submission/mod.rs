@@ -1,9 +1,12 @@
 //! One attempt of one student, as it was handed in.
 
+mod beside;
 mod object;
 
 use std::fmt;
 use std::path::PathBuf;
+
+pub use beside::is_beside;
 
 /// The bytes that a submission usually has.
 const USUAL_LENGTH: usize = 96;
@@ -44,23 +47,6 @@ const KEYS: [(Key, &str); 10] = [
     (Key::FurtherHints, "further_hints"),
 ];
 
-/// Columns that forms and other systems add to a table, and that answer nothing.
-const BESIDE: [&str; 13] = [
-    "timestamp",
-    "submitted at",
-    "email",
-    "email address",
-    "e-mail",
-    "e-mail address",
-    "username",
-    "first name",
-    "last name",
-    "surname",
-    "full name",
-    "student name",
-    "section",
-];
-
 impl Key {
     /// The key of that heading, in small or capital letters.
     fn of(heading: &str) -> Option<Self> {
@@ -97,12 +83,12 @@ pub enum Column {
     Key(Key),
     /// The cell answers a part.
     Part(String),
-    /// A column without a heading, or one that answers nothing.
+    /// A column without a heading.
     Nothing,
 }
 
 impl Column {
-    /// Reads the headings of a table. A column that is no key is a part, unless forms and other systems add it.
+    /// Reads the headings of a table. A column that is no key is a part.
     ///
     /// # Errors
     /// Where one stands there twice, or one is missing that must be there.
@@ -126,9 +112,7 @@ impl Column {
     fn of(heading: &str) -> Self {
         match Key::of(heading) {
             Some(key) => Self::Key(key),
-            None if heading.is_empty() || BESIDE.iter().any(|beside| beside.eq_ignore_ascii_case(heading)) => {
-                Self::Nothing
-            }
+            None if heading.is_empty() => Self::Nothing,
             None => Self::Part(heading.to_owned()),
         }
     }
@@ -269,9 +253,6 @@ mod tests {
         assert!(read("Seed,problem,seed").unwrap_err().starts_with("two columns have the heading `seed`"));
         let expected = [Column::Key(Key::Problem), Column::Key(Key::Seed), Column::Nothing, Column::Part("v".into())];
         assert_eq!(read("PROBLEM,seed,,v").unwrap(), expected);
-        let of_a_form = read("Timestamp,Email Address,problem,seed,v").unwrap();
-        assert_eq!(of_a_form[..2], [Column::Nothing, Column::Nothing]);
-        assert_eq!(of_a_form[4], Column::Part("v".into()));
     }
 
     #[test]

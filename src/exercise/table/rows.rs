@@ -210,10 +210,11 @@ fn cells(row: &mut Row, line: &str, delimiter: u8, mut quoted: bool) -> Result<b
 
 /// The separator of cells where the first line says it, as spreadsheets do: `sep=;`.
 fn told_delimiter(line: &[u8]) -> Option<u8> {
-    match line.trim_ascii_end().strip_prefix(b"sep=") {
+    let line = str::from_utf8(line).ok()?.trim_matches(|edge: char| edge == ' ' || INVISIBLE.contains(&edge));
+    let line = line.strip_prefix('"').and_then(|line| line.strip_suffix('"')).unwrap_or(line);
+    match line.strip_prefix("sep=").map(str::as_bytes) {
         Some([told]) => Some(*told),
-        None if line.starts_with(b"sep=\t") => Some(b'\t'),
-        Some(_) | None => None,
+        _ => None,
     }
 }
 
