@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
 
 use super::Misconception;
 use super::Taught;
@@ -45,9 +46,16 @@ pub const MOMENTS_ADDED: Misconception = Misconception {
 /// All of the mass at the rim.
 pub const ROTOR_AS_RING: Misconception = Misconception {
     id: "rotor-as-ring",
-    does: "leaves out the factor of one half in the moment of inertia of a disc",
-    ask: "How is the mass of a disc spread between its axle and its rim?",
+    does: "leaves out the number in a moment of inertia, as if all the mass were at the greatest distance",
+    ask: "How is the mass of the body spread between its axle and its rim?",
     hint: "Use the moment of inertia that the problem gives, with every factor.",
+};
+/// `m b^2 / 12` for `m b^2 / 3`.
+pub const ABOUT_THE_CENTRE: Misconception = Misconception {
+    id: "inertia-about-the-centre",
+    does: "uses the moment of inertia about the centre for that about the end",
+    ask: "About which axis does the body turn, and about which is your moment of inertia?",
+    hint: "About its end a rod has four times the moment of inertia that it has about its centre.",
 };
 /// `m r^2 / 2`.
 pub const PARTICLE_AS_DISC: Misconception = Misconception {
@@ -136,7 +144,8 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &DISTANCE, write: |law| moment(law, distance) },
     WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
     WrongForm { of: &ARMS_EXCHANGED, write: arms_exchanged },
-    WrongForm { of: &ROTOR_AS_RING, write: rotor_as_ring },
+    WrongForm { of: &ROTOR_AS_RING, write: |law| rotors(law, |number| Some(Rational::ONE / number)) },
+    WrongForm { of: &ABOUT_THE_CENTRE, write: |law| rotors(law, of_centre) },
     WrongForm { of: &PARTICLE_AS_DISC, write: particle_as_disc },
     WrongForm { of: &FACTORS_EXCHANGED, write: reversed },
     WrongForm { of: &ROTOR_FORGOTTEN, write: rotor_forgotten },
@@ -194,17 +203,25 @@ fn rotor_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     if rest.is_empty() || rest.len() == all.len() { Vec::new() } else { one((law.left(), Expr::sum(rest))) }
 }
 
-/// Moments of inertia without the factor of one half.
-fn rotor_as_ring(law: &Taught<'_>) -> Vec<Wrong> {
+/// Moments of inertia times something that follows from their number.
+fn rotors(law: &Taught<'_>, times: fn(&Rational) -> Option<Rational>) -> Vec<Wrong> {
     let turns = Dimension::new(0, 0, -1);
-    let whole = |term: Expr| if law.has(&term, turns) { Expr::integer(2) * term } else { term };
-    let halved = |term: &Expr| factors(term).iter().any(|part| part.as_number().is_some());
+    let changed = |term: &Expr| {
+        let number = factors(term).iter().find_map(|part| part.as_number().cloned())?;
+        let is_share = number > Rational::ZERO && number < Rational::ONE && law.has(term, turns);
+        let by = times(&number).filter(|_| is_share)?;
+        Some(Expr::Number(by) * term.clone())
+    };
     let all = terms(&law.sides.1);
-    if all.iter().any(|term| law.has(term, turns) && halved(term)) {
-        one((law.left(), Expr::sum(all.into_iter().map(whole))))
-    } else {
-        Vec::new()
+    if all.iter().all(|term| changed(term).is_none()) {
+        return Vec::new();
     }
+    one((law.left(), Expr::sum(all.iter().map(|term| changed(term).unwrap_or_else(|| term.clone())))))
+}
+
+/// From the end of a rod, which has a third of its mass times its length squared, to the centre.
+fn of_centre(number: &Rational) -> Option<Rational> {
+    (number * Rational::from(3) == Rational::ONE).then(|| Rational::ONE / Rational::from(4))
 }
 
 /// The terms beside a disc with its factor of one half.
@@ -224,10 +241,20 @@ fn arms_exchanged(law: &Taught<'_>) -> Vec<Wrong> {
     difference.into_iter().chain(moment(law, |[x, y], [u, v]| x * u + y * v)).collect()
 }
 
+/// Momenta without their arms; what turns as a whole keeps its moment of inertia.
 fn radius_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
-    let parts = factors(&law.sides.1);
-    let kept: Vec<Expr> = parts.iter().filter(|part| !law.has(part, Dimension::LENGTH)).cloned().collect();
-    if kept.len() == parts.len() || kept.len() < 2 { Vec::new() } else { one((law.left(), Expr::product(kept))) }
+    let turns = Dimension::new(0, 0, -1);
+    let bare = |term: &Expr| {
+        let parts = factors(term);
+        let kept: Vec<Expr> = parts.iter().filter(|part| !law.has(part, Dimension::LENGTH)).cloned().collect();
+        let is_moment = !law.has(term, turns) && kept.len() < parts.len() && kept.len() > 1;
+        is_moment.then(|| Expr::product(kept))
+    };
+    let all = terms(&law.sides.1);
+    if all.iter().all(|term| bare(term).is_none()) {
+        return Vec::new();
+    }
+    one((law.left(), Expr::sum(all.iter().map(|term| bare(term).unwrap_or_else(|| term.clone())))))
 }
 
 /// `m (x v - y u)` with something else in the brackets, made from position and velocity.

@@ -44,6 +44,20 @@ pub const FIRST_TWICE: Misconception = Misconception {
     ask: "How does the first part of the motion differ from all later flights?",
     hint: "The body is released from above: there is no rise before the first fall.",
 };
+/// The first fall left out.
+pub const FIRST_FORGOTTEN: Misconception = Misconception {
+    id: "first-fall-forgotten",
+    does: "leaves out the fall before the first bounce",
+    ask: "When does your sum begin: at the release, or at the first bounce?",
+    hint: "Add the first fall, from the release to the floor, to what follows it.",
+};
+/// One bounce for all.
+pub const ONE_BOUNCE: Misconception = Misconception {
+    id: "one-bounce-for-all",
+    does: "takes one bounce for all of them",
+    ask: "How many bounces has the body made at this moment, and what does each of them change?",
+    hint: "What one bounce does, each further one does again.",
+};
 
 /// Up, and not down again.
 pub const HALF_FLIGHT: Misconception = Misconception {
@@ -61,25 +75,31 @@ pub const ALONG_BY_E: Misconception = Misconception {
 };
 
 /// Wrong forms of a bounce's height.
-pub const BOUNCE_HEIGHT: &[WrongForm] =
-    &[WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) }, WrongForm { of: &ONE_OFF, write: one_off }];
+pub const BOUNCE_HEIGHT: &[WrongForm] = &[
+    WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) },
+    WrongForm { of: &ONE_OFF, write: one_off },
+    WrongForm { of: &ONE_BOUNCE, write: one_bounce },
+];
 /// Wrong forms of a bounce's speed.
 pub const BOUNCE_SPEED: &[WrongForm] = &[
     WrongForm { of: &SPEED_BY_E_SQUARED, write: |law| e_to(law, squared) },
     WrongForm { of: &ONE_OFF, write: one_off },
+    WrongForm { of: &ONE_BOUNCE, write: one_bounce },
 ];
 /// Wrong forms of the time of bounces.
 pub const BOUNCE_TIME: &[WrongForm] = &[
     WrongForm { of: &SPEED_BY_E_SQUARED, write: |law| e_to(law, squared) },
-    WrongForm { of: &ONE_WAY, write: |law| series(law, &Expr::one()) },
-    WrongForm { of: &FIRST_TWICE, write: |law| series(law, &Expr::integer(2)) },
+    WrongForm { of: &ONE_WAY, write: |law| series(law, |_| Expr::one()) },
+    WrongForm { of: &FIRST_TWICE, write: |law| series(law, |_| Expr::integer(2)) },
+    WrongForm { of: &FIRST_FORGOTTEN, write: |law| series(law, |ratio| Expr::integer(2) * ratio) },
     WrongForm { of: &ONE_OFF, write: one_off },
 ];
 /// Wrong forms of the whole path.
 pub const BOUNCE_PATH: &[WrongForm] = &[
     WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) },
-    WrongForm { of: &ONE_WAY, write: |law| series(law, &Expr::one()) },
-    WrongForm { of: &FIRST_TWICE, write: |law| series(law, &Expr::integer(2)) },
+    WrongForm { of: &ONE_WAY, write: |law| series(law, |_| Expr::one()) },
+    WrongForm { of: &FIRST_TWICE, write: |law| series(law, |_| Expr::integer(2)) },
+    WrongForm { of: &FIRST_FORGOTTEN, write: |law| series(law, |ratio| Expr::integer(2) * ratio) },
 ];
 
 /// Wrong forms of the duration of a flight.
@@ -129,13 +149,19 @@ fn one_off(law: &Taught<'_>) -> Vec<Wrong> {
     [by(-1), by(1)].concat()
 }
 
-/// The sum of a geometric series with another numerator in place of `1 + q`.
-fn series(law: &Taught<'_>, numerator: &Expr) -> Vec<Wrong> {
+fn one_bounce(law: &Taught<'_>) -> Vec<Wrong> {
+    let count = law.meaning("number of bounces");
+    law.replaced(&|symbol| (count == Some(symbol)).then(Expr::one))
+}
+
+/// The sum of a geometric series with another numerator in place of `1 + q`, made from q.
+fn series(law: &Taught<'_>, numerator: impl Fn(Expr) -> Expr) -> Vec<Wrong> {
     let Expr::Product(parts) = &law.sides.1 else { return Vec::new() };
     let is_numerator = |part: &&Expr| matches!(part, Expr::Sum(_)) && !law.has(part, Dimension::LENGTH);
     if parts.iter().filter(is_numerator).count() != 1 {
         return Vec::new();
     }
-    let changed = parts.iter().map(|part| if is_numerator(&part) { numerator.clone() } else { part.clone() });
+    let changed =
+        parts.iter().map(|part| if is_numerator(&part) { numerator(part.clone() - Expr::one()) } else { part.clone() });
     one((law.left(), Expr::product(changed)))
 }

@@ -98,7 +98,13 @@ pub const FALL_SPEED: &[WrongForm] =
 pub const FLIGHT_PLACE: &[WrongForm] = &[
     WrongForm { of: &FALL_HALF, write: |law| law.both(|side| doubled(law, side)) },
     WrongForm { of: &FIRST_VELOCITY, write: |law| law.without(&|term| law.has(term, Dimension::VELOCITY)) },
+    WrongForm { of: &START_PLACE, write: |law| law.without(&|term| is_place(law, term)) },
 ];
+/// Whether a term is a place, and neither the way of a velocity nor that of a fall.
+fn is_place(law: &Taught<'_>, term: &Expr) -> bool {
+    matches!(term, Expr::Symbol(symbol) if law.is(*symbol, Dimension::LENGTH))
+}
+
 /// `v_2^2 = v_1^2 + g h`.
 fn two_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     law.both(|side| halved(law, side))
