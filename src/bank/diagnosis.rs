@@ -28,8 +28,12 @@ pub struct Tally {
     pub another: u64,
     /// Not diagnosed.
     pub none: u64,
-    /// Students whose mistake gave the right answer with these numbers: there is nothing to find.
+    /// Students whose mistake gave a right answer with these numbers, so that there is nothing to find.
     pub hidden: u64,
+    /// Those of them who made each mistake.
+    pub hidden_by: BTreeMap<&'static str, u64>,
+    /// All students who made each mistake.
+    pub made: BTreeMap<&'static str, u64>,
     /// Students who did everything right, rounding at the end or all the way.
     pub honest: u64,
     /// Those of them who lost a mark or were told of a mistake.
@@ -61,6 +65,11 @@ impl Tally {
         self.hidden += other.hidden;
         self.honest += other.honest;
         self.wronged += other.wronged;
+        for (sum, counts) in [(&mut self.hidden_by, &other.hidden_by), (&mut self.made, &other.made)] {
+            for (code, count) in counts {
+                *sum.entry(code).or_default() += count;
+            }
+        }
         for (key, count) in &other.confused {
             *self.confused.entry(key.clone()).or_default() += count;
         }
@@ -103,8 +112,10 @@ fn of_seed(problem: &Arc<Problem>, form: usize, seed: u64) -> (Tally, Vec<&'stat
         let Some((code, text)) = picked(&answers, seed, place) else { continue };
         let report = exercise.grade(&BTreeMap::from([(part.id.clone(), text.clone())]), DecimalMark::Point);
         let Some(marked) = report.parts.iter().find(|marked| marked.id == part.id) else { continue };
+        *tally.made.entry(code).or_default() += 1;
         if marked.verdict.is_right() {
             tally.hidden += 1;
+            *tally.hidden_by.entry(code).or_default() += 1;
             continue;
         }
         tally.students += 1;

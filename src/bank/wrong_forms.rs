@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use momentous_exercise::Exercise;
 use momentous_problem::Problem;
+use momentous_problem::Sampler;
 
+use super::answers::noted;
 use super::promise::Outcome;
 
 /// At most so many seeds are looked at: a share to the nearest per cent needs no more.
@@ -22,8 +24,9 @@ struct MistakeCounts {
     seeds: u64,
 }
 
-/// Says where every mistake that can be made in a form gives the right answers on most seeds: then marking finds none. What single
-/// mistakes do says `momentous diagnose`; an author who wants one told writes `discriminate`.
+/// Says where every mistake that can be made in a form gives the right answers on most seeds: then marking finds none; and how often
+/// draws are rejected for what stands under `discriminate`. `momentous diagnose --confused` says how often a single mistake gives a
+/// right answer; an author who wants it told writes `discriminate`.
 pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let mut counts = MistakeCounts::default();
     for seed in 1..=seeds.min(MOST_SEEDS) {
@@ -35,13 +38,25 @@ pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Out
     }
     let is_told = |told: &u64| 100 * told >= USUALLY * counts.seeds;
     if counts.told.values().any(is_told) {
-        return Outcome::Kept;
+        return noted(&rejected(problem, form, seeds));
     }
     let names: Vec<&str> = counts.told.keys().copied().collect();
     Outcome::Noted(format!(
         "every usual mistake gives the right answers on most seeds ({}): give other numbers, or name mistakes that must change an answer under `discriminate`",
         names.join(", ")
     ))
+}
+
+/// How often draws are rejected since a mistake that the author wants to see would change no answer.
+fn rejected(problem: &Problem, form: usize, seeds: u64) -> Vec<String> {
+    let Ok(mut sampler) = Sampler::new(problem, form) else { return Vec::new() };
+    let drawn = (1..=seeds.min(MOST_SEEDS)).filter(|seed| sampler.draw(*seed).is_ok()).count() as u64;
+    let attempts = drawn + sampler.rejected();
+    let rejected = sampler.rejected_as_indistinct().iter();
+    let rejected = rejected.map(|(mistake, times)| {
+        format!("`{mistake}` would change no answer in {times} of {attempts} draws, which are drawn again")
+    });
+    rejected.collect()
 }
 
 impl MistakeCounts {

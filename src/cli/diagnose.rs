@@ -38,7 +38,7 @@ pub(super) struct Diagnose {
     /// How many seeds to draw for each form
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
     seeds: u64,
-    /// Also show which mistakes were diagnosed as which others
+    /// Also show which mistakes gave right answers, and which were diagnosed as which others
     #[arg(long)]
     confused: bool,
     /// List the mistakes instead
@@ -99,6 +99,12 @@ impl Diagnose {
             of_problems.iter().flat_map(|diagnosed| diagnosed.mistakes.iter().copied()).collect();
         writeln!(output, "{:width$}  {:8}{}", "in total", kinds.len(), cells(total))?;
         if self.confused {
+            let mut hidden: Vec<_> = total.hidden_by.iter().collect();
+            hidden.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
+            for (code, count) in hidden {
+                let made = total.made.get(code).copied().unwrap_or_default();
+                writeln!(output, "  {count:6}  {code} -> a right answer, of {made} who made it")?;
+            }
             let mut pairs: Vec<_> = total.confused.iter().collect();
             pairs.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
             for ((made, taken), count) in pairs {

@@ -379,4 +379,10 @@ fn numbers_with_which_a_mistake_hides_are_drawn_again() {
     // v_B1 runs from -4 to 1 m/s: on some of 40 seeds nothing moves to the left.
     assert!(hidden("points: 1") > 0);
     assert_eq!(hidden("discriminate: [sign-lost]"), 0);
+    // The author is told how often.
+    let two_carts = problem(&trolleys("discriminate: [sign-lost]"));
+    let mut sampler = momentous::problem::Sampler::new(&two_carts, 0).unwrap_or_else(|reason| panic!("{reason}"));
+    let drawn = (1..=40).filter(|seed| sampler.draw(*seed).is_ok()).count();
+    let rejected = sampler.rejected_as_indistinct().get("sign-lost").copied().unwrap_or(0);
+    assert!(drawn == 40 && rejected > 0 && rejected <= sampler.rejected(), "{rejected}");
 }

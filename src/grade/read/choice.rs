@@ -12,8 +12,16 @@ const DENYING: [&str; 5] = ["not", "no", "never", "neither", "without"];
 /// The fewest letters of a word by which an option is known from its end.
 const SHORTEST_ENDING: usize = 4;
 
-/// The other names of something, and the word for it here.
-const SAME: [(&str, &str); 5] = [
+/// The other names of something, and the word for it here. Of two the longer comes first.
+const SAME: [(&str, &str); 13] = [
+    ("the same as", "equal to"),
+    ("smaller than", "less than"),
+    ("larger", "greater"),
+    ("bigger", "greater"),
+    ("higher", "greater"),
+    ("smaller", "lesser"),
+    ("lower", "lesser"),
+    ("er one", "er"),
     ("perfectly inelastic", "perfectly plastic"),
     ("completely inelastic", "perfectly plastic"),
     ("totally inelastic", "perfectly plastic"),

@@ -130,7 +130,8 @@ fn says_nothing(comment: &str, asked: Asked<'_>) -> bool {
     is(&OF_ALL)
         || dimension == Dimension::TIME && is(&OF_TIMES)
         || dimension == Dimension::ENERGY && is(&OF_ENERGIES)
-        || dimension == Dimension::LENGTH && asked.senses.is_none() && (is(&OF_LENGTHS) || into() || along())
+        || dimension == Dimension::LENGTH && asked.senses.is_none() && (is(&OF_LENGTHS) || into())
+        || dimension != Dimension::NONE && asked.senses.is_none() && along()
 }
 
 /// Whether a comment is a direction where only a size is asked for.

@@ -159,6 +159,11 @@ pub(super) fn is_compass_letter(phrase: &str) -> bool {
     ["N", "S", "E", "W"].contains(&phrase)
 }
 
+/// Whether the positive direction of two is counter-clockwise, about the axis of the unit vector k.
+pub(super) fn turns_about_k([plus, _]: &[String; 2]) -> bool {
+    same(&bare(plus), "counter-clockwise")
+}
+
 /// Whether a character is an arrow.
 pub(super) fn is_arrow(character: char) -> bool {
     // Most characters are letters and digits, and no arrow.

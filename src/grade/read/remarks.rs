@@ -7,6 +7,7 @@ use super::super::number::Number;
 use super::answer::{NumberAnswer, Sense, Written};
 use super::calculation;
 use super::comments;
+use super::direction;
 use super::direction::Phrase;
 use super::numeral::DecimalMark;
 use super::plain::ENDS;
@@ -206,14 +207,15 @@ fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Numbe
     Some(agreeing(value, &sense, at))
 }
 
-/// `-3.2 î m/s`: a component with the unit vector of its axis.
+/// `-3.2 î m/s`: a component with the unit vector of its axis; what turns has that of the axis about which it turns.
 pub(super) fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
     let [(axis, start, end)] = unit_vectors(text)[..] else { return None };
     let (senses, letter) = (asked.senses?, AXES.get(axis)?);
     if !text[..start].contains(|before: char| before.is_ascii_digit()) {
         return None;
     }
-    if asked.axis.unwrap_or(AXES[0]) != *letter {
+    let own_axis = asked.axis.unwrap_or(AXES[if direction::turns_about_k(senses) { 2 } else { 0 }]);
+    if own_axis != *letter {
         let word = text[start..end].to_owned();
         return Some(Err((start, UnreadableKind::OtherDirection { word, senses: senses.clone() })));
     }

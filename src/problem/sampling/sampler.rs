@@ -53,6 +53,7 @@ pub struct Sampler<'p> {
     /// Whether any of its numbers is drawn.
     is_drawn: bool,
     rejected: u64,
+    indistinct: BTreeMap<&'p str, u64>,
     ill_chosen: BTreeMap<&'p str, u64>,
 }
 
@@ -91,6 +92,7 @@ impl<'p> Sampler<'p> {
             changed: Vec::new(),
             is_drawn: planned.known.iter().any(|known| matches!(known.origin, Origin::Drawn(_))),
             rejected: 0,
+            indistinct: BTreeMap::new(),
             ill_chosen: BTreeMap::new(),
         })
     }
@@ -105,6 +107,12 @@ impl<'p> Sampler<'p> {
     #[must_use]
     pub fn rejected_as_ill_chosen(&self) -> &BTreeMap<&'p str, u64> {
         &self.ill_chosen
+    }
+
+    /// How many of them because a mistake that the author wants to see would give right answers only, by the mistake.
+    #[must_use]
+    pub fn rejected_as_indistinct(&self) -> &BTreeMap<&'p str, u64> {
+        &self.indistinct
     }
 
     /// Draws and solves a seed without keeping the variant; the certificate is within [`Self::answer`].
@@ -183,9 +191,17 @@ impl<'p> Sampler<'p> {
     }
 
     /// Whether every mistake that the author wants to see changes some answer.
-    fn discriminates(&self) -> bool {
+    fn discriminates(&mut self) -> bool {
         let wanted = &self.problem.loaded().draft.discriminate;
-        wanted.is_empty() || self.with_worked(|worked| wanted.iter().all(|mistake| worked.tells_apart(mistake)))
+        if wanted.is_empty() {
+            return true;
+        }
+        let Some(mistake) = self.with_worked(|worked| wanted.iter().find(|mistake| !worked.tells_apart(mistake)))
+        else {
+            return true;
+        };
+        *self.indistinct.entry(mistake.as_str()).or_insert(0) += 1;
+        false
     }
 
     /// Whether a student who rounds on the way can be told from one who is wrong. Numbers that the author fixed stay as they are.
