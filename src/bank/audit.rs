@@ -28,6 +28,9 @@ use super::report::FormAudit;
 use super::sample::Samples;
 use super::wrong_forms;
 
+/// The seeds of a form that draws nothing: all of them give one sheet.
+const OF_ONE_SHEET: u64 = 5;
+
 /// Below this share of draws that are not rejected, the author is told.
 const LOW_ACCEPTANCE: f64 = 0.05;
 
@@ -92,7 +95,7 @@ fn form_audit(
     idle: &Outcome,
 ) -> Result<FormAudit, NoVariant> {
     let form = problem.forms().get(position).ok_or(NoVariant::NoForm)?;
-    let drawn = seeds.drawn;
+    let drawn = if form.combinations() > 1 { seeds.drawn } else { seeds.drawn.min(OF_ONE_SHEET) };
     let samples = Samples::draw(problem, position, drawn)?;
     let columns = answers::columns(&form.parts, &samples);
     let variants = samples.variants();

@@ -22,15 +22,21 @@ use super::super::name::Meaning;
 use super::super::stage::total_impulse;
 
 impl Builder<'_> {
-    /// The impulse of the weight of a body that no floor carries during a push, along the axis of that position.
+    /// The impulse of the weight of a body during a push, along the axis of that position: what a smooth slope leaves of it, and all of it
+    /// where nothing carries the body. Beside friction, what is noted of a push is the impulse of all forces together.
     pub(crate) fn impulse_of_weight(&self, body: &str, stage: usize, position: usize) -> Option<Expr> {
         let force =
             |kind| self.forces.iter().find(|force| force.stage == stage && force.on == body && force.kind == kind);
-        if force(ForceKind::Normal).is_some() {
+        if force(ForceKind::Friction).is_some() {
             return None;
         }
         let weight = force(ForceKind::Weight)?;
-        let part = self.components(&weight.direction).into_iter().nth(position).filter(|part| !part.is_zero())?;
+        let parts = match force(ForceKind::Normal) {
+            // A direction on a slope is told by what lies along the slope and across it.
+            Some(_) => weight.direction.cosine_and_sine().into_iter().take(1).collect(),
+            None => self.components(&weight.direction),
+        };
+        let part = parts.into_iter().nth(position).map(|part| part.simplify()).filter(|part| !part.is_zero())?;
         let [start, end] = &weight.during;
         Some(part * weight.strength.clone() * (end.clone() - start.clone()))
     }

@@ -92,6 +92,9 @@ impl Builder<'_> {
             let sides = momentum::impulse_momentum(&side.mass, &side.before, &impulses, &side.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
+        for (side, strand) in [(&trailing, &stage.trailing), (&leading, &stage.leading)] {
+            self.moves_evenly(index, &strand.body, [&side.before, &side.after], &duration);
+        }
         if let Some(term) = &stage.distance {
             let meaning = if is_plain {
                 format!("how far {} and {} move", trailing.name, leading.name)
@@ -103,6 +106,12 @@ impl Builder<'_> {
                 Expr::sum(sides.map(|side| energy::kinetic(&side.mass, &[velocity(side)])))
             };
             let run = leading.of_string(&distance);
+            if let [(axis, _)] = self.axes[..] {
+                for (side, strand) in [(&trailing, &stage.trailing), (&leading, &stage.leading)] {
+                    let way = (run.clone() * side.strands.clone().powi(-1)).simplify();
+                    self.comes_so_far(index, &strand.body, axis, way);
+                }
+            }
             let works = sides
                 .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
             let fact = "the string does equal and opposite work on the two bodies".to_owned();

@@ -14,6 +14,7 @@ mod central;
 mod conical;
 mod connected;
 mod described;
+mod displaced;
 mod drift;
 mod fall;
 mod flight;

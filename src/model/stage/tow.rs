@@ -70,6 +70,9 @@ impl Builder<'_> {
                 momentum::impulse_momentum(&member.mass, &member.before, &[acting * duration.clone()], &member.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
+        for (member, towed) in [(&front, &stage.front), (&rear, &stage.rear)] {
+            self.moves_evenly(index, &towed.body, [&member.before, &member.after], &duration);
+        }
         if let Some(term) = &stage.distance {
             let meaning = format!("how far {} and {} move", front.name, rear.name);
             let distance = self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"));
@@ -77,6 +80,11 @@ impl Builder<'_> {
                 Expr::sum(both.map(|member| energy::kinetic(&member.mass, &[velocity(member)])))
             };
             let works = both.map(|member| (member.drive.clone() * distance.clone()).simplify());
+            if let [(axis, _)] = self.axes[..] {
+                for towed in stage.both() {
+                    self.comes_so_far(index, &towed.body, axis, distance.clone());
+                }
+            }
             let fact = format!("{joint} does equal and opposite work on the two bodies");
             let because = Because::Conclusion(fact, "its total work is zero".to_owned());
             let (start, end) = (kinetic(&|member| member.before.clone()), kinetic(&|member| member.after.clone()));

@@ -1,6 +1,7 @@
 //! Whether a claim holds of the numbers of a variant.
 
 use std::cmp::Ordering;
+use std::f64::consts::TAU;
 
 use momentous_expr::Expr;
 use momentous_quantity::coherent_unit;
@@ -19,7 +20,13 @@ const SIDE: &str = "a side of a comparison";
 impl Claim {
     /// Whether it holds of the numbers of a variant; `None` where a side has no value.
     pub(crate) fn holds(&self, worked: &Worked<'_>) -> Option<bool> {
-        exactly_compared(worked, &self.left, &self.right).map(|order| self.allows(order))
+        self.order(worked).map(|order| self.allows(order))
+    }
+
+    /// How its sides compare, directions up to whole turns.
+    fn order(&self, worked: &Worked<'_>) -> Option<Ordering> {
+        let turns = if self.is_of_directions { Some(TAU) } else { None };
+        compared(difference(worked, &self.left, &self.right), turns)
     }
 
     /// Why it cannot be judged with the numbers of a variant.
@@ -28,7 +35,7 @@ impl Claim {
     }
 
     pub(crate) fn decided(&self, worked: &Worked<'_>) -> Decision {
-        let Some(order) = exactly_compared(worked, &self.left, &self.right) else {
+        let Some(order) = self.order(worked) else {
             return Decision::yes_or_no(false, no_value(SIDE));
         };
         let holds = self.allows(order);
@@ -51,12 +58,22 @@ impl Claim {
 /// How two terms compare with the numbers of a variant: equal where their difference is no more than its error bound, which is
 /// so only where it is exactly zero. `None` where a side has no value, as where it is divided by zero.
 pub(super) fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Option<Ordering> {
+    compared(difference(worked, left, right), None)
+}
+
+fn difference(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Bounded {
     let number = |symbol| worked.variant.value(symbol).unwrap_or_else(Bounded::not_real);
-    let Bounded { value, error } = evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number));
+    evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number))
+}
+
+/// How a difference compares with zero, or with the nearest multiple of a period.
+fn compared(Bounded { value, error }: Bounded, period: Option<f64>) -> Option<Ordering> {
     if !error.is_finite() {
         return None;
     }
-    if value.abs() <= error { Some(Ordering::Equal) } else { value.partial_cmp(&0.0) }
+    let nearest = period.map_or(0.0, |period| period * (value / period).round());
+    let (left_over, error) = (value - nearest, error + f64::EPSILON * nearest.abs());
+    if left_over.abs() <= error { Some(Ordering::Equal) } else { value.partial_cmp(&0.0) }
 }
 
 /// The value of a term in its usual unit.

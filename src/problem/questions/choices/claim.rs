@@ -18,6 +18,8 @@ pub struct Claim {
     pub right: Expr,
     /// The sides in words.
     pub words: [String; 2],
+    /// Whether two directions are said to be equal or not: a whole turn more is the same direction.
+    pub is_of_directions: bool,
     /// The quantities that are compared, to be solved; numbers with units are none.
     pub quantities: Vec<Symbol>,
 }

@@ -6,6 +6,7 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_model::Builder;
+use momentous_model::QuantityKind;
 use momentous_model::Reason;
 use momentous_quantity::dimension_name;
 use momentous_solve::Relation;
@@ -45,8 +46,11 @@ pub(crate) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path
     let said = format!("{} {than} {}", words[0], words[1]);
     let mut quantities = left.symbols();
     quantities.extend(right.symbols());
+    let is_direction = |symbol: &Symbol| matches!(builder.name(*symbol).kind, QuantityKind::Direction(_));
+    let is_of_directions =
+        matches!(relation, Relation::Equals | Relation::Differs) && quantities.iter().any(is_direction);
     let quantities = to_solve(loaded, builder, quantities);
-    Some((said, Claim { left, relation, right, words, quantities }))
+    Some((said, Claim { left, relation, right, words, is_of_directions, quantities }))
 }
 
 /// In which order some quantities are.

@@ -41,6 +41,7 @@ impl StageRun<'_> {
         for (side, strand) in strands.into_iter().enumerate() {
             let velocity = dot(velocity(&end.state, side), ahead);
             self.note_velocity(&strand.body, times(velocity, unit(axis)), speed);
+            self.note_place(&strand.body, times(dot(place(&end.state, side), ahead), unit(axis)));
         }
         self.note_here("tension", system.tension(end.time, &end.state), scale);
         self.note_term(stage.distance.as_ref(), dot(place(&end.state, 1), ahead), 0.0);

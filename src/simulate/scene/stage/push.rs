@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use momentous_scene::stage::{During, Push, Resistance};
-use momentous_scene::{Force, Friction, Pull, Strength};
+use momentous_scene::{Axis, Force, Friction, Pull, Strength};
 
 use crate::scene::course::Until;
 use crate::scene::floor::Finish;
@@ -114,10 +114,15 @@ impl StageRun<'_> {
     /// Notes where a body is after the stage, where it is known where it was before.
     pub(super) fn note_place(&mut self, body: &str, displaced: Vector) {
         for axis in self.values.axes() {
-            if let Ok(from) = self.values.place_before(body, axis) {
-                let name = self.values.place_name(body, self.values.index + 2, axis);
-                self.note(&name, from + part(displaced, axis), from.abs().max(size(displaced)));
-            }
+            self.note_place_along(body, axis, part(displaced, axis));
+        }
+    }
+
+    /// The same along one axis.
+    pub(super) fn note_place_along(&mut self, body: &str, axis: Axis, displaced: f64) {
+        if let Ok(from) = self.values.place_before(body, axis) {
+            let name = self.values.place_name(body, self.values.index + 2, axis);
+            self.note(&name, from + displaced, from.abs().max(displaced.abs()));
         }
     }
 
@@ -258,6 +263,7 @@ impl StageRun<'_> {
                 let held = integrator.run(begun, [0.0], end, &|_, _| [0.0], &|time, _| holds(time))?;
                 if !held.stopped {
                     self.note(&self.values.velocity_after(body, axis), 0.0, 0.0);
+                    self.note_place(body, ZERO);
                     return Ok(());
                 }
                 begins = held.time;
@@ -279,9 +285,16 @@ impl StageRun<'_> {
         let end = self.go_along(&system, (0, ahead), finish)?;
         if at_rest.is_none() {
             self.note_ends(body, &system, [(begun, &system.state()), (end.time.next_down(), &end.state)]);
-            self.note_place(body, place(&end.state, 0));
         }
+        self.note_place(body, place(&end.state, 0));
         self.note_velocity(body, velocity(&end.state, 0), size(moves));
+        let impulse = times(mass, less(velocity(&end.state, 0), moves));
+        let strongest = system.strongest([begun, end.time]) + mass * gravity;
+        self.note_vector_of(&format!("J_{body}"), impulse, strongest * (end.time - begun) + mass * size(moves));
+        if end.time > begun {
+            let average = times(1.0 / (end.time - begun), impulse);
+            self.note_vector_of(&format!("F_avg_{body}"), average, strongest);
+        }
         self.note_term(stage.over.as_ref(), dot(ahead, place(&end.state, 0)).abs(), 0.0);
         if !matches!((stage.until, finish), (Some(_), Finish::Time(_))) {
             self.note_duration(stage.duration(), end.time - begun);

@@ -41,6 +41,9 @@ impl StageRun<'_> {
         let end = self.go_along(&system, (0, ahead), finish)?;
         let way = dot(ahead, place(&end.state, 0)).abs();
         self.note_velocity(body, velocity(&end.state, 0), speed);
+        if stage.incline.is_some() || stage.height.is_none() {
+            self.note_place(body, place(&end.state, 0));
+        }
         self.note_duration(stage.duration.as_ref(), end.time);
         self.note_term(stage.distance.as_ref(), way, 0.0);
         self.note_term(stage.height.as_ref(), (way * slope.along).abs(), 0.0);

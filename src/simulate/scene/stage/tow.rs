@@ -43,6 +43,7 @@ impl StageRun<'_> {
         self.remark("Each position is measured from the starting point of its body.");
         for (side, body) in bodies.into_iter().enumerate() {
             self.note_velocity(body, velocity(&end.state, side), start);
+            self.note_place(body, place(&end.state, side));
         }
         self.note_here("tension", system.tension(end.time, &end.state), scale);
         self.note_term(stage.distance.as_ref(), dot(place(&end.state, 0), along), 0.0);

@@ -1,0 +1,28 @@
+//! Where a body is after a stage that takes it along the only axis.
+
+use crate::Builder;
+use momentous_expr::Expr;
+use momentous_laws::kinematics;
+use momentous_scene::Axis;
+
+impl Builder<'_> {
+    /// Its velocity, with these values at both ends, changes evenly all the time: the mean of them tells how far it comes.
+    pub(super) fn moves_evenly(&mut self, index: usize, body: &str, [before, after]: [&Expr; 2], time: &Expr) {
+        let Some(axis) = self.only_axis() else { return };
+        let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+        let because = format!("the forces on {} do not change, so the velocity changes evenly", self.called(body));
+        let sides = kinematics::mean_velocity([&from, &to], [before, after], time);
+        self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
+    }
+
+    /// It comes so far along an axis.
+    pub(super) fn comes_so_far(&mut self, index: usize, body: &str, axis: Axis, way: Expr) {
+        let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+        let because = format!("{} comes so far", self.called(body));
+        self.law(&kinematics::DISPLACED, Some(index), because, (to, from + way));
+    }
+
+    fn only_axis(&self) -> Option<Axis> {
+        if let [(axis, _)] = self.axes[..] { Some(axis) } else { None }
+    }
+}
