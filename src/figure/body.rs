@@ -17,6 +17,8 @@ const PADDING: f64 = 4.0;
 /// A belt with its rollers, which are inside of it.
 const BELT: Point = Point { x: 104.0, y: 16.0 };
 const ROLLER: f64 = 5.5;
+/// A length of rope, along the line of its motion.
+const STRAND: Point = Point { x: 72.0, y: 4.0 };
 /// Arrows closer in direction than this (cosine) get lanes beside each other.
 const SAME_DIRECTION: f64 = 0.93;
 const LANE: f64 = 7.0;
@@ -39,6 +41,8 @@ pub(super) struct Body {
     parts: Vec<Body>,
     /// Whether it has rollers at its ends.
     has_rollers: bool,
+    /// Whether it is too thin to hold its name, which then lies beside it.
+    is_thin: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -65,6 +69,8 @@ impl Body {
             Outline::Disc(radius)
         } else if form == Form::Belt {
             Outline::Block(Point::new(BELT.x.max(size.width + BELT.x / 2.0), BELT.y.max(height + PADDING)))
+        } else if form == Form::Strand {
+            Outline::Block(STRAND)
         } else {
             Outline::Block(Point::new(
                 (size.width + 2.0 * PADDING).max(BLOCK_WIDTH),
@@ -80,6 +86,7 @@ impl Body {
             taken: Vec::new(),
             parts: Vec::new(),
             has_rollers: form == Form::Belt,
+            is_thin: form == Form::Strand,
         }
     }
 
@@ -97,7 +104,8 @@ impl Body {
         }
         let outline = Outline::Block(Point::new(2.0 * width, 2.0 * height));
         let (name, centre) = (name.clone(), Point::ORIGIN);
-        Self { name, outline, centre, angle: 0.0, is_deck: false, taken: Vec::new(), parts, has_rollers: false }
+        let (taken, has_rollers) = (Vec::new(), false);
+        Self { name, outline, centre, angle: 0.0, is_deck: false, taken, parts, has_rollers, is_thin: false }
     }
 
     /// A block of that size at least.
@@ -116,7 +124,7 @@ impl Body {
 
     /// The same body, turned about its centre; its name stays level, so a block grows to hold it.
     pub(super) fn turned(mut self, angle: f64) -> Self {
-        if !self.parts.is_empty() {
+        if !self.parts.is_empty() || self.is_thin {
             self.angle = angle;
             return self;
         }
@@ -188,6 +196,10 @@ impl Body {
                 canvas.draw(Shape::Circle { centre: centre + at, radius: ROLLER, role });
             }
         }
+        if self.is_thin {
+            let beside = Anchor::Around { at: centre, radius: self.support(Point::new(1.0, 0.0)), prefer: 0.0 };
+            return canvas.label(&self.name, role, beside);
+        }
         canvas.fixed_label(centre, &self.name, role);
     }
 
@@ -210,6 +222,8 @@ impl Body {
         // A second arrow lies on the side to which it points, so that the two do not cross.
         let shift = match close[..] {
             [turn] if turn.abs() > PARALLEL => LANE.copysign(turn),
+            // Beside an arrow that is level it lies above, where no floor is in the way of its label.
+            _ if outward.turned().y < -PARALLEL => -lane(close.len()),
             _ => lane(close.len()),
         };
         let shift = outward.turned() * shift;

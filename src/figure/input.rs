@@ -78,6 +78,8 @@ pub enum Form {
     Block,
     /// A belt on its rollers.
     Belt,
+    /// A length of rope, with its name beside it.
+    Strand,
 }
 
 /// A direction with a name: the axis x, to the right.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use momentous_expr::Expr;
 use momentous_expr::Math;
+use momentous_expr::Operator;
 use momentous_expr::Symbol;
 use momentous_expr::name_math;
 use momentous_model::Name;
@@ -11,6 +12,7 @@ use momentous_model::QuantityKind;
 use momentous_scene::Term;
 
 use super::labels::factor;
+use super::labels::product;
 use super::quantities::Quantities;
 
 impl<'a> Quantities<'a> {
@@ -53,14 +55,7 @@ impl<'a> Quantities<'a> {
             members = parts;
         }
         if members.len() > 1 && self.mass_term(body, instant).is_none() {
-            let mut sum = Vec::new();
-            for member in members {
-                if !sum.is_empty() {
-                    sum.push(Math::Operator(momentous_expr::Operator::Plus));
-                }
-                sum.push(self.mass_math(member, instant));
-            }
-            return Math::Bracketed(Arc::new(Math::Row(sum)));
+            return sum(members.into_iter().map(|member| self.mass_math(member, instant)));
         }
         let term = self.mass_term(body, instant).and_then(|term| self.term(term));
         term.map_or_else(|| name_math(&self.mass_name(body, instant)), |term| factor(&term, self.symbolic(&term)))
@@ -75,4 +70,25 @@ impl<'a> Quantities<'a> {
         let name = Name::of(QuantityKind::Mass, body);
         self.scene().mass_since(body, instant).map_or_else(|| name.clone(), |since| name.clone().at(since)).to_string()
     }
+}
+
+/// A sum in brackets; equal terms as a multiple of one, which needs no brackets where there is no other.
+fn sum(terms: impl Iterator<Item = Math>) -> Math {
+    let mut counted: Vec<(Math, usize)> = Vec::new();
+    for term in terms {
+        match counted.iter_mut().find(|(listed, _)| *listed == term) {
+            Some((_, count)) => *count += 1,
+            None => counted.push((term, 1)),
+        }
+    }
+    let multiple = |(term, count): (Math, usize)| match count {
+        1 => term,
+        _ => product([Math::Number(count.to_string()), term]),
+    };
+    let mut terms: Vec<Math> = counted.into_iter().map(multiple).collect();
+    if terms.len() == 1 {
+        return terms.remove(0);
+    }
+    let plus = |(place, term)| [(place > 0).then_some(Math::Operator(Operator::Plus)), Some(term)];
+    Math::Bracketed(Arc::new(Math::Row(terms.into_iter().enumerate().flat_map(plus).flatten().collect())))
 }

@@ -94,8 +94,9 @@ impl<'a> Quantities<'a> {
     /// The value of a quantity in SI units, where it may be shown.
     pub(super) fn value(&self, symbol: Symbol) -> Option<f64> {
         let form = self.worked.form;
-        let given = || self.worked.variant.given(symbol).is_some() || form.printed.contains(&symbol);
-        let told = || given() || self.is_any(symbol) || self.is_assumed(symbol);
+        // What is drawn and not printed belongs to another form of the problem.
+        let on_sheet = || form.on_sheet.contains(&symbol) || form.printed.contains(&symbol);
+        let told = || on_sheet() || self.is_any(symbol) || self.is_assumed(symbol);
         if self.scope == Scope::Given && !told() {
             return None;
         }

@@ -52,6 +52,8 @@ pub struct Swing {
 pub enum SwingBy {
     /// A cord.
     Cord,
+    /// A cord, and another body that hangs on one as long beside the lowest place.
+    CordBeside(MovingBody),
     /// A circular track.
     Track,
     /// A circular track that ends level at its lowest point, and a body that stands there.
@@ -72,6 +74,7 @@ pub struct SwingEnd {
 impl Swing {
     pub(super) fn draw(&self, canvas: &mut Canvas) {
         let angles = self.drawn_angles();
+        let beside = self.beside(&angles);
         let shown: Vec<MovingBody> =
             self.ends.iter().map(|end| MovingBody { vectors: end.vectors.clone(), ..self.body.clone() }).collect();
         let scales = Scales::of(&shown, LONGEST);
@@ -86,7 +89,12 @@ impl Swing {
             outlines = outlines.into_iter().zip(lowered).map(|(body, at)| body.moved(at)).collect();
             self.draw_track(canvas, &angles, &outlines, depth);
         } else {
-            draw_pivot(canvas, &angles);
+            draw_pivot(canvas, &angles, beside.as_ref().map_or(0.0, |(_, outline)| outline.centre().x));
+        }
+        if let Some((_, outline)) = &beside {
+            outline.draw(canvas);
+            let up = Point::new(0.0, 1.0);
+            draw_cord(canvas, outline.centre() + up * CORD, outline.centre() + up * outline.support(up));
         }
         for outline in &outlines {
             outline.draw(canvas);
@@ -109,6 +117,11 @@ impl Swing {
                 let arrives = other.is_some_and(|other| other.dot(arrow) > 0.0);
                 let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
                 draw_vector(canvas, &mut outline, moving, &scales, attach);
+            }
+        }
+        if let Some((body, mut outline)) = beside {
+            for moving in &body.vectors {
+                draw_vector(canvas, &mut outline, moving, &scales, Attach::Leaving);
             }
         }
         if let (Some(length), Some(outline)) = (&self.length, outlines.first()) {
@@ -169,7 +182,16 @@ impl Swing {
     }
 
     fn on_track(&self) -> bool {
-        self.by != SwingBy::Cord
+        matches!(self.by, SwingBy::Track | SwingBy::LevelTrack(_))
+    }
+
+    /// The body that hangs beside the lowest place, touched by one that comes from the other side.
+    fn beside(&self, angles: &[f64]) -> Option<(&MovingBody, Body)> {
+        let SwingBy::CordBeside(body) = &self.by else { return None };
+        let side = if angles.first().is_some_and(|angle| *angle > 0.0) { -1.0 } else { 1.0 };
+        let across = Point::new(side, 0.0);
+        let apart = self.body.outline().support(across) + body.outline().support(across);
+        Some((body, body.outline().moved(across * apart + Point::new(0.0, -CORD))))
     }
 
     /// The angles, far enough apart to be distinguished.
@@ -204,12 +226,15 @@ impl Swing {
     }
 }
 
-/// A ceiling, or a pin where the body goes up beside it.
-fn draw_pivot(canvas: &mut Canvas, angles: &[f64]) {
+/// A ceiling, or a pin where the body goes up beside it; the same for a cord that far beside.
+fn draw_pivot(canvas: &mut Canvas, angles: &[f64], beside: f64) {
     if angles.iter().all(|angle| angle.abs() < STEEPEST_UNDER_CEILING) {
-        draw_support(canvas, Point::ORIGIN, Point::new(0.0, -1.0), CEILING_HALF);
-    } else {
-        canvas.draw(Shape::Circle { centre: Point::ORIGIN, radius: PIVOT, role: Role::Axis });
+        let half = CEILING_HALF + beside.abs() / 2.0;
+        draw_support(canvas, Point::new(beside / 2.0, 0.0), Point::new(0.0, -1.0), half);
+        return;
+    }
+    for x in [0.0, beside].into_iter().take(if beside == 0.0 { 1 } else { 2 }) {
+        canvas.draw(Shape::Circle { centre: Point::new(x, 0.0), radius: PIVOT, role: Role::Axis });
     }
 }
 

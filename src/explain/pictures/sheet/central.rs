@@ -51,18 +51,30 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
 
 /// The orbit, where what is printed tells that the body is at its nearest or its farthest point.
 fn orbit(quantities: &Quantities<'_>, central: &stage::Central, velocity: &str) -> Option<CentralPath> {
-    let gravity = quantities.evaluate(&quantities.term(central.gravity.as_ref()?)?)?;
     let radius = quantities.named(&quantities.since(QuantityKind::Position, &central.body, 1).to_string())?;
-    let [along, across] = ["r", "theta"].map(|letter| quantities.named(&format!("{velocity}.{letter}")));
-    let across = across.filter(|_| along == Some(0.0))?;
-    let balance = radius * across * across / gravity;
-    Some(if central.orbit == Some(stage::Orbit::Circle) {
-        CentralPath::Circle
-    } else if balance > 1.0 {
-        CentralPath::Nearest
-    } else {
-        CentralPath::Farthest
-    })
+    let [along, across] = ["r", "theta"].map(|letter| format!("{velocity}.{letter}"));
+    // A scene that does not name the part along the radius has none.
+    let is_across = quantities.model().symbol_of(&along).is_none() || quantities.named(&along) == Some(0.0);
+    let across = quantities.named(&across).filter(|_| is_across && central.spring.is_none())?;
+    if central.orbit == Some(stage::Orbit::Circle) {
+        return Some(CentralPath::Circle);
+    }
+    let gravity = central.gravity.as_ref().and_then(|gravity| quantities.evaluate(&quantities.term(gravity)?));
+    let nearest = match gravity {
+        Some(gravity) => radius * across * across > gravity,
+        None => goes_out(quantities, central, [radius, across])?,
+    };
+    Some(if nearest { CentralPath::Nearest } else { CentralPath::Farthest })
+}
+
+/// Whether what is printed of the second place lies farther out than the first one: its distance, or the slower motion about the centre.
+fn goes_out(quantities: &Quantities<'_>, central: &stage::Central, [radius, across]: [f64; 2]) -> Option<bool> {
+    let second = quantities.named(&quantities.since(QuantityKind::Position, &central.body, 2).to_string());
+    let slower = || {
+        let there = quantities.named(&format!("{}.theta", quantities.velocity_name(&central.body, 2)))?;
+        Some(there.abs() < across.abs())
+    };
+    second.map(|second| second > radius).or_else(slower)
 }
 
 fn draw(

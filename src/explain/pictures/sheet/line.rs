@@ -253,8 +253,11 @@ fn tied(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Vec<(usize
     };
     let is_tied =
         |behind: &str, ahead: &str| pairs.iter().any(|tied| *tied == [behind, ahead] || *tied == [ahead, behind]);
+    // Bodies at rest on a straight string stay so until another one pulls; what moves towards its jerk has slack string behind it.
+    let rests = |body: &str| quantities.velocity(body, stage + 1).is_some_and(|velocity| velocity == [0.0, 0.0]);
+    let between = |pair: &[&str]| if pair.iter().all(|body| rests(body)) { Tie::Firm } else { tie };
     let next = names.windows(2).enumerate();
-    next.filter(|(_, pair)| is_tied(pair[0], pair[1])).map(|(behind, _)| (behind, tie)).collect()
+    next.filter(|(_, pair)| is_tied(pair[0], pair[1])).map(|(behind, pair)| (behind, between(pair))).collect()
 }
 
 /// The grains that fall onto one of the bodies in a stage, or out of it, and the words for it.

@@ -52,7 +52,14 @@ pub(in super::super) fn drawing(
         moves.into_iter().chain(force(quantities, compass, &stage.body).map(Moving::force)).collect();
     // What grain falls on from above, and what moves level, is a belt.
     let level = libm::sin(compass.axis_angle(0)).abs() < LEVEL && quantities.axes.len() == 1;
-    let form = if flowing.speed.is_zero() && level { Form::Belt } else { Form::Block };
+    let form = if stage.per_length.is_some() && stage.moves.is_some() {
+        // What takes up a rope as it moves is a length of that rope.
+        Form::Strand
+    } else if flowing.speed.is_zero() && level {
+        Form::Belt
+    } else {
+        Form::Block
+    };
     let drawn = |vectors| MovingBody { vectors, ..MovingBody::new(body_math(&stage.body)).shaped(form) };
     let mut wording = body_wording(quantities, index, &stage.body, &drawn(stream_arrows.clone()));
     let mut vectors = Vec::new();

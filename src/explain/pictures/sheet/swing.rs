@@ -57,9 +57,25 @@ pub(in super::super) fn drawing(
         Wording { title: capitalised(&place), description: sentences([holds, rises]), caption: sentences([what]) };
     let body = quantities.body(&stage.body, Vec::new());
     let height = height.filter(|_| shows_both);
-    let by = if on_track { track(quantities, index, stage) } else { SwingBy::Cord };
+    let by = if on_track { track(quantities, index, stage) } else { cord(quantities, compass, index, stage) };
     let swing = momentous_figure::Swing { body, ends, length, height, by };
     Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
+}
+
+/// The body that it runs into at its lowest point, where that one hangs too, belongs to the picture of a sheet.
+fn cord(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Swing) -> SwingBy {
+    let stages = &quantities.scene().stages;
+    let (Some(Stage::Impact(impact)), [Place::Angle(_), Place::Lowest], Scope::Given) =
+        (stages.get(index + 1), stage.places(), quantities.scope())
+    else {
+        return SwingBy::Cord;
+    };
+    let swings =
+        |body: &&String| stages.iter().any(|later| matches!(later, Stage::Swing(swing) if swing.body == **body));
+    let other = impact.between.iter().flatten().find(|body| **body != stage.body).filter(swings);
+    other.map_or(SwingBy::Cord, |other| {
+        SwingBy::CordBeside(quantities.body(other, quantities.motion(compass, other, index + 1)))
+    })
 }
 
 /// A track that the body leaves at the lowest point ends level there; on a sheet with what the body then runs into.
