@@ -79,6 +79,9 @@ pub(super) const PAPER: f64 = 62.0;
 /// The widest row on a screen that may be that of a telephone, 390 pixels wide.
 pub(super) const SCREEN: f64 = 40.0;
 
+/// The room for the number beside an equation on such a screen.
+pub(super) const NUMBER: f64 = 4.0;
+
 /// How many items most lines have, or fewer.
 const USUAL_LENGTH: usize = 16;
 
@@ -95,9 +98,17 @@ fn line_rows(line: &Math, widest: f64) -> Vec<Row<'_>> {
     let relation = items.iter().position(is_relation);
     let aligned = relation.filter(|at| width(&items[..*at]) <= widest / 2.0).unwrap_or(0);
     let rest = items.split_off(aligned);
-    let [room, on_paper] = [widest, PAPER].map(|widest| widest - width(&items));
-    // A fraction that paper holds reads better whole, though a telephone has to scroll.
-    let rest = rest.into_iter().flat_map(|item| unfolded(item, on_paper)).collect();
+    let room = widest - width(&items);
+    // Paper sets in smaller type what is a little too wide; a telephone would have to scroll.
+    let scrolls = widest < PAPER;
+    let opens = |item: &Item<'_>| scrolls || !matches!(&*item.math, Math::Root(_));
+    let rest = rest.into_iter().flat_map(|item| if opens(&item) { unfolded(item, room) } else { vec![item] }).collect();
+    let rest = if scrolls {
+        let pieces = split_before(rest, is_relation).into_iter().flat_map(|part| split_before(part, is_sum));
+        pieces.flat_map(|piece| opened(piece, room)).collect()
+    } else {
+        rest
+    };
     let mut left = Some(items);
     let row = |right: Vec<_>| match left.take() {
         Some(items) => Row::new(items, right),
@@ -150,24 +161,58 @@ fn spread_width(parts: &[Math]) -> f64 {
     total
 }
 
-/// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
-/// be broken.
+/// What is too wide for a row in a form that can be broken: a fraction as one over its denominator times the sum above it, a root as
+/// the power of a bracket, and brackets opened.
 fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
+    if inside(&item.math).width() <= room { vec![item] } else { open(item, room) }
+}
+
+/// A piece that has no place to break and is too wide all the same: its widest part that can be opened is.
+fn opened(piece: Vec<Item<'_>>, room: f64) -> Vec<Item<'_>> {
+    let can_open = |item: &Item<'_>| {
+        matches!(&*item.math, Math::Fraction(..) | Math::Root(_) | Math::Bracketed(_) | Math::Squared(_))
+            && flattened(inside(&item.math)).iter().skip(1).any(is_sum)
+    };
+    let widest = piece.iter().filter(|item| can_open(item)).map(|item| item.width).fold(0.0, f64::max);
+    if width(&piece) <= room || widest == 0.0 {
+        return piece;
+    }
+    piece
+        .into_iter()
+        .flat_map(|item| if item.width == widest && can_open(&item) { open(item, room) } else { vec![item] })
+        .collect()
+}
+
+/// The sum or product that a fraction, a root or a bracket holds.
+fn inside(math: &Math) -> &Math {
+    match math {
+        Math::Fraction(inner, _) | Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) => inner,
+        other => other,
+    }
+}
+
+/// See [`unfolded`].
+fn open(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
+    let one = || Arc::new(Math::Number("1".to_owned()));
+    let sign = |text: &str| Math::Text(text.to_owned());
     let (before, inner, [open, close]) = match &*item.math {
-        Math::Fraction(over, under) if over.width() > room => {
-            (Some(Math::Fraction(Arc::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
+        Math::Fraction(over, under) if under.width() <= room => {
+            (Some(Math::Fraction(one(), under.clone())), over, [sign("["), sign("]")])
         }
-        Math::Bracketed(inner) if inner.width() > room => (None, inner, ["(", ")"]),
-        Math::Squared(inner) if inner.width() > room => (None, inner, ["[", "]"]),
+        Math::Root(inner) => {
+            let half = Math::Fraction(one(), Arc::new(Math::Number("2".to_owned())));
+            (None, inner, [sign("["), Math::Sup(Arc::new(sign("]")), Arc::new(half))])
+        }
+        Math::Bracketed(inner) => (None, inner, [sign("("), sign(")")]),
+        Math::Squared(inner) => (None, inner, [sign("["), sign("]")]),
         _ => return vec![item],
     };
     let new_item = |math: Math| Item::new(Cow::Owned(math));
-    let bracket = |sign: &str| new_item(Math::Text(sign.to_owned()));
-    let mut items: Vec<Item> = before.map(new_item).into_iter().chain([bracket(open)]).collect();
+    let mut items: Vec<Item> = before.into_iter().chain([open]).map(new_item).collect();
     for item in flattened(inner) {
         items.extend(unfolded(item, room).into_iter().map(|part| new_item(part.math.into_owned())));
     }
-    items.push(bracket(close));
+    items.push(new_item(close));
     items
 }
 
@@ -242,6 +287,29 @@ fn width(items: &[Item<'_>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_bracket_opens_where_the_row_has_no_other_place_to_break() {
+        let term = || identifier(&"y".repeat(16));
+        let sum = Math::Row(vec![term(), Math::Operator(Operator::Minus), term()]);
+        let product = Math::Row(vec![identifier(&"m".repeat(8)), Math::Squared(Arc::new(sum))]);
+        let lines = [Math::relation(identifier("v"), Operator::Equals, product)];
+        let rows = rows(&lines, SCREEN);
+        assert_eq!(rows.len(), 2);
+        assert!(rows.iter().all(|row| row.widths[0] + row.widths[1] <= SCREEN), "{rows:?}");
+    }
+
+    #[test]
+    fn a_fraction_that_paper_holds_is_broken_on_a_screen() {
+        let term = || identifier(&"y".repeat(20));
+        let sum = Math::Row(vec![term(), Math::Operator(Operator::Plus), term()]);
+        let lines = [Math::relation(
+            identifier("v"),
+            Operator::Equals,
+            Math::Fraction(Arc::new(sum), Arc::new(identifier("m"))),
+        )];
+        assert_eq!((rows(&lines, PAPER).len(), rows(&lines, SCREEN).len()), (1, 2));
+    }
 
     fn identifier(name: &str) -> Math {
         Math::Identifier(name.into())

@@ -12,6 +12,7 @@ use momentous_figure::Drawing;
 use super::authored::Authored;
 use super::authored::Piece;
 use super::equation;
+use super::equation::NUMBER;
 use super::equation::Row;
 use super::equation::SCREEN;
 use super::writer::Writer;
@@ -20,8 +21,8 @@ use super::writer::Writer;
 pub(super) struct Html;
 
 impl Writer for Html {
-    fn widest(&self) -> f64 {
-        SCREEN
+    fn widest(&self, is_numbered: bool) -> f64 {
+        if is_numbered { SCREEN - NUMBER } else { SCREEN }
     }
 
     fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {

@@ -140,7 +140,11 @@ impl Markup {
         match block {
             Block::Paragraph(run) => out.push_str(&self.paragraph(&self.inline(run))),
             Block::Equation { lines, number } => {
-                out.push_str(&Writer::equation(&self, &equation::rows(lines, Writer::widest(&self)), *number));
+                out.push_str(&Writer::equation(
+                    &self,
+                    &equation::rows(lines, Writer::widest(&self, number.is_some())),
+                    *number,
+                ));
                 out.push_str(if self == Self::Markdown { "\n\n" } else { "\n" });
             }
             Block::List(items) => {

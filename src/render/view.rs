@@ -213,7 +213,10 @@ impl<'a> View<'a> {
             Block::Paragraph(run) => map([("kind", "paragraph".into()), ("text", self.inline(run))]),
             Block::Equation { lines, number } => map([
                 ("kind", "equation".into()),
-                ("text", ready(&self.writer.equation(&equation::rows(lines, self.writer.widest()), *number))),
+                (
+                    "text",
+                    ready(&self.writer.equation(&equation::rows(lines, self.writer.widest(number.is_some())), *number)),
+                ),
             ]),
             Block::List(items) => map([("kind", "list".into()), ("items", cells(items))]),
             Block::Table { head, rows } => map([

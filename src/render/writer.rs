@@ -28,8 +28,8 @@ pub(super) trait Writer {
     fn math(&self, math: &Math) -> String;
     /// A displayed equation.
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String;
-    /// The widest row of an equation, in widths of a digit.
-    fn widest(&self) -> f64 {
+    /// The widest row of an equation, in widths of a digit, beside its number if it has one.
+    fn widest(&self, _is_numbered: bool) -> f64 {
         PAPER
     }
     /// A figure without its caption.
