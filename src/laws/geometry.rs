@@ -152,7 +152,7 @@ pub const BOUNDARY: Law = Law {
 /// An expression in a question stands for a quantity.
 pub const ASKED: Law = Law {
     id: "expression-asked",
-    name: "the definition of what is asked for",
+    name: "the definition in the question",
     statement: "A question may give a name to an expression of several quantities.",
     signs: "As for the quantities in it.",
     when: "Always, by definition.",

@@ -277,3 +277,84 @@ fn a_root_without_a_formula_is_shown_between_two_trials() {
     let trials = r"With $\Delta t = 1.67\text{ s}$ the left side of (1) is 1.2 % less than the right one, with $1.68\text{ s}$ 2.9 % greater";
     assert!(page.replace('\u{a0}', " ").contains(trials), "{page}");
 }
+
+#[test]
+fn axes_are_named_where_something_is_counted_along_them() {
+    // Heights after bounces and what a flywheel does have no sign along an axis.
+    for (name, form) in [("bouncing/rubber-ball", 0), ("angular-momentum/flywheel-run-up", 0)] {
+        let said = short(name, form);
+        assert!(!said.contains("axis points"), "{said}");
+    }
+    assert!(short("angular-momentum/flywheel-run-up", 0).contains("Counter-clockwise is positive."));
+    assert!(short("mass-centre/walk-along-barge", 0).contains("axis points towards the quay"));
+}
+
+#[test]
+fn a_bob_that_swings_does_not_move_along_a_line() {
+    let said = short("chains/loop-after-a-blow", 0);
+    assert!(said.contains("By the definition of speed:") && !said.contains("along a line"), "{said}");
+}
+
+#[test]
+fn two_turns_of_a_carousel_are_told_apart() {
+    let said = short("angular-momentum/playground-carousel", 1);
+    assert!(said.contains("with Alma and Bo on it"), "{said}");
+    assert!(said.contains("while the distance of Alma and Bo from its axis changes"), "{said}");
+}
+
+#[test]
+fn a_comparison_is_not_said_as_it_was_typed() {
+    let said = short("concepts/rebound-or-not", 0);
+    assert!(said.contains(r"m\_A v\_A1 (") && !said.contains(r"m\_A\*v"), "{said}");
+}
+
+#[test]
+fn a_short_solution_numbers_only_what_it_refers_to() {
+    for (name, form) in [("impulse/golf-drive", 0), ("impulse/skydiver", 0), ("streams/coal-wagon", 0)] {
+        let said = short(name, form);
+        assert!(!said.contains(r"\tag"), "{said}");
+    }
+    assert!(short("impact/two-carts", 0).contains(r"\tag{2}"));
+}
+
+#[test]
+fn a_multiple_is_told_with_the_quantity_that_it_is_a_multiple_of() {
+    let said = short("concepts/only-ratios", 0);
+    assert!(!said.contains(r"\approx"), "{said}");
+}
+
+/// The figure on the sheet of a form of the bank.
+fn sheet_of(name: &str, form: usize) -> momentous::figure::Drawing {
+    let path = format!("{}/problem_bank/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let problem = variants::problem(name, &std::fs::read_to_string(path).unwrap());
+    situation(Exercise::draw(&Arc::new(problem), form, 1).unwrap().worked()).unwrap()
+}
+
+#[test]
+fn a_sheet_shows_nothing_that_only_another_form_prints() {
+    // The other components of the moment are drawn for both forms and printed for one.
+    let [all, one] = [0, 1].map(|form| sheet_of("angular-momentum/telescope-in-orbit", form).description);
+    assert!(all.contains("M_z") && all.contains("M_0"), "{all}");
+    assert!(one.contains("M_x") && !one.contains("M_z") && !one.contains("M_0"), "{one}");
+}
+
+#[test]
+fn only_the_rope_that_is_slack_hangs_down() {
+    use momentous::figure::{Role, Shape};
+    // Both sledges rest on a straight rope; the one to the snowmobile is slack: a curve of many points.
+    let drawing = sheet_of("strings/two-sledges-in-tow", 0);
+    let curves = drawing.shapes.iter().filter(|shape| match shape {
+        Shape::Line { points, role, .. } => points.len() > 4 && *role != Role::Body,
+        _ => false,
+    });
+    assert_eq!(curves.count(), 1);
+}
+
+#[test]
+fn both_bobs_hang_in_the_picture_of_the_sheet() {
+    let names = |drawing: &momentous::figure::Drawing| {
+        let is_name = |shape: &&momentous::figure::Shape| matches!(shape, momentous::figure::Shape::Label { text, .. } if text.plain() == "B");
+        drawing.shapes.iter().filter(is_name).count()
+    };
+    assert_eq!(names(&sheet_of("chains/pendulum-bobs", 0)), 1);
+}

@@ -124,11 +124,11 @@ fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
 fn to_the_unit(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Vec<Math> {
     let settled = display.shown.figures.get().and_then(|figures| figures.of(Item::Answer(number.symbol)));
     let figures = settled.unwrap_or(number.figures);
-    if figures == number.figures || number.whole {
+    if figures <= number.figures || number.whole {
         return Vec::new();
     }
-    let all = printed::shown(&NumberPart { figures, ..number.clone() }, answer.for_print());
-    vec![display.in_unit_of(number, all), Math::Operator(Operator::Approximately)]
+    let all = printed::answer(display, &NumberPart { figures, ..number.clone() }, answer);
+    vec![all, Math::Operator(Operator::Approximately)]
 }
 
 /// Whether it is the velocity of a body on its way round a circle, which one axis of the scene counts along the path.

@@ -31,8 +31,8 @@ use super::super::working::script;
 
 /// The section's blocks; none where there is nothing to say.
 pub(crate) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
-    let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
     let used = way.used.get_or_init(|| used(display.worked));
+    let mut blocks: Vec<Block> = directions(display, used).into_iter().map(Block::Paragraph).collect();
     let literals = &display.worked.problem.model().literals;
     let told = display.worked.variant.all_given().iter();
     let mut told: Vec<Vec<Inline>> = told
@@ -60,10 +60,21 @@ fn renamed(display: Display<'_>) -> impl Iterator<Item = Vec<Inline>> {
     renamed.map(move |(symbol, given)| vec![Inline::Math(display.equation(&symbol.into(), given))])
 }
 
-/// The directions of the axes of the scene and of those of its contacts.
-fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
+/// The directions of the axes of the scene along which something is counted, and of those of its contacts.
+fn directions(display: Display<'_>, used: &BTreeSet<Symbol>) -> Vec<Vec<Inline>> {
     let scene = &display.worked.problem.loaded().draft.scene;
-    let axes = scene.axes.rectangular();
+    let mut axes = scene.axes.rectangular();
+    let has_rotor = axes.len() == 2 && scene.rotors().next().is_some();
+    let finds = display.worked.form.wanted().next().is_some();
+    let is_along = |symbol: &Symbol| {
+        let manner = &display.manner(*symbol).senses;
+        let senses = display.worked.problem.turns_with(*symbol).or_else(|| manner.clone());
+        let is_component = display.worked.problem.model().name(*symbol).component.is_some();
+        is_component || senses.is_some_and(|senses| axes.iter().any(|(_, axis)| axis.positive == senses.positive))
+    };
+    if finds && !used.iter().any(is_along) {
+        axes.clear();
+    }
     let mut sentences = match &axes[..] {
         [] => Vec::new(),
         [(_, senses)] if senses.is_of_a_turn() => {
@@ -79,11 +90,11 @@ fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
             vec![[vec![words("The ")], all, vec![words(".")]].concat()]
         }
     };
-    if axes.len() == 2 && scene.rotors().next().is_some() {
+    if has_rotor {
         sentences.push(vec![words("Counter-clockwise is positive.")]);
     }
     // Where nothing is worked out, nothing is counted along n and t.
-    if axes.len() > 1 && display.worked.form.wanted().next().is_some() {
+    if axes.len() > 1 && finds {
         let frames = display.worked.problem.model().frames.iter().zip(&scene.stages);
         sentences.extend(frames.filter_map(|(frame, stage)| contact(display, scene, frame.as_ref()?, stage)));
     }

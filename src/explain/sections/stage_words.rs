@@ -9,6 +9,7 @@ use momentous_scene::Force;
 use momentous_scene::Plane;
 use momentous_scene::Scene;
 use momentous_scene::Stage;
+use momentous_scene::stage::Arm;
 use momentous_scene::stage::Connected;
 use momentous_scene::stage::Ends;
 use momentous_scene::stage::Flight;
@@ -74,6 +75,19 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Rotate(rotate) => {
             let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
             if let Some(rotor) = &rotate.rotor {
+                let moved: Vec<String> = rotate
+                    .held()
+                    .into_iter()
+                    .filter(|(_, arm)| matches!(arm, Arm::Changing(_)))
+                    .map(|(body, _)| name(body))
+                    .collect();
+                if !moved.is_empty() {
+                    return format!(
+                        "{} turns, while the distance of {} from its axis changes",
+                        name(rotor),
+                        list(&moved)
+                    );
+                }
                 let with = if held.is_empty() { String::new() } else { format!(", with {} on it", list(&held)) };
                 return format!("{} turns{with}", name(rotor));
             }

@@ -152,7 +152,9 @@ impl Derivation {
     /// Numbers the lines that a sentence refers to, from `next` on. The law of a step with no other equation stands just
     /// above what is said of it.
     pub(crate) fn number(&mut self, next: &mut u32) {
-        let mut referred: BTreeSet<usize> = self.sources.values().flatten().copied().collect();
+        // With numbers, what is found follows at once from the one line above it, which nobody has to point at.
+        let mut referred: BTreeSet<usize> =
+            if self.is_of_numbers { BTreeSet::new() } else { self.sources.values().flatten().copied().collect() };
         referred.extend(self.lines.iter().flat_map(|line| line.origin.from()));
         let laws = self.lines.iter().filter(|line| matches!(line.origin, Origin::Law(_))).count();
         let all_laws = self.is_of_numbers && laws > 1;

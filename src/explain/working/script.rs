@@ -159,8 +159,10 @@ impl Writer<'_> {
         }
         let printed_answer = |((unknown, closed), is_printed): (&(Symbol, Closed), bool)| {
             let solved = self.solved(step, &derivation, *unknown, closed);
-            let is_new = solving == Solving::InSymbols && !self.is_repeated(step, &derivation, *unknown, &solved);
-            SolvedUnknown { is_printed: is_printed || is_new, ..solved }
+            let is_repeated = self.is_repeated(step, &derivation, *unknown, &solved);
+            let is_new = solving == Solving::InSymbols && !is_repeated;
+            let adds = !(is_repeated && self.display.is_free(*unknown));
+            SolvedUnknown { is_printed: is_new || is_printed && adds, ..solved }
         };
         let printed = |root: &Root| needed::printed(root, later);
         let roots =

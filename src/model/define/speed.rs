@@ -5,6 +5,7 @@ use momentous_expr::Function;
 use momentous_expr::Symbol;
 use momentous_laws::geometry;
 
+use super::super::Because;
 use super::super::Builder;
 use super::super::Name;
 use super::super::QuantityKind;
@@ -49,9 +50,9 @@ impl Builder<'_> {
             [only] => {
                 let value = Expr::apply(Function::Abs, only.clone());
                 let because = if self.turns(body, instant) {
-                    format!("{owner} moves at right angles to the radius")
+                    Because::Fact(format!("{owner} moves at right angles to the radius"))
                 } else {
-                    "the motion is along a line".to_owned()
+                    Because::Definition
                 };
                 self.law(&geometry::SPEED, None, because, (speed_expr, value));
             }

@@ -1,7 +1,10 @@
 //! Questions that compare quantities: whether one is greater than another, and in which order several are.
 
 use momentous_expr::Expr;
+use momentous_expr::Leaf;
+use momentous_expr::LeafKind;
 use momentous_expr::Symbol;
+use momentous_expr::name_math;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
@@ -89,11 +92,17 @@ pub(crate) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Opti
 
 /// A side of a comparison as a noun phrase: the meaning of a quantity, or what the author wrote.
 fn in_words(builder: &Builder<'_>, side: &Expr, written: &str) -> String {
+    let typeset = || {
+        let named = |symbol| Leaf { math: name_math(&builder.symbols().entry(symbol).name), kind: LeafKind::Name };
+        side.layout(&named).plain()
+    };
     match side {
         Expr::Symbol(symbol) => {
             let entry = builder.symbols().entry(*symbol);
             if entry.meaning.is_empty() { entry.name.clone() } else { entry.meaning.clone() }
         }
-        _ => written.to_owned(),
+        // A value with its unit stands as the author wrote it.
+        _ if side.symbols().iter().any(|symbol| builder.is_literal(*symbol)) => written.to_owned(),
+        _ => typeset(),
     }
 }
