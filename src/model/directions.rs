@@ -41,6 +41,7 @@ impl Builder<'_> {
             return self.turned(turn, base, sign_of_y, path);
         }
         if let Some((turn, base)) = text.split_once(" from ") {
+            self.counts_turns(&format!("`{text}`"), path);
             let base = self.base_direction(base, path);
             let turn = self.read_angle(turn, path);
             return Direction::turned(base.quarters, self.zero_if_so_written(turn));
@@ -61,6 +62,7 @@ impl Builder<'_> {
             self.faults.push(self.no_direction(text).at_path(path.clone()));
             return self.first_axis();
         }
+        self.counts_turns(&format!("the direction `{text}`"), path);
         let turn = self.read_angle(text, path);
         // An angle of exactly zero is an axis, along which no components n and t need be made.
         Direction::turned(0, self.zero_if_so_written(turn))
@@ -70,7 +72,7 @@ impl Builder<'_> {
     pub(super) fn counts_turns(&mut self, what: &str, path: &Path) {
         if self.scene.axes.are_left_handed() && self.defined.insert("left-handed axes".to_owned()) {
             let message = format!("{what} is counted counter-clockwise, but these axes turn clockwise from x to y");
-            let help = "turn one of them round, such as `y: upwards` for `y: downwards`";
+            let help = "turn one of them round, such as `y: upwards` for `y: downwards`; a direction may also be told by words such as `30 deg above +x`";
             self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.clone()));
         }
     }

@@ -41,6 +41,7 @@ mod space;
 mod speeds;
 mod spoken_term;
 mod stage;
+mod staged;
 mod standing;
 mod stored;
 mod strength;
@@ -101,22 +102,13 @@ impl<'s> Builder<'s> {
     pub fn of(
         scene: &'s Scene,
         given: &[(String, Dimension)],
-        unmeasured: BTreeSet<String>,
+        unmeasured: &BTreeSet<String>,
     ) -> Result<Self, Vec<Fault>> {
         let faults = check::check(scene);
         if !faults.is_empty() {
             return Err(faults);
         }
-        let mut builder = Self::new(scene);
-        builder.unmeasured = unmeasured;
-        builder.given = given.iter().map(|(name, _)| name.clone()).collect();
-        for (name, dimension) in given {
-            if !check::is_structural(scene, name) && !check::is_angular_impulse(scene, name, *dimension) {
-                builder.symbol_of(Name::written(name), *dimension, "");
-            }
-        }
-        builder.stages();
-        builder.hold_the_guided();
+        let mut builder = Self::with_givens(scene, given, unmeasured);
         builder.times_of_instants();
         Ok(builder)
     }
@@ -136,7 +128,7 @@ impl<'s> Builder<'s> {
 
     /// The fault of a name that the scene does not make.
     #[must_use]
-    pub fn unknown(&self, name: &str) -> Fault {
+    pub fn unknown(&mut self, name: &str) -> Fault {
         self.unknown_name(name)
     }
 

@@ -1,7 +1,5 @@
 //! Reading an author's terms against the names of the scene.
 
-use std::collections::BTreeSet;
-
 use momentous_expr::Expr;
 use momentous_expr::Names;
 use momentous_expr::Symbol;
@@ -24,10 +22,10 @@ use momentous_scene::Term;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
+use super::VectorName;
 use super::name::is_bare_name;
-
-/// Names of what a whole stage does, which need the stage in brackets where there are several.
-const STAGED: &[&str] = &["T_lost", "T_gained", "work", "J_def", "J_rest", "v_common", "dt"];
+use super::staged::of_several_stages;
+use super::staged::quoted;
 
 /// Keys of stages by which an author names a quantity.
 const KEYS: &[&str] = &["distance", "during", "duration", "height", "length"];
@@ -189,7 +187,7 @@ impl Builder<'_> {
                 expr
             }
             Err(fault) => {
-                let mut report = match unknown.first() {
+                let mut report = match unknown.last() {
                     Some(name) => self.unknown_name(name),
                     None => Fault::new(Code::Syntax, fault.message.clone()),
                 };
@@ -203,8 +201,8 @@ impl Builder<'_> {
     }
 
     /// The fault of a name that the scene does not make.
-    pub(super) fn unknown_name(&self, name: &str) -> Fault {
-        if let Some(fault) = self.about_a_moving_point(name) {
+    pub(super) fn unknown_name(&mut self, name: &str) -> Fault {
+        if let Some(fault) = self.about_a_moving_point(name).or_else(|| self.no_vector(name)) {
             return fault;
         }
         let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
@@ -221,11 +219,6 @@ impl Builder<'_> {
         let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
         match did_you_mean(name, known.iter().copied()) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
-            None if STAGED.contains(&name) && self.scene.stages.len() > 1 => {
-                let stages = 0..self.scene.stages.len();
-                let labels = stages.filter_map(|stage| self.stage_label(stage));
-                fault.help(of_several_stages(labels.map(|label| format!("{name}[{label}]"))))
-            }
             None if Name::parse(name).is_some_and(|name| self.is_said_by_a_key(&name)) => fault.help(
                 "the stage itself gives it a name, which stands without brackets: `distance: s`, and ask for `s`",
             ),
@@ -237,38 +230,32 @@ impl Builder<'_> {
     }
 }
 
-/// Advice on how to write a quantity that several stages have.
-fn of_several_stages(names: impl IntoIterator<Item = String>) -> String {
-    format!("several stages have this quantity: write {}", quoted(names, " or "))
-}
-
-fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String {
-    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(conjunction)
-}
-
 impl Builder<'_> {
+    /// The fault of a magnitude or an angle of what is no vector: of a name that is not known, or of one number.
+    fn no_vector(&mut self, name: &str) -> Option<Fault> {
+        let vectors = match VectorName::parse(name)? {
+            VectorName::AngleBetween([one, other]) => vec![one, other],
+            VectorName::Magnitude(vector) => vec![vector],
+        };
+        let wrong = vectors
+            .into_iter()
+            .find(|vector| self.axis_direction(vector).is_none() && self.components_of(vector).is_none())?;
+        if self.resolve(wrong).is_none() {
+            return Some(self.unknown_name(wrong));
+        }
+        let fault = Fault::new(Code::UnknownName, format!("`{wrong}` has no components here, so there is no `{name}`"));
+        Some(fault.help(format!("it is one number: ask for `{wrong}`")))
+    }
+
     /// The part that a name lacks where several quantities have it in common: the stage, or the component.
-    fn not_alone(&self, name: &str) -> Option<String> {
+    fn not_alone(&mut self, name: &str) -> Option<String> {
         let parsed = Name::parse(name)?;
         if parsed.instant.is_some() && parsed.stage.is_some() {
             let bare = Name { stage: None, ..parsed };
             let is_known = self.symbols.find(&self.canonical(&bare).to_string()).is_some();
             return is_known.then(|| format!("its instant says when it is so: write `{bare}`"));
         }
-        let in_stages = self.symbols.iter().map(|(symbol, _)| self.name(symbol)).filter(|other| {
-            other.stage.is_some() && parsed.stage.is_none() && Name { stage: None, ..(*other).clone() } == parsed
-        });
-        let mut in_stages: Vec<String> = in_stages.map(ToString::to_string).collect();
-        if parsed.kind == QuantityKind::Impulse && parsed.stage.is_none() {
-            let stages: BTreeSet<usize> = self
-                .impulses
-                .iter()
-                .filter(|impulse| impulse.on == parsed.subject)
-                .map(|impulse| impulse.stage)
-                .collect();
-            let labels = stages.into_iter().filter_map(|stage| self.stage_label(stage));
-            in_stages = labels.map(|label| format!("{name}[{label}]")).collect();
-        }
+        let in_stages = self.names_in_stages(name);
         if in_stages.len() > 1 {
             return Some(of_several_stages(in_stages));
         }

@@ -364,8 +364,8 @@ impl Reason {
                 "a body that starts against its axis needs a `direction` in that stage; otherwise give other values"
             }
             Self::SlidesOtherWay(..) => {
-                "where the body below is the faster one, write the `direction` in which the upper one slides on it; a slide that ends \
-                    when both move alike is `until: together`"
+                "the upper body slides on in the way in which it is the faster one at the start; where the body below is the faster \
+                    one, that is backwards, and so is its `direction`; a stage in which both come to move alike ends there: `until: together`"
             }
             Self::Slack(_) => "it cannot push: let the stage end before it goes slack",
             Self::Unsupported(..) => "ask for nothing of it afterwards; a `push` can name it, too (`bodies`)",

@@ -263,16 +263,24 @@ impl<'a> Parser<'a> {
             let help = format!("write `{called}*(...)`");
             return Self::fault(open, format!("an operator is missing between `{called}` and the bracket"), Some(help));
         }
-        let inside = self.tokens.iter().skip(self.next + 1);
-        let count = inside.take_while(|token| matches!(token.kind, Kind::Name | Kind::Comma)).count();
-        let end = self.next + 1 + count;
-        let Some(last) = self.tokens.get(end).filter(|token| token.kind == Kind::Close).cloned() else {
+        let is_within = |token: &&Token| matches!(token.kind, Kind::Name | Kind::Comma | Kind::Operator('+' | '-'));
+        let inside: Vec<Token> = self.tokens.iter().skip(self.next + 1).take_while(is_within).cloned().collect();
+        let end = self.next + 1 + inside.len();
+        // A direction along an axis is a name with its sign.
+        let named = |part: &[Token]| match part {
+            [name] if name.kind == Kind::Name => Some(name.written.to_owned()),
+            [sign, name] if sign.kind != Kind::Name && name.kind == Kind::Name => {
+                Some(format!("{}{}", sign.written, name.written))
+            }
+            _ => None,
+        };
+        let parts: Option<Vec<String>> = inside.split(|token| token.kind == Kind::Comma).map(named).collect();
+        let last = self.tokens.get(end).filter(|token| token.kind == Kind::Close).cloned();
+        let (Some(last), Some(parts)) = (last, parts) else {
             let help = "functions are sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ln and abs";
             return Self::fault(name, format!("`{called}` is not a function"), Some(help.to_owned()));
         };
-        let parts: Vec<_> =
-            self.tokens.iter().skip(self.next + 1).take(count).filter(|token| token.kind == Kind::Name).collect();
-        let whole = format!("{called}({})", parts.iter().map(|part| part.written).collect::<Vec<_>>().join(", "));
+        let whole = format!("{called}({})", parts.join(", "));
         let place = Token { end: last.end, ..name.clone() };
         self.next = end + 1;
         self.symbol(&place, &whole)
@@ -310,6 +318,7 @@ mod tests {
             ("m_A*v_A1.x", vec!["m_A", "v_A1.x"]),
             ("J_A[hit].x + v_A@top", vec!["J_A[hit].x", "v_A@top"]),
             ("angle(v_A2,v_B2)/2", vec!["angle(v_A2, v_B2)"]),
+            ("angle(v_A2, +z) - angle(-x, v_A1)", vec!["angle(v_A2, +z)", "angle(-x, v_A1)"]),
             ("9.81 m/s^2*t", vec!["9.81 m/s^2", "t"]),
             ("2 m/t_2", vec!["2 m", "t_2"]),
             ("2 kg m/s - 3 s", vec!["2 kg m/s", "3 s"]),

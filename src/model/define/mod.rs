@@ -32,6 +32,7 @@ use super::name::Meaning;
 use super::stage::angular_impulse_by_name;
 use super::stage::height_of_a_bounce;
 use super::stage::holding_pull;
+use super::staged::in_stages;
 use angular::angular_momentum;
 use angular::moment_of_forces;
 use angular::period_of_rotation;
@@ -94,6 +95,7 @@ impl Builder<'_> {
     /// The symbol that a name stands for: one that exists, under any of its spellings, or one that the name itself defines.
     pub(crate) fn resolve(&mut self, name: &str) -> Option<Symbol> {
         if let Some(symbol) = self.symbols.find(name) {
+            self.counts_turns_of(&self.name(symbol).clone());
             return Some(symbol);
         }
         match VectorName::parse(name) {
@@ -122,16 +124,7 @@ impl Builder<'_> {
                 self.timeline.stage(self.scene, &stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))?;
             name.stage = self.stage_label(index);
         }
-        if matches!(
-            name.kind,
-            QuantityKind::Direction(_)
-                | QuantityKind::AngularMomentum
-                | QuantityKind::AngularImpulse
-                | QuantityKind::Moment
-                | QuantityKind::AngularMomentumRate
-        ) {
-            self.counts_turns(&format!("`{name}`"), &Path::root().key("scene").key("axes"));
-        }
+        self.counts_turns_of(&name);
         // With one axis there is one component, and `r_A1.x` is `r_A1`.
         if let [(only, _)] = self.axes[..]
             && name.component.as_deref() == Some(only.letter())
@@ -147,6 +140,21 @@ impl Builder<'_> {
         }
         let define = DEFINITIONS.iter().find(|(kind, _)| *kind == name.kind).map(|row| row.1);
         define.and_then(|define| define(self, &name)).or_else(|| self.only_stage(&kept))
+    }
+
+    /// Angles and moments are counted counter-clockwise, which some axes refuse.
+    fn counts_turns_of(&mut self, name: &Name) {
+        let turns = matches!(
+            name.kind,
+            QuantityKind::Direction(_)
+                | QuantityKind::AngularMomentum
+                | QuantityKind::AngularImpulse
+                | QuantityKind::Moment
+                | QuantityKind::AngularMomentumRate
+        );
+        if turns {
+            self.counts_turns(&format!("`{name}`"), &Path::root().key("scene").key("axes"));
+        }
     }
 
     /// The one name under which a quantity is kept.
@@ -166,12 +174,7 @@ impl Builder<'_> {
         if name.kind == QuantityKind::AngularMomentum {
             return None;
         }
-        let spelling = name.to_string();
-        let is_meant =
-            |name: &Name| name.stage.is_some() && Name { stage: None, ..name.clone() }.to_string() == spelling;
-        let mut matching = self.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| is_meant(self.name(*symbol)));
-        let first = matching.next()?;
-        matching.next().is_none().then_some(first)
+        if let [only] = in_stages(&self.symbols, &self.names, name)[..] { Some(only) } else { None }
     }
 
     pub(super) fn number(&self, name: &Name) -> Option<usize> {

@@ -26,7 +26,8 @@ pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symb
     let moves = before[1].clone();
     let (mass, start) = masses.into_iter().zip(before).find_map(|(mass, start)| Some((mass?, start)))?;
     // Along the normal of a surface both are counted from it, whatever the axis.
-    let together = if is_surface && builder.axes.len() == 1 { moves } else { common.into() };
+    let together =
+        if is_surface && builder.axes.len() == 1 { moves } else { builder.along_line(stage, common.into())? };
     let slowed = mass * (start - together);
     let because = "the impulse of deformation changes the momentum of the one body until both move together";
     builder.law(&restitution::DEFORMATION, Some(stage), because, (symbol.into(), slowed));
@@ -69,12 +70,12 @@ fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
     let (because, sides) = match (first, second) {
         (Some(first), Some(second)) => {
             let start = first.clone() * a + second.clone() * b;
+            let common = builder.along_line(stage, common)?;
             ("at the greatest deformation both have the same velocity", (start, (first + second) * common))
         }
-        // The velocity of a surface is told along its normal, that of the bodies along the only axis.
+        // The velocity of a surface is told along its normal.
         _ => {
-            let normal = builder.frames.get(stage)?.as_ref().map(|frame| builder.components(&frame.normal))?;
-            let b = if let [along] = &normal[..] { (along.clone() * b).simplify() } else { b };
+            let b = builder.along_line(stage, b)?;
             ("at the greatest deformation the body has the velocity of the surface", (common, b))
         }
     };
@@ -99,6 +100,13 @@ impl Builder<'_> {
             _ => return None,
         };
         self.frames.get(stage)?.as_ref().map(|_| stage)
+    }
+
+    /// A velocity along the line of impact for one along the only axis, and the reverse; in a plane both are the same.
+    fn along_line(&self, stage: usize, velocity: Expr) -> Option<Expr> {
+        let frame = self.frames.get(stage)?.as_ref()?;
+        let normal = self.components(&frame.normal);
+        Some(if let [along] = &normal[..] { (along.clone() * velocity).simplify() } else { velocity })
     }
 
     fn deformed(&mut self, stage: usize) -> Option<Deformed> {

@@ -119,7 +119,7 @@ impl Builder<'_> {
         })
     }
 
-    fn takes_part(&self, stage: usize, body: &str) -> bool {
+    pub(super) fn takes_part(&self, stage: usize, body: &str) -> bool {
         self.impulses.iter().any(|impulse| impulse.stage == stage && impulse.on == body)
     }
 

@@ -30,7 +30,7 @@ struct Vector {
 
 impl Builder<'_> {
     /// The components of a vector by its name, with what it is and its dimension.
-    fn components_of(&mut self, name: &str) -> Option<(Vec<Expr>, Meaning, Dimension)> {
+    pub(crate) fn components_of(&mut self, name: &str) -> Option<(Vec<Expr>, Meaning, Dimension)> {
         let letters = self.axis_letters();
         let symbols: Vec<Symbol> = match &letters[..] {
             [_] => vec![self.resolve(name)?],

@@ -49,8 +49,8 @@ impl Builder<'_> {
             } else {
                 (&angular::ANGULAR_IMPULSE, format!("only the moment changes the angular momentum about {centre}"))
             };
-            let gained =
-                (!moment.is_zero()).then(|| self.angular_impulse(index, (&centre, letter), &moment, &start, &end));
+            let gained = self.angular_impulse(index, (&centre, letter), &moment, &start, &end);
+            let gained = (!moment.is_zero()).then_some(gained);
             self.law(law, Some(index), because, (Expr::sum([before].into_iter().chain(gained)), after));
         }
         let has_rotor = self.scene.rotors().next().is_some();

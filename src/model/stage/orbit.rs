@@ -12,6 +12,7 @@ use momentous_fault::Path;
 use momentous_laws::kinematics;
 use momentous_laws::orbit;
 use momentous_quantity::Dimension;
+use momentous_scene::Stage;
 use momentous_scene::stage::Central;
 use momentous_scene::stage::Orbit;
 use momentous_solve::Relation;
@@ -66,21 +67,33 @@ impl Builder<'_> {
         Some(orbit.gravity)
     }
 
+    /// The name of what belongs to an orbit as a whole: with the stage where the body changes from one orbit to another.
+    fn element(&self, kind: QuantityKind, index: usize, body: &str) -> Name {
+        let is_on_an_orbit = |stage: &Stage| matches!(stage, Stage::Central(central) if central.body == body && central.gravity.is_some() && central.orbit.is_some());
+        let stages = self.scene.stages.iter().enumerate();
+        let orbits: Vec<usize> = stages.filter(|(_, stage)| is_on_an_orbit(stage)).map(|(place, _)| place).collect();
+        let changes = orbits.windows(2).any(|pair| pair[0] + 1 < pair[1]);
+        let stage = if changes { self.stage_label(index) } else { None };
+        Name::of(kind, body).during(stage)
+    }
+
     /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.
     fn distance_of(&mut self, orbit: &OrbitTerms<'_>, which: &str, words: &str) -> Expr {
         let meaning = format!("the {words} distance of {} from {}", orbit.name, orbit.centre);
-        self.positive(Name::of(QuantityKind::Position, orbit.body).along(which), meaning).into()
+        self.positive(self.element(QuantityKind::Position, orbit.index, orbit.body).along(which), meaning).into()
     }
 
     fn ellipse(&mut self, orbit: &OrbitTerms<'_>, energies: [Expr; 2]) {
         // The shape of the orbit is no matter of the way from one position to the other.
         let (index, body, name) = (None, orbit.body, orbit.name.clone());
         let meaning = format!("the semi-major axis of the orbit of {name}");
-        let axis = Expr::from(self.positive(Name::of(QuantityKind::SemiMajorAxis, body), meaning));
+        let axis = self.element(QuantityKind::SemiMajorAxis, orbit.index, body);
+        let axis = Expr::from(self.positive(axis, meaning));
         let meaning = format!("the eccentricity of the orbit of {name}");
-        let eccentricity = Expr::from(self.positive(Name::of(QuantityKind::Eccentricity, body), meaning));
+        let eccentricity = self.element(QuantityKind::Eccentricity, orbit.index, body);
+        let eccentricity = Expr::from(self.positive(eccentricity, meaning));
         let meaning = format!("the period of the orbit of {name}");
-        let period = Expr::from(self.positive(Name::of(QuantityKind::Period, body), meaning));
+        let period = Expr::from(self.positive(self.element(QuantityKind::Period, orbit.index, body), meaning));
         let [least, greatest] =
             [("min", "least"), ("max", "greatest")].map(|(which, words)| self.distance_of(orbit, which, words));
         let because: &str = &format!("the orbit is an ellipse with {} at a focus", orbit.centre);
@@ -167,7 +180,7 @@ impl Builder<'_> {
     /// follows at once.
     fn speed_by_shape(&mut self, orbit: &OrbitTerms<'_>, instant: usize, [radius, across]: [&Expr; 2], shape: &Expr) {
         let told = [
-            Name::of(QuantityKind::Eccentricity, orbit.body),
+            self.element(QuantityKind::Eccentricity, orbit.index, orbit.body),
             Name::of(QuantityKind::Velocity, orbit.body).at(instant).along("theta"),
         ];
         if told.iter().all(|name| self.given.contains(&name.to_string())) {
@@ -185,7 +198,8 @@ impl Builder<'_> {
     fn circle(&mut self, orbit: &OrbitTerms<'_>) {
         let index = Some(orbit.index);
         let meaning = format!("the period of the orbit of {}", orbit.name);
-        let period = Expr::from(self.positive(Name::of(QuantityKind::Period, orbit.body), meaning));
+        let period = self.element(QuantityKind::Period, orbit.index, orbit.body);
+        let period = Expr::from(self.positive(period, meaning));
         let [[radius, radial, across], [further, outwards, _]] = &orbit.states;
         let because = "the orbit is a circle";
         self.law(&orbit::CIRCLE, index, because, (further.clone(), radius.clone()));

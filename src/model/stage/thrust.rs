@@ -51,6 +51,7 @@ impl Builder<'_> {
         self.law(&variable_mass::USED, Some(index), because, variable_mass::used([start, end], &burn.flow, &burn.time));
         let reason = Reason::GainsMass(name.clone());
         self.require(start.clone(), Relation::AtLeast, end.clone(), reason);
+        self.lasting[index] = Some(burn.time.clone());
         self.note_burn(&burn, stage.on_ground);
         if let Some(resistance) = &stage.resistance {
             let at = path.key("resistance");

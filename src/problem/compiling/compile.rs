@@ -8,7 +8,6 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Faults;
 use momentous_fault::Path;
-use momentous_fault::did_you_mean;
 use momentous_model::Builder;
 use momentous_model::Model;
 use momentous_model::Reason;
@@ -20,7 +19,6 @@ use momentous_quantity::coherent_unit;
 use momentous_quantity::dimension_name;
 use momentous_scene::Stage;
 use momentous_solve::Condition;
-use momentous_solve::Equation;
 use momentous_solve::Planner;
 use momentous_solve::Relation;
 
@@ -37,7 +35,6 @@ use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::other_values::is_positive_in_every_form;
 use super::super::language::other_values::known_in;
-use super::super::language::text::Text;
 use super::super::reading::load::Loaded;
 use super::super::reading::mentions::mention_in_texts;
 use super::super::reading::turning;
@@ -47,6 +44,7 @@ use super::super::sampling::sampler::Sampler;
 use super::super::sampling::stream::Streams;
 use super::any;
 use super::form_draft::FormDraft;
+use super::idle;
 use super::planned::Built;
 use super::planned::Form;
 use super::planned::Problem;
@@ -134,7 +132,7 @@ enum Asked {
 fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, Vec<Fault>> {
     let draft = &loaded.draft;
     let notation = draft.symbols.notation()?;
-    let mut builder = Builder::of(&draft.scene, &declared(loaded), unmeasured(loaded))?;
+    let mut builder = Builder::of(&draft.scene, &declared(loaded), &unmeasured(loaded))?;
     let mut known = givens(loaded, &mut builder);
     for (index, relation) in draft.relations.iter().enumerate() {
         let path = Path::root().key("relations").index(index).key("equation");
@@ -166,7 +164,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     let drawn = assign_streams(&mut in_forms);
     let mut model = builder.finish()?;
     model.system.values = beforehand(&model, &in_forms);
-    let mut faults = idle((loaded, asked), &model, &known, &drafts, &require);
+    let mut faults = idle::faults(loaded, asked == Asked::Anew, (&model, &known), &drafts, &require);
     faults.extend(turning::angles_by_use(&model, &known));
     let mut forms = Vec::new();
     let mut planner = Planner::default();
@@ -263,37 +261,6 @@ fn words_for_directions(loaded: &Loaded, drafts: &[FormDraft], builder: &mut Bui
     }
 }
 
-/// A given that no equation, condition or text refers to is a slip of the pen.
-fn idle(
-    (loaded, asked): (&Loaded, Asked),
-    model: &Model,
-    known: &[Known],
-    forms: &[FormDraft],
-    require: &[Condition],
-) -> Vec<Fault> {
-    let mut used = model.mentioned();
-    let conditions = forms.iter().flat_map(|form| &form.conditions).chain(require);
-    used.extend(conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]).flatten());
-    used.extend(forms.iter().flat_map(|form| &form.counts).flat_map(Equation::symbols));
-    used.extend(forms.iter().flat_map(FormDraft::mentioned));
-    let texts = std::iter::once(&loaded.draft.text).chain(loaded.questions.iter().map(|question| &question.text));
-    let texts = texts.filter(|_| asked == Asked::AsWritten);
-    used.extend(texts.flat_map(Text::placeholders).filter_map(|placeholder| model.symbol_of(&placeholder.name)));
-    let names: Vec<&str> = used.iter().map(|symbol| model.symbols.entry(*symbol).name.as_str()).collect();
-    // Asked anew, a problem may leave some of its own givens aside; that its text says a value that was typed makes no use of it.
-    let aside = |known: &Known| asked == Asked::Anew && loaded.draft.given.get(&known.name).is_some();
-    // A quantity of the scene that must not matter may be one that no equation needs.
-    let any = |known: &Known| matches!(known.origin, Origin::Any) && model.symbols.is_described(known.symbol);
-    let idle = known.iter().filter(|known| !used.contains(&known.symbol) && !aside(known) && !any(known));
-    let fault = |known: &Known| {
-        let fault = Fault::new(Code::UnknownName, format!("nothing in the scene uses `{}`", known.name));
-        let near = did_you_mean(&known.name, names.iter().copied());
-        let help = near.map_or_else(|| "remove it, or use it".to_owned(), |near| format!("did you mean `{near}`?"));
-        fault.help(help).at_path(Path::root().key("given").name(known.name.as_str()))
-    };
-    idle.map(fault).collect()
-}
-
 /// Every given with its symbol. An expression of other givens becomes a stated relation, and so needs no value here.
 fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
     let mut known = Vec::new();
@@ -368,6 +335,11 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
                     builder.needs_unit(&term, &path);
                 }
                 if builder.mention(name).is_none() {
+                    if !builder.may_be_chosen(name) {
+                        let fault = builder.unknown(name);
+                        builder.fault(fault.at_path(place.clone()));
+                        continue;
+                    }
                     let meaning = "the value given for it";
                     builder.declare(name, text, meaning, &path);
                 }

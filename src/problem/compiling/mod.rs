@@ -1,5 +1,6 @@
 //! From a draft to a problem that can be drawn: symbols, plans, ways in which a scene can go, and what its texts tell.
 mod graph_told;
+mod idle;
 
 pub(super) mod ad_hoc;
 pub(super) mod any;

@@ -14,10 +14,13 @@ use super::super::{Plan, System};
 use super::audit::{Audit, extended};
 use super::search::Search;
 use super::stuck::{Reason, Stuck, enough};
-use super::tactics::{Attempts, Block, Refusal, close};
+use super::tactics::{Attempts, Block, Refusal, close, divides_by_nothing};
 
 /// At how many places equations are looked at before something is said not to follow from them.
 const PLACES: u32 = 4;
+
+/// How many costs of sets of equations are looked through for a plan that divides by nothing that is zero.
+const MOST_BATCHES: usize = 8;
 
 /// Plans how to find `wanted` from `known`.
 ///
@@ -135,11 +138,18 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
     let sought = structure.narrow(&wanted);
 
     let gradients = gradients(system, &structure, &mut memory.samples);
-    let mut closer = Closer { system, structure: &structure, asked: &remaining, attempts: &mut memory.attempts };
+    let mut closer =
+        Closer { system, structure: &structure, asked: &remaining, attempts: &mut memory.attempts, divides: false };
     let mut search = Search::new(&structure, &gradients, &sought);
     let (mut obstacle, mut freedom) = (None, None);
+    let (mut spare, mut batches) = (None, 0);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
     loop {
+        // A plan that divides by zero is a last resort: others say why there is no solution, or give it.
+        batches += usize::from(spare.is_some());
+        if batches > MOST_BATCHES {
+            break;
+        }
         let mut batch = search.next_batch();
         if batch.is_empty() {
             // What counting alone allows says at least why there is no plan, or is one where the search gave up.
@@ -150,6 +160,7 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
         }
         for candidate in ranked(&structure, &sought, batch) {
             match closer.close_all(&candidate) {
+                Ok(plan) if closer.divides => spare = Some(spare.take().unwrap_or(plan)),
                 Ok(plan) => return Ok(plan),
                 Err((block, Refusal::Contradiction)) => {
                     return Err(stuck(Reason::Contradiction { equations: closer.equations(&block) }));
@@ -163,7 +174,7 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
                         search.forbid(rows);
                         let freedom = freedom.get_or_insert_with(|| Freedom::new(system, &whole, &mut memory.samples));
                         let lost: Vec<usize> = wanted.iter().filter(|column| !freedom.fixes(*column, &[])).collect();
-                        if !lost.is_empty() {
+                        if !lost.is_empty() && spare.is_none() {
                             return Err(stuck(underdetermined(&whole, freedom, &wanted, &lost)));
                         }
                     }
@@ -171,6 +182,9 @@ fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory:
                 }
             }
         }
+    }
+    if let Some(plan) = spare {
+        return Ok(plan);
     }
     let reason = obstacle.unwrap_or_else(|| {
         let freedom = freedom.unwrap_or_else(|| Freedom::new(system, &whole, &mut memory.samples));
@@ -207,12 +221,15 @@ struct Closer<'a> {
     structure: &'a Structure,
     asked: &'a [Symbol],
     attempts: &'a mut Attempts,
+    /// Whether the last plan divides by what is zero for the values that are known beforehand.
+    divides: bool,
 }
 
 impl Closer<'_> {
     /// The plan of these blocks; or the first block that is refused, as rows.
     fn close_all(&mut self, blocks: &[Vec<usize>]) -> Result<Plan, (Vec<usize>, Refusal)> {
         let mut solved = Bits::empty(self.structure.unknowns.len());
+        self.divides = false;
         let mut plan = Plan::default();
         for rows in blocks {
             let mut columns = self.structure.columns(rows);
@@ -222,7 +239,9 @@ impl Closer<'_> {
             let rank = |symbol: &Symbol| self.asked.iter().position(|asked| asked == symbol).unwrap_or(usize::MAX);
             unknowns.sort_by_key(rank);
             let block = Block { system: self.system, equations: self.equations(rows), unknowns };
-            plan.steps.push(close(&block, self.attempts).map_err(|refusal| (rows.clone(), refusal))?);
+            let step = close(&block, self.attempts).map_err(|refusal| (rows.clone(), refusal))?;
+            self.divides |= divides_by_nothing(&block, &step);
+            plan.steps.push(step);
         }
         Ok(plan)
     }

@@ -199,7 +199,7 @@ impl StageRun<'_> {
         self.note(&format!("r_{there}"), distance(&again.1), 0.0);
         self.note(&format!("v_{there}.theta"), around(&again.1), 0.0);
         self.note(&format!("speed_{there}"), libm::hypot(again.1[2], again.1[3]), 0.0);
-        self.note(&format!("period_{body}"), again.0, 0.0);
+        self.note_element(&format!("period_{body}"), again.0, 0.0);
         Ok(again.0)
     }
 
@@ -231,17 +231,25 @@ impl StageRun<'_> {
         }
     }
 
+    /// Notes what belongs to an orbit as a whole; a scene with several orbits names it by the stage.
+    fn note_element(&mut self, name: &str, value: f64, scale: f64) {
+        self.note(name, value, scale);
+        if !self.values.suffix().is_empty() {
+            self.note_here(name, value, scale);
+        }
+    }
+
     /// Once round: farthest, nearest, farthest again. How long that takes.
     fn go_round(&mut self, body: &str, pull: &Pull, start: (f64, State)) -> Result<f64, NothingToSimulate> {
         let far = pull.to(start, &outwards)?;
         let near = pull.to(far, &|state| -outwards(state))?;
         let again = pull.to(near, &outwards)?;
         let [most, least] = [&far.1, &near.1].map(distance);
-        self.note(&format!("r_{body}.max"), most, 0.0);
-        self.note(&format!("r_{body}.min"), least, 0.0);
-        self.note(&format!("a_{body}"), f64::midpoint(most, least), most);
-        self.note(&format!("ecc_{body}"), (most - least) / (most + least), 1.0);
-        self.note(&format!("period_{body}"), again.0 - far.0, 0.0);
+        self.note_element(&format!("r_{body}.max"), most, 0.0);
+        self.note_element(&format!("r_{body}.min"), least, 0.0);
+        self.note_element(&format!("a_{body}"), f64::midpoint(most, least), most);
+        self.note_element(&format!("ecc_{body}"), (most - least) / (most + least), 1.0);
+        self.note_element(&format!("period_{body}"), again.0 - far.0, 0.0);
         Ok(again.0 - far.0)
     }
 }

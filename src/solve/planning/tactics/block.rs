@@ -2,6 +2,7 @@
 
 use crate::{Statement, System};
 use momentous_expr::{Expr, Symbol};
+use momentous_quantity::Rational;
 
 use super::tidy;
 
@@ -42,11 +43,37 @@ impl Block<'_> {
     pub(super) fn vanishes(&self, term: &Expr) -> bool {
         let value = |symbol| self.system.values.get(&symbol).cloned();
         term.symbols().into_iter().any(|symbol| self.system.values.contains_key(&symbol))
-            && term.substitute(&value).simplify().is_zero()
+            && is_nothing(&term.substitute(&value).simplify())
+    }
+
+    /// Whether a term has no value as it divides by what is zero for the values that are known beforehand.
+    pub(super) fn divides_by_nothing(&self, term: &Expr) -> bool {
+        let here = match term {
+            Expr::Power(pair) => {
+                pair.1.as_number().is_some_and(|power| *power < Rational::ZERO) && self.vanishes(&pair.0)
+            }
+            _ => false,
+        };
+        here || term.children().any(|part| self.divides_by_nothing(part))
     }
 
     /// Whether a symbol stands for positive values only.
     pub(super) fn positive(&self, symbol: Symbol) -> bool {
         self.system.positive.contains(&symbol)
+    }
+}
+
+/// The part of its terms below which a sum of numbers is taken to be zero.
+const ROUNDING: f64 = 1e-12;
+
+/// Whether a term is zero, by algebra or, where it consists of numbers, by its value.
+fn is_nothing(term: &Expr) -> bool {
+    match term {
+        Expr::Sum(terms) if term.symbols().is_empty() => {
+            let value = |term: &Expr| term.evaluate(&|_| 0.0).abs();
+            value(term) <= ROUNDING * terms.iter().map(value).sum::<f64>()
+        }
+        Expr::Product(factors) => factors.iter().any(is_nothing),
+        other => other.is_zero(),
     }
 }

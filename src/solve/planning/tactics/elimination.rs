@@ -49,10 +49,13 @@ pub(super) fn eliminate(
     {
         return Err(Refusal::Dependent);
     }
-    let usual = reduced(rows.clone(), unknowns, Vec::new())?;
+    let usual = reduced(rows.clone(), unknowns, Vec::new(), &|_| false)?;
     let reduced = if usual.divides_by_nothing(block) {
         let moves = rows.iter_mut().flat_map(|row| row.leave_out(block, unknowns)).collect();
-        reduced(rows, unknowns, moves).ok().filter(|other| !other.divides_by_nothing(block)).unwrap_or(usual)
+        reduced(rows, unknowns, moves, &|term| block.vanishes(term))
+            .ok()
+            .filter(|other| !other.divides_by_nothing(block))
+            .unwrap_or(usual)
     } else {
         usual
     };
@@ -65,13 +68,21 @@ struct Reduced {
     moves: Vec<Move>,
 }
 
-fn reduced(mut rows: Vec<Row>, unknowns: &[Symbol], mut moves: Vec<Move>) -> Result<Reduced, Refusal> {
+/// Eliminates one unknown after the other, by an equation in which its coefficient is not to be avoided if there is one.
+fn reduced(
+    mut rows: Vec<Row>,
+    unknowns: &[Symbol],
+    mut moves: Vec<Move>,
+    avoided: &dyn Fn(&Expr) -> bool,
+) -> Result<Reduced, Refusal> {
     let mut pivots = Vec::new();
     for column in (0..unknowns.len()).rev() {
         let pivot = rows.iter().enumerate().filter(|(_, row)| !row.coefficients[column].is_zero());
-        let Some((place, _)) =
-            pivot.min_by_key(|(place, row)| (plainness(&row.coefficients[column]), usize::MAX - place))
-        else {
+        let awkwardness = |(place, row): &(usize, &Row)| {
+            let coefficient = &row.coefficients[column];
+            (avoided(coefficient), plainness(coefficient), usize::MAX - place)
+        };
+        let Some((place, _)) = pivot.min_by_key(awkwardness) else {
             return Err(rows.first().map_or(Refusal::Dependent, |row| dropped_out(&row.rest)));
         };
         let pivot = rows.remove(place);

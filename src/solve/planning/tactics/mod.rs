@@ -49,6 +49,12 @@ pub(super) fn close(block: &Block, attempts: &mut Attempts) -> Result<Step, Refu
     Err(Refusal::NotApplicable)
 }
 
+/// Whether a step divides by what is zero for the values that are known beforehand.
+pub(super) fn divides_by_nothing(block: &Block, step: &Step) -> bool {
+    let values = step.roots.iter().flat_map(|root| &root.values);
+    values.into_iter().any(|(_, value)| matches!(value, Closed::Formula(term) if block.divides_by_nothing(term)))
+}
+
 /// The step by which the unknown of a block of one is brought to one side.
 pub(super) fn isolate(block: &Block, attempts: &mut Attempts) -> Result<Step, Refusal> {
     attempts.made(block, Tactic::Isolate, || attempt(block, Tactic::Isolate, isolate::close))
