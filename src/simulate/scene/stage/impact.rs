@@ -137,7 +137,12 @@ impl StageRun<'_> {
         for body in bodies {
             self.note_here(&format!("J_{}.n", body.body.name), dot(touch.normal, body.impulse), 0.0);
         }
-        self.note_here("v_common", parted.common, 0.0);
+        // Along a single axis it has the sign of that axis, not of the line of impact.
+        let sign = match self.values.axes()[..] {
+            [only] => dot(touch.normal, unit(only)),
+            _ => 1.0,
+        };
+        self.note_here("v_common", parted.common * sign, 0.0);
         self.note_here("J_def", parted.phases[0], 0.0);
         self.note_here("J_rest", parted.phases[1], parted.phases[0]);
     }
