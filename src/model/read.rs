@@ -24,8 +24,8 @@ use super::Name;
 use super::QuantityKind;
 use super::VectorName;
 use super::name::is_bare_name;
-use super::staged::of_several_stages;
-use super::staged::quoted;
+use super::wording::of_several_stages;
+use super::wording::quoted;
 
 /// Keys of stages by which an author names a quantity.
 const KEYS: &[&str] = &["distance", "during", "duration", "height", "length"];

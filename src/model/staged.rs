@@ -13,6 +13,7 @@ use super::Model;
 use super::Name;
 use super::check;
 use super::name::component_name;
+use super::wording::of_several_stages;
 
 /// A name under `given` that the scene does not make by itself, as the scene spells it.
 struct GivenName {
@@ -28,15 +29,6 @@ pub(super) fn in_stages(symbols: &SymbolTable, names: &[Name], name: &Name) -> V
         other.stage.is_some() && Name { stage: None, ..other.clone() }.to_string() == spelling
     };
     if name.stage.is_some() { Vec::new() } else { symbols.iter().map(|(symbol, _)| symbol).filter(is_meant).collect() }
-}
-
-/// Advice on how to write a quantity that several stages have.
-pub(super) fn of_several_stages(names: impl IntoIterator<Item = String>) -> String {
-    format!("several stages have this quantity: write {}", quoted(names, " or "))
-}
-
-pub(super) fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String {
-    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(conjunction)
 }
 
 impl<'s> Builder<'s> {

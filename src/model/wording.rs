@@ -77,3 +77,13 @@ pub(super) fn when(scene: &Scene, instant: usize) -> String {
         Span::Own(words) => words[side].into(),
     }
 }
+
+/// Advice on how to write a quantity that several stages have.
+pub(super) fn of_several_stages(names: impl IntoIterator<Item = String>) -> String {
+    format!("several stages have this quantity: write {}", quoted(names, " or "))
+}
+
+/// Names in quotation marks, with a conjunction between them.
+pub(super) fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(conjunction)
+}

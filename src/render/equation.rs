@@ -179,7 +179,7 @@ fn opened(piece: Vec<Item<'_>>, room: f64) -> Vec<Item<'_>> {
     }
     piece
         .into_iter()
-        .flat_map(|item| if item.width == widest && can_open(&item) { open(item, room) } else { vec![item] })
+        .flat_map(|item| if item.width >= widest && can_open(&item) { open(item, room) } else { vec![item] })
         .collect()
 }
 

@@ -33,7 +33,7 @@ fn cases(name: &str) -> Vec<Case> {
     let mut kind = String::new();
     for block in text.split("\n\n").filter(|block| !block.starts_with('#')) {
         if let Some(title) = block.trim().strip_prefix("== ") {
-            kind = title.to_owned();
+            title.clone_into(&mut kind);
             continue;
         }
         let (table, found) = block.split_once("=>").unwrap_or_else(|| panic!("{block}"));

@@ -15,6 +15,7 @@ use momentous_scene::stage::Ends;
 use momentous_scene::stage::Flight;
 use momentous_scene::stage::Interact;
 use momentous_scene::stage::Push;
+use momentous_scene::stage::Rotate;
 use momentous_scene::stage::Slide;
 use momentous_scene::stage::Spring;
 use momentous_scene::stage::Strand;
@@ -72,28 +73,7 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{front} and {rear} move together")
         }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
-        Stage::Rotate(rotate) => {
-            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
-            if let Some(rotor) = &rotate.rotor {
-                let moved: Vec<String> = rotate
-                    .held()
-                    .into_iter()
-                    .filter(|(_, arm)| matches!(arm, Arm::Changing(_)))
-                    .map(|(body, _)| name(body))
-                    .collect();
-                if !moved.is_empty() {
-                    return format!(
-                        "{} turns, while the distance of {} from its axis changes",
-                        name(rotor),
-                        list(&moved)
-                    );
-                }
-                let with = if held.is_empty() { String::new() } else { format!(", with {} on it", list(&held)) };
-                return format!("{} turns{with}", name(rotor));
-            }
-            let turns = if held.len() > 1 { "move" } else { "moves" };
-            format!("{} {turns} round on the arm", list(&held))
-        }
+        Stage::Rotate(rotate) => turning(scene, rotate),
         Stage::Moment(_) => "a moment acts on them".to_owned(),
         Stage::Strike(strike) => {
             let arm = strike.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| name(rotor));
@@ -134,6 +114,24 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
                 }
                 _ => format!("{phrase} of {}", list(&parts)),
             }
+        }
+    }
+}
+
+/// The words for what turns on an arm or on a rotor.
+fn turning(scene: &Scene, rotate: &Rotate) -> String {
+    let called = |is_meant: fn(&Arm) -> bool| {
+        let held = rotate.held().into_iter().filter(|(_, arm)| is_meant(arm));
+        held.map(|(body, _)| scene.called(body)).collect::<Vec<_>>()
+    };
+    let (held, moved) = (called(|_| true), called(|arm| matches!(arm, Arm::Changing(_))));
+    match (&rotate.rotor, &held[..], &moved[..]) {
+        (None, [only], _) => format!("{only} moves round on the arm"),
+        (None, ..) => format!("{} move round on the arm", list(&held)),
+        (Some(rotor), [], _) => format!("{} turns", scene.called(rotor)),
+        (Some(rotor), _, []) => format!("{} turns, with {} on it", scene.called(rotor), list(&held)),
+        (Some(rotor), ..) => {
+            format!("{} turns, while the distance of {} from its axis changes", scene.called(rotor), list(&moved))
         }
     }
 }

@@ -104,14 +104,15 @@ struct Proxy {
 impl Proxy {
     fn before(servers: &[Server], folder: &Path) -> Self {
         let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
-        let upstream: String =
-            servers.iter().map(|server| format!("server {} fail_timeout=5s;\n", server.address)).collect();
+        let listed: Vec<String> =
+            servers.iter().map(|server| format!("server {} fail_timeout=5s;", server.address)).collect();
+        let upstream = listed.join("\n");
         let settings = format!(
             "daemon off; worker_processes 1; pid nginx.pid; error_log error.log;\n\
              events {{ worker_connections 1024; }}\n\
              http {{\n\
              access_log off; client_body_temp_path body; proxy_temp_path proxy; fastcgi_temp_path f; uwsgi_temp_path u; scgi_temp_path s;\n\
-             upstream momentous {{\n{upstream}}}\n\
+             upstream momentous {{\n{upstream}\n}}\n\
              server {{\n\
              listen 127.0.0.1:{port};\n\
              location / {{\n\
