@@ -194,7 +194,7 @@ fn marking_says_how_a_multiple_is_written() {
 #[test]
 fn sides_of_a_comparison_are_named_as_the_author_wrote_them_with_their_values() {
     let (_, solved) = run(&["solve", &path("sides_as_written"), "--format", "json"]);
-    assert!(solved.contains("abs(v_A2) (1.769\u{a0}m/s) is greater than abs(v_B2) (0.8558\u{a0}m/s)"), "{solved}");
+    assert!(solved.contains("|v_A2| (1.769\u{a0}m/s) is greater than |v_B2| (0.8558\u{a0}m/s)"), "{solved}");
 }
 
 #[test]
