@@ -106,12 +106,6 @@ impl Builder<'_> {
                 Expr::sum(sides.map(|side| energy::kinetic(&side.mass, &[velocity(side)])))
             };
             let run = leading.of_string(&distance);
-            if let [(axis, _)] = self.axes[..] {
-                for (side, strand) in [(&trailing, &stage.trailing), (&leading, &stage.leading)] {
-                    let way = (run.clone() * side.strands.clone().powi(-1)).simplify();
-                    self.comes_so_far(index, &strand.body, axis, way);
-                }
-            }
             let works = sides
                 .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
             let fact = "the string does equal and opposite work on the two bodies".to_owned();

@@ -80,11 +80,6 @@ impl Builder<'_> {
                 Expr::sum(both.map(|member| energy::kinetic(&member.mass, &[velocity(member)])))
             };
             let works = both.map(|member| (member.drive.clone() * distance.clone()).simplify());
-            if let [(axis, _)] = self.axes[..] {
-                for towed in stage.both() {
-                    self.comes_so_far(index, &towed.body, axis, distance.clone());
-                }
-            }
             let fact = format!("{joint} does equal and opposite work on the two bodies");
             let because = Because::Conclusion(fact, "its total work is zero".to_owned());
             let (start, end) = (kinetic(&|member| member.before.clone()), kinetic(&|member| member.after.clone()));
