@@ -114,7 +114,7 @@ impl Slopes {
             if let Ok(at) = self.unknowns.binary_search(&symbol) {
                 row[at] += slope * self.sizes[at];
             }
-            is_known &= slope.is_finite();
+            is_known &= slope.is_finite() && value(symbol).is_finite();
         });
         (is_known && row.iter().all(|part| part.is_finite())).then_some(row)
     }

@@ -54,12 +54,14 @@ pub(crate) struct Follows {
     pub(crate) instance: Option<usize>,
     /// In how many places the same is got wrong.
     pub(crate) places: usize,
+    /// Whether the line is the wrong equation itself, but for what is right, and no other multiple of it.
+    is_itself: bool,
 }
 
 impl WrongSystem {
     fn follows(&self) -> Follows {
         let Mistaken { of, instance, places, .. } = &self.mistaken;
-        Follows { of, instance: *instance, places: *places }
+        Follows { of, instance: *instance, places: *places, is_itself: false }
     }
 
     fn way(&self, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Arc<Way>> {
@@ -82,11 +84,11 @@ impl WrongSystem {
         way
     }
 
-    /// Whether a line is a multiple of one of the wrong equations, but for what is right: where the scene is right, right equations
-    /// vanish, so the differences of its sides are then the same multiple of those of the wrong equation in every variant.
-    fn is_in(&self, differences: &[(Place<'_>, Difference)]) -> bool {
-        self.mistaken.wrong.iter().filter_map(|place| self.mistaken.system.equations.get(*place)).any(|equation| {
-            let Statement::Equal { left, right } = &equation.statement else { return false };
+    /// How many times a line is one of the wrong equations, but for what is right: where the scene is right, right equations vanish,
+    /// so the differences of its sides are then the same multiple of those of the wrong equation in every variant.
+    fn multiple(&self, differences: &[(Place<'_>, Difference)]) -> Option<f64> {
+        self.mistaken.wrong.iter().filter_map(|place| self.mistaken.system.equations.get(*place)).find_map(|equation| {
+            let Statement::Equal { left, right } = &equation.statement else { return None };
             let mut ratios: Vec<f64> = Vec::new();
             for (place, difference) in differences {
                 let value = |symbol: Symbol| place.value(symbol).unwrap_or_else(Bounded::not_real);
@@ -95,11 +97,12 @@ impl WrongSystem {
                 match (difference.is_nothing(), wrong.is_nothing()) {
                     (true, true) => {}
                     (false, false) if wrong.value.is_finite() => ratios.push(difference.value / wrong.value),
-                    _ => return false,
+                    _ => return None,
                 }
             }
-            let Some(first) = ratios.first().copied() else { return false };
-            ratios.len() >= ENOUGH && ratios.iter().all(|ratio| (ratio - first).abs() <= SAME * first.abs())
+            let first = ratios.first().copied()?;
+            let is_same = ratios.iter().all(|ratio| (ratio - first).abs() <= SAME * first.abs());
+            (ratios.len() >= ENOUGH && is_same).then_some(first)
         })
     }
 
@@ -132,20 +135,24 @@ impl WrongSystems {
         let systems = ground.wrong.get(|| Self::new(ground, worked));
         let wanted: BTreeSet<Symbol> = line.quantities().difference(&ground.told).copied().collect();
         let apart = differences(ground, place, (line, meanings), at);
-        let direct: Vec<&WrongSystem> =
-            systems.0.iter().filter(|system| apart.iter().any(|line| system.is_in(line))).collect();
+        let direct = systems.0.iter().filter_map(|system| {
+            let multiple = apart.iter().find_map(|line| system.multiple(line))?;
+            Some((system, Follows { is_itself: (multiple.abs() - 1.0).abs() <= SAME, ..system.follows() }))
+        });
+        let direct: Vec<(&WrongSystem, Follows)> = direct.collect();
         // Better those from which it follows without the law that they replace.
         let fails = |system: &WrongSystem, way: &Way| {
             way.uses(&system.mistaken.wrong)
                 && meanings.iter().all(|set| holds(way, place, (line, set, at)) == Holds::No)
         };
-        let stands = |system: &&&WrongSystem| !system.way(ground, &wanted).is_some_and(|way| fails(system, &way));
-        let standing: Vec<Follows> = direct.iter().filter(stands).map(|system| system.follows()).collect();
+        let stands = |system: &WrongSystem| !system.way(ground, &wanted).is_some_and(|way| fails(system, &way));
+        let standing = direct.iter().filter(|(system, _)| stands(system)).map(|(_, follows)| follows.clone());
+        let standing: Vec<Follows> = standing.collect();
         if !standing.is_empty() {
             return likeliest(standing);
         }
         if !direct.is_empty() {
-            return likeliest(direct.into_iter().map(WrongSystem::follows).collect());
+            return likeliest(direct.into_iter().map(|(_, follows)| follows).collect());
         }
         let mut follows: Vec<Follows> = Vec::new();
         for system in &systems.0 {
@@ -183,9 +190,9 @@ fn holds(way: &Way, place: Place<'_>, (line, meanings, at): (&Written, &Meanings
     solutions.iter().map(within).min().unwrap_or(Holds::Open)
 }
 
-/// Those made in the fewest places, of laws before those of data; each once.
+/// Those made in the fewest places, of laws before those of data, and those that stand in the line before multiples; each once.
 fn likeliest(mut follows: Vec<Follows>) -> Vec<Follows> {
-    let rank = |follows: &Follows| (follows.places, follows.instance.is_none());
+    let rank = |follows: &Follows| (follows.places, follows.instance.is_none(), !follows.is_itself);
     follows.sort_by_key(rank);
     let first = follows.first().map(rank);
     let mut named = BTreeSet::new();
