@@ -95,7 +95,7 @@ fn form_audit(
     idle: &Outcome,
 ) -> Result<FormAudit, NoVariant> {
     let form = problem.forms().get(position).ok_or(NoVariant::NoForm)?;
-    let drawn = if form.combinations() > 1 { seeds.drawn } else { seeds.drawn.min(OF_ONE_SHEET) };
+    let drawn = seeds_of(form, seeds.drawn);
     let samples = Samples::draw(problem, position, drawn)?;
     let columns = answers::columns(&form.parts, &samples);
     let variants = samples.variants();
@@ -138,6 +138,11 @@ fn form_audit(
         promises: Promise::all().map(find).collect(),
         simulation: simulated,
     })
+}
+
+/// How many of so many seeds of a form are looked at.
+fn seeds_of(form: &PlannedForm, seeds: u64) -> u64 {
+    if form.combinations() > 1 { seeds } else { seeds.min(OF_ONE_SHEET) }
 }
 
 fn draws(samples: &Samples) -> Outcome {
@@ -218,8 +223,10 @@ fn idle_requires(problem: &Problem, seeds: u64) -> Outcome {
         return Outcome::Kept;
     }
     let rejected = |problem: &Problem| -> Option<Vec<u64>> {
-        let count = |form: usize| Samples::draw(problem, form, seeds).ok().map(|samples| samples.rejected);
-        (0..problem.forms().len()).map(count).collect()
+        let count = |(form, planned): (usize, &PlannedForm)| {
+            Samples::draw(problem, form, seeds_of(planned, seeds)).ok().map(|samples| samples.rejected)
+        };
+        problem.forms().iter().enumerate().map(count).collect()
     };
     let all = rejected(problem);
     let idle = |(index, text): (usize, &String)| {

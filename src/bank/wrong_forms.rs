@@ -49,6 +49,9 @@ pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Out
 
 /// How often draws are rejected since a mistake that the author wants to see would change no answer.
 fn rejected(problem: &Problem, form: usize, seeds: u64) -> Vec<String> {
+    if problem.loaded().draft.discriminate.is_empty() {
+        return Vec::new();
+    }
     let Ok(mut sampler) = Sampler::new(problem, form) else { return Vec::new() };
     let drawn = (1..=seeds.min(MOST_SEEDS)).filter(|seed| sampler.draw(*seed).is_ok()).count() as u64;
     let attempts = drawn + sampler.rejected();

@@ -191,7 +191,7 @@ fn inside(math: &Math) -> &Math {
     }
 }
 
-/// See [`unfolded`].
+/// The same, however wide it is; nothing else where it cannot be opened.
 fn open(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
     let one = || Arc::new(Math::Number("1".to_owned()));
     let sign = |text: &str| Math::Text(text.to_owned());

@@ -14,7 +14,7 @@ use momentous_fault::Faults;
 use momentous_figure::Drawing;
 
 use super::authored::{Authored, Piece};
-use super::equation;
+
 use super::equation::Row;
 use super::html;
 use super::html::escape;
@@ -140,11 +140,7 @@ impl Markup {
         match block {
             Block::Paragraph(run) => out.push_str(&self.paragraph(&self.inline(run))),
             Block::Equation { lines, number } => {
-                out.push_str(&Writer::equation(
-                    &self,
-                    &equation::rows(lines, Writer::widest(&self, number.is_some())),
-                    *number,
-                ));
+                out.push_str(&Writer::displayed(&self, lines, *number));
                 out.push_str(if self == Self::Markdown { "\n\n" } else { "\n" });
             }
             Block::List(items) => {

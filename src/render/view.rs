@@ -14,7 +14,6 @@ use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::document::{BesideFile, Figures, Format};
-use super::equation;
 use super::fade::fade;
 use super::key_groups::{Group, groups};
 use super::page::{Heading, Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
@@ -211,13 +210,9 @@ impl<'a> View<'a> {
         let cells = |row: &[Vec<Inline>]| Value::from(row.iter().map(|cell| self.inline(cell)).collect::<Vec<_>>());
         match block {
             Block::Paragraph(run) => map([("kind", "paragraph".into()), ("text", self.inline(run))]),
-            Block::Equation { lines, number } => map([
-                ("kind", "equation".into()),
-                (
-                    "text",
-                    ready(&self.writer.equation(&equation::rows(lines, self.writer.widest(number.is_some())), *number)),
-                ),
-            ]),
+            Block::Equation { lines, number } => {
+                map([("kind", "equation".into()), ("text", ready(&self.writer.displayed(lines, *number)))])
+            }
             Block::List(items) => map([("kind", "list".into()), ("items", cells(items))]),
             Block::Table { head, rows } => map([
                 ("kind", "table".into()),

@@ -8,6 +8,7 @@ use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::inline_mathml;
+use super::equation;
 use super::equation::PAPER;
 use super::equation::Row;
 
@@ -31,6 +32,10 @@ pub(super) trait Writer {
     /// The widest row of an equation, in widths of a digit, beside its number if it has one.
     fn widest(&self, _is_numbered: bool) -> f64 {
         PAPER
+    }
+    /// The rows of some lines, no wider than there is room, as a displayed equation.
+    fn displayed(&self, lines: &[Math], number: Option<u32>) -> String {
+        self.equation(&equation::rows(lines, self.widest(number.is_some())), number)
     }
     /// A figure without its caption.
     fn figure(&self, drawing: &Drawing) -> String;

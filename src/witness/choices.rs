@@ -1,7 +1,5 @@
 //! Questions that are not a number, answered from what the simulation finds.
 
-use core::f64::consts::TAU;
-
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_problem::Ask;
@@ -94,9 +92,7 @@ fn claimed(case: &Case<'_>, witness: &Witness<'_>, claim: &Claim) -> Option<bool
         measurement.unwrap_or(Measurement { value: said(case, side), error: 0.0 })
     };
     let [mut left, right] = [(&claim.left, sides[0]), (&claim.right, sides[1])].map(of_side);
-    if claim.is_of_directions {
-        left.value -= TAU * ((left.value - right.value) / TAU).round();
-    }
+    left.value -= claim.whole_turns(left.value - right.value);
     holds(claim.relation, left, right)
 }
 

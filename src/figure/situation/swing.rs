@@ -89,7 +89,7 @@ impl Swing {
             outlines = outlines.into_iter().zip(lowered).map(|(body, at)| body.moved(at)).collect();
             self.draw_track(canvas, &angles, &outlines, depth);
         } else {
-            draw_pivot(canvas, &angles, beside.as_ref().map_or(0.0, |(_, outline)| outline.centre().x));
+            draw_pivot(canvas, &angles, beside.as_ref().map(|(_, outline)| outline.centre().x));
         }
         if let Some((_, outline)) = &beside {
             outline.draw(canvas);
@@ -226,14 +226,13 @@ impl Swing {
     }
 }
 
-/// A ceiling, or a pin where the body goes up beside it; the same for a cord that far beside.
-fn draw_pivot(canvas: &mut Canvas, angles: &[f64], beside: f64) {
+/// A ceiling, or a pin where the body goes up beside it; the same for a cord that far beside, where there is one.
+fn draw_pivot(canvas: &mut Canvas, angles: &[f64], beside: Option<f64>) {
     if angles.iter().all(|angle| angle.abs() < STEEPEST_UNDER_CEILING) {
-        let half = CEILING_HALF + beside.abs() / 2.0;
-        draw_support(canvas, Point::new(beside / 2.0, 0.0), Point::new(0.0, -1.0), half);
-        return;
+        let (middle, half) = beside.map_or((0.0, CEILING_HALF), |x| (x / 2.0, CEILING_HALF + x.abs() / 2.0));
+        return draw_support(canvas, Point::new(middle, 0.0), Point::new(0.0, -1.0), half);
     }
-    for x in [0.0, beside].into_iter().take(if beside == 0.0 { 1 } else { 2 }) {
+    for x in [0.0].into_iter().chain(beside) {
         canvas.draw(Shape::Circle { centre: Point::new(x, 0.0), radius: PIVOT, role: Role::Axis });
     }
 }

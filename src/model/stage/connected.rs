@@ -92,8 +92,10 @@ impl Builder<'_> {
             let sides = momentum::impulse_momentum(&side.mass, &side.before, &impulses, &side.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
-        for (side, strand) in [(&trailing, &stage.trailing), (&leading, &stage.leading)] {
-            self.moves_evenly(index, &strand.body, [&side.before, &side.after], &duration);
+        if let Some(axis) = self.only_axis() {
+            for (side, strand) in [(&trailing, &stage.trailing), (&leading, &stage.leading)] {
+                self.moves_evenly((index, &strand.body), axis, [&side.before, &side.after], &duration);
+            }
         }
         if let Some(term) = &stage.distance {
             let meaning = if is_plain {

@@ -1,5 +1,6 @@
-//! Where a body is after a stage that takes it along the only axis.
+//! Where a body is after a stage that takes it along an axis.
 
+use crate::Because;
 use crate::Builder;
 use momentous_expr::Expr;
 use momentous_laws::kinematics;
@@ -7,8 +8,13 @@ use momentous_scene::Axis;
 
 impl Builder<'_> {
     /// Its velocity, with these values at both ends, changes evenly all the time: the mean of them tells how far it comes.
-    pub(super) fn moves_evenly(&mut self, index: usize, body: &str, [before, after]: [&Expr; 2], time: &Expr) {
-        let Some(axis) = self.only_axis() else { return };
+    pub(super) fn moves_evenly(
+        &mut self,
+        (index, body): (usize, &str),
+        axis: Axis,
+        [before, after]: [&Expr; 2],
+        time: &Expr,
+    ) {
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
         let because = format!("the forces on {} do not change, so the velocity changes evenly", self.called(body));
         let sides = kinematics::mean_velocity([&from, &to], [before, after], time);
@@ -16,13 +22,19 @@ impl Builder<'_> {
     }
 
     /// It comes so far along an axis.
-    pub(super) fn comes_so_far(&mut self, index: usize, body: &str, axis: Axis, way: Expr) {
+    pub(super) fn comes_so_far(
+        &mut self,
+        (index, body): (usize, &str),
+        axis: Axis,
+        way: Expr,
+        because: impl Into<Because>,
+    ) {
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
-        let because = format!("{} comes so far", self.called(body));
         self.law(&kinematics::DISPLACED, Some(index), because, (to, from + way));
     }
 
-    fn only_axis(&self) -> Option<Axis> {
+    /// The axis of a scene that has one.
+    pub(super) fn only_axis(&self) -> Option<Axis> {
         if let [(axis, _)] = self.axes[..] { Some(axis) } else { None }
     }
 }

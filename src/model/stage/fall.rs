@@ -31,7 +31,8 @@ impl Builder<'_> {
                 self.law(&momentous_laws::momentum::NO_IMPULSE, Some(index), because, (after, before));
                 continue;
             };
-            self.comes_so_far(index, body, *axis, (Expr::integer(down) * height.clone()).simplify());
+            let way = (Expr::integer(down) * height.clone()).simplify();
+            self.comes_so_far((index, body), *axis, way, format!("{name} comes so far"));
             let because = format!("weight is the only force on {name} during {phrase}");
             let sides = kinematics::fall_speed(&gravity, &height, &before, &after);
             self.law(&kinematics::FALL_SPEED, Some(index), because.clone(), sides);

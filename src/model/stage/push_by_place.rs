@@ -16,7 +16,6 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::energy;
-use momentous_laws::kinematics;
 use momentous_scene::Friction;
 use momentous_scene::stage::Push;
 use momentous_solve::Relation;
@@ -49,8 +48,8 @@ impl Builder<'_> {
         let ends = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
         let moved = ends[1].clone() - ends[0].clone();
         if let Some(over) = &pushed.over {
-            let sides = (ends[1].clone(), ends[0].clone() + sign.clone() * over.clone());
-            self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
+            let way = sign.clone() * over.clone();
+            self.comes_so_far((index, body), axis, way, "the forces act over this distance");
         }
         let way = pushed.over.clone().map(|over| ends[0].clone() + sign.clone() * over);
         let end = way.unwrap_or_else(|| ends[1].clone());

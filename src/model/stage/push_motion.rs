@@ -5,7 +5,6 @@ use crate::Integral;
 use crate::Name;
 use crate::QuantityKind;
 use momentous_expr::Expr;
-use momentous_laws::kinematics;
 use momentous_laws::motion;
 use momentous_scene::Axis;
 
@@ -24,10 +23,7 @@ impl Builder<'_> {
         if !net.contains(pushed.clock) {
             let after = if pushed.stops { Expr::zero() } else { after };
             let time = pushed.end.clone() - pushed.start.clone();
-            let because = format!("the forces on {name} do not change, so the velocity changes evenly");
-            let sides = kinematics::mean_velocity([&from, &to], [&before, &after], &time);
-            self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
-            return;
+            return self.moves_evenly((index, body), axis, [&before, &after], &time);
         }
         let Some(gained) = net.definite(pushed.clock, &pushed.start, &pushed.clock.into()) else { return };
         let velocity = before + gained.simplify() / mass;

@@ -11,7 +11,6 @@ use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
-use momentous_laws::kinematics;
 use momentous_laws::resistance;
 use momentous_quantity::Dimension;
 use momentous_scene::Axis;
@@ -75,8 +74,7 @@ impl Builder<'_> {
         }
         self.moves_along(index, body, [&before, &after], Some(Opposing::Resistance));
         let way = if let Some(over) = &pushed.over {
-            let sides = (to, from + sign * over.clone());
-            self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
+            self.comes_so_far((index, body), axis, sign * over.clone(), "the forces act over this distance");
             over.clone()
         } else {
             let way = sign * (to - from);

@@ -7,7 +7,6 @@ use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
-use momentous_laws::kinematics;
 use momentous_scene::Axis;
 use momentous_scene::Friction;
 use momentous_scene::stage::Push;
@@ -94,8 +93,7 @@ impl Builder<'_> {
         let mut moved = to.clone() - from.clone();
         if let Some(over) = &pushed.over {
             moved = Expr::integer(pushed.sign) * over.clone();
-            let sides = (to, from + moved.clone());
-            self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
+            self.comes_so_far((index, body), axis, moved.clone(), "the forces act over this distance");
             let [before, after] = [&before, &after].map(|velocity| Expr::integer(pushed.sign) * velocity.clone());
             self.moves_along(index, body, [&before, &after], None);
         }

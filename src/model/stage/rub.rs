@@ -146,14 +146,13 @@ impl Builder<'_> {
             let (body, name) = (rubbing.bodies[side], &rubbing.names[side]);
             let meaning = format!("the displacement of {name} over the ground");
             let way = Expr::from(self.symbol(self.in_stage(QuantityKind::Displacement, body, index), meaning));
-            let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
             let fact = format!("the friction on {name} does not change");
             let because = Because::Conclusion(fact, "the velocity changes evenly".to_owned());
             let ends = [&rubbing.before[side], &rubbing.after[side]];
             let sides = kinematics::mean_velocity([&Expr::zero(), &way], ends, &rubbing.time);
             self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
             let because = format!("this is how far {} over the ground", self.does(body, ["moves", "move"]));
-            self.law(&kinematics::DISPLACED, Some(index), because, (to, from + way.clone()));
+            self.comes_so_far((index, body), axis, way.clone(), because);
             way
         });
         if let Some(slid) = slid {

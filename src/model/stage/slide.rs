@@ -67,11 +67,12 @@ impl Builder<'_> {
         } else {
             let retardation = self.retardation(&name, friction.as_ref(), &incline, &way);
             self.slowed((index, body), &retardation, distance.as_ref(), &duration, &way);
-            let sign = Expr::integer(way.sign);
-            let ends = [&way.before, &way.after].map(|speed| (sign.clone() * speed.clone()).simplify());
-            self.moves_evenly(index, body, [&ends[0], &ends[1]], &duration);
-            if let (Some(distance), [(axis, _)]) = (&distance, &self.axes[..]) {
-                self.comes_so_far(index, body, *axis, (sign * distance.clone()).simplify());
+            if let Some(axis) = self.only_axis() {
+                let along = |amount: &Expr| (Expr::integer(way.sign) * amount.clone()).simplify();
+                self.moves_evenly((index, body), axis, [&along(&way.before), &along(&way.after)], &duration);
+                if let Some(distance) = &distance {
+                    self.comes_so_far((index, body), axis, along(distance), format!("{name} comes so far"));
+                }
             }
             if let (Some(height), Some(distance)) = (height, distance) {
                 let sides = (height, distance * incline.along.clone());

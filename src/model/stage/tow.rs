@@ -70,8 +70,10 @@ impl Builder<'_> {
                 momentum::impulse_momentum(&member.mass, &member.before, &[acting * duration.clone()], &member.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
-        for (member, towed) in [(&front, &stage.front), (&rear, &stage.rear)] {
-            self.moves_evenly(index, &towed.body, [&member.before, &member.after], &duration);
+        if let Some(axis) = self.only_axis() {
+            for (member, towed) in [(&front, &stage.front), (&rear, &stage.rear)] {
+                self.moves_evenly((index, &towed.body), axis, [&member.before, &member.after], &duration);
+            }
         }
         if let Some(term) = &stage.distance {
             let meaning = format!("how far {} and {} move", front.name, rear.name);

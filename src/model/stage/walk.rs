@@ -6,7 +6,6 @@ use crate::Influence;
 use crate::QuantityKind;
 use momentous_expr::Expr;
 use momentous_fault::Path;
-use momentous_laws::kinematics;
 use momentous_laws::mass_centre;
 use momentous_laws::separation;
 use momentous_quantity::Dimension;
@@ -31,9 +30,8 @@ impl Builder<'_> {
         });
         if let [(axis, _)] = self.axes[..] {
             for (body, displacement) in bodies.into_iter().zip(&displacements) {
-                let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
                 let because = format!("this is how far {} over the ground", self.does(body, ["moves", "move"]));
-                self.law(&kinematics::DISPLACED, Some(index), because, (to, from + displacement.clone()));
+                self.comes_so_far((index, body), axis, displacement.clone(), because);
             }
         }
         let masses = bodies.map(|body| self.mass(body));

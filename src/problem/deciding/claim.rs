@@ -1,7 +1,6 @@
 //! Whether a claim holds of the numbers of a variant.
 
 use std::cmp::Ordering;
-use std::f64::consts::TAU;
 
 use momentous_expr::Expr;
 use momentous_quantity::coherent_unit;
@@ -25,8 +24,9 @@ impl Claim {
 
     /// How its sides compare, directions up to whole turns.
     fn order(&self, worked: &Worked<'_>) -> Option<Ordering> {
-        let turns = if self.is_of_directions { Some(TAU) } else { None };
-        compared(difference(worked, &self.left, &self.right), turns)
+        let Bounded { value, error } = difference(worked, &self.left, &self.right);
+        let turns = self.whole_turns(value);
+        compared_with_zero(Bounded { value: value - turns, error: error + f64::EPSILON * turns.abs() })
     }
 
     /// Why it cannot be judged with the numbers of a variant.
@@ -58,7 +58,7 @@ impl Claim {
 /// How two terms compare with the numbers of a variant: equal where their difference is no more than its error bound, which is
 /// so only where it is exactly zero. `None` where a side has no value, as where it is divided by zero.
 pub(super) fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Option<Ordering> {
-    compared(difference(worked, left, right), None)
+    compared_with_zero(difference(worked, left, right))
 }
 
 fn difference(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Bounded {
@@ -66,14 +66,11 @@ fn difference(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Bounded {
     evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number))
 }
 
-/// How a difference compares with zero, or with the nearest multiple of a period.
-fn compared(Bounded { value, error }: Bounded, period: Option<f64>) -> Option<Ordering> {
+fn compared_with_zero(Bounded { value, error }: Bounded) -> Option<Ordering> {
     if !error.is_finite() {
         return None;
     }
-    let nearest = period.map_or(0.0, |period| period * (value / period).round());
-    let (left_over, error) = (value - nearest, error + f64::EPSILON * nearest.abs());
-    if left_over.abs() <= error { Some(Ordering::Equal) } else { value.partial_cmp(&0.0) }
+    if value.abs() <= error { Some(Ordering::Equal) } else { value.partial_cmp(&0.0) }
 }
 
 /// The value of a term in its usual unit.

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -38,6 +39,12 @@ impl Claim {
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         self.left.symbols().union(&self.right.symbols()).copied().collect()
+    }
+
+    /// The whole turns in a difference of its sides, which are none of it where these are directions.
+    #[must_use]
+    pub fn whole_turns(&self, difference: f64) -> f64 {
+        if self.is_of_directions { TAU * (difference / TAU).round() } else { 0.0 }
     }
 
     /// Whether it holds where its sides have these values; `None` where one of them is no number.

@@ -32,7 +32,7 @@ impl StageRun<'_> {
                 self.fall_through(body, height)?
             };
             let fallen = velocity(&end.state, 0);
-            self.note_place_along(&stage.body, axis, height * part(falls, axis).signum());
+            self.note_place_along(&stage.body, axis, height * part(falls, axis).signum(), height);
             self.note(&name, part(fallen, axis), 0.0);
             if let (Ok(mass), Ok(before)) =
                 (self.values.mass(&stage.body), self.values.velocity_before(&stage.body, axis))

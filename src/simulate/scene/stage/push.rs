@@ -85,8 +85,7 @@ impl StageRun<'_> {
         let gained = if alike { reached[1] } else { less(reached[0], before) };
         let impulse = times(self.values.mass(body)?, gained);
         let strongest = self.pulled(stage, body, ZERO, ZERO)?.strongest([start, end]);
-        self.note_vector_of(&format!("J_{body}"), impulse, strongest * (end - start));
-        self.note_vector_of(&format!("F_avg_{body}"), times(1.0 / (end - start), impulse), strongest);
+        self.note_impulse_by_forces(body, impulse, strongest, end - start);
         self.note_duration(None, end - start);
         Ok(Some(impulse))
     }
@@ -114,16 +113,22 @@ impl StageRun<'_> {
     /// Notes where a body is after the stage, where it is known where it was before.
     pub(super) fn note_place(&mut self, body: &str, displaced: Vector) {
         for axis in self.values.axes() {
-            self.note_place_along(body, axis, part(displaced, axis));
+            self.note_place_along(body, axis, part(displaced, axis), size(displaced));
         }
     }
 
-    /// The same along one axis.
-    pub(super) fn note_place_along(&mut self, body: &str, axis: Axis, displaced: f64) {
+    /// The same along one axis, for a part of a way of that length.
+    pub(super) fn note_place_along(&mut self, body: &str, axis: Axis, displaced: f64, length: f64) {
         if let Ok(from) = self.values.place_before(body, axis) {
             let name = self.values.place_name(body, self.values.index + 2, axis);
-            self.note(&name, from + displaced, from.abs().max(displaced.abs()));
+            self.note(&name, from + displaced, from.abs().max(length));
         }
+    }
+
+    /// Notes the impulse on a body in so many seconds, and the average force, where forces as strong as that acted on it.
+    fn note_impulse_by_forces(&mut self, body: &str, impulse: Vector, strongest: f64, time: f64) {
+        self.note_vector_of(&format!("J_{body}"), impulse, strongest * time);
+        self.note_vector_of(&format!("F_avg_{body}"), times(1.0 / time, impulse), strongest);
     }
 
     /// The body under its weight and all pushes and pulls, at a place and with a velocity.
@@ -288,16 +293,16 @@ impl StageRun<'_> {
         }
         self.note_place(body, place(&end.state, 0));
         self.note_velocity(body, velocity(&end.state, 0), size(moves));
-        let impulse = times(mass, less(velocity(&end.state, 0), moves));
-        let strongest = system.strongest([begun, end.time]) + mass * gravity;
-        self.note_vector_of(&format!("J_{body}"), impulse, strongest * (end.time - begun) + mass * size(moves));
-        if end.time > begun {
-            let average = times(1.0 / (end.time - begun), impulse);
-            self.note_vector_of(&format!("F_avg_{body}"), average, strongest);
+        let time = end.time - begun;
+        if time > 0.0 {
+            let impulse = times(mass, less(velocity(&end.state, 0), moves));
+            // A change of velocity is as sure as the velocities of which it is the difference.
+            let strongest = system.strongest([begun, end.time]) + mass * (gravity + size(moves) / time);
+            self.note_impulse_by_forces(body, impulse, strongest, time);
         }
         self.note_term(stage.over.as_ref(), dot(ahead, place(&end.state, 0)).abs(), 0.0);
         if !matches!((stage.until, finish), (Some(_), Finish::Time(_))) {
-            self.note_duration(stage.duration(), end.time - begun);
+            self.note_duration(stage.duration(), time);
         }
         if needs_weight {
             self.note_here(&format!("N_{body}"), normal(begins), 0.0);
