@@ -205,6 +205,11 @@ impl Ground {
         self.equations.iter().filter(|stated| stated.is_used).flat_map(|stated| stated.residual.symbols()).collect()
     }
 
+    /// The quantities that the used equations give.
+    pub(crate) fn sought(&self) -> Vec<Symbol> {
+        self.used_symbols().difference(&self.told).copied().collect()
+    }
+
     /// The positions of the used equations in the system.
     pub(crate) fn used(&self) -> BTreeSet<usize> {
         self.equations.iter().filter(|stated| stated.is_used).map(|stated| stated.place).collect()

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use momentous_expr::Symbol;
 use momentous_solve::Audit;
 use momentous_solve::Bounded;
+use momentous_solve::Plan;
 use momentous_solve::Program;
 use momentous_solve::System;
 use momentous_solve::Verify;
@@ -27,7 +28,11 @@ pub(crate) struct Way {
 impl Way {
     /// The way from what is known to what is wanted; none where no method gives it.
     pub(crate) fn new(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Option<Self> {
-        let plan = plan(system, known, wanted).ok()?;
+        Self::of(system, plan(system, known, wanted).ok()?, known, wanted)
+    }
+
+    /// The way that a plan describes.
+    pub(crate) fn of(system: &System, plan: Plan, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Option<Self> {
         let finds = plan.steps.iter().flat_map(|step| step.unknowns.iter().copied()).collect();
         let equations = plan.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
         let mentioned =

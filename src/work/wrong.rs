@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
+use std::sync::Mutex;
 use std::sync::OnceLock;
+use std::sync::PoisonError;
 use std::sync::RwLock;
 
 use momentous_expr::Symbol;
@@ -11,6 +13,9 @@ use momentous_laws::wrong::Misconception;
 use momentous_model::Mistaken;
 use momentous_problem::Worked;
 use momentous_solve::Bounded;
+use momentous_solve::Equation;
+use momentous_solve::Plan;
+use momentous_solve::Planner;
 use momentous_solve::Real;
 use momentous_solve::Statement;
 use momentous_solve::System;
@@ -35,6 +40,8 @@ const MOST: usize = 3;
 #[derive(Debug)]
 struct WrongSystem {
     mistaken: Mistaken,
+    /// The quantities in its equations.
+    quantities: BTreeSet<Symbol>,
     /// The way to all that the answers need.
     whole: OnceLock<Option<Arc<Way>>>,
     /// The ways to other quantities, as far as a line has asked.
@@ -43,7 +50,18 @@ struct WrongSystem {
 
 /// All of them.
 #[derive(Debug)]
-pub(crate) struct WrongSystems(Vec<WrongSystem>);
+pub(crate) struct WrongSystems {
+    systems: Vec<WrongSystem>,
+    planning: Planning,
+}
+
+/// What serves the plans of all of them, since each differs from the right equations in few places.
+#[derive(Debug)]
+struct Planning {
+    planner: Mutex<Planner>,
+    /// The right equations that the answers need, and the plan of all quantities in them.
+    right: Option<(System, Plan)>,
+}
 
 /// A mistake from which a line follows.
 #[derive(Clone, Debug)]
@@ -64,11 +82,11 @@ impl WrongSystem {
         Follows { of, instance: *instance, places: *places, is_itself: false }
     }
 
-    fn way(&self, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Arc<Way>> {
-        let whole = self.whole.get_or_init(|| {
-            let all: Vec<Symbol> = ground.used_symbols().difference(&ground.told).copied().collect();
-            self.solved(ground, &all)
-        });
+    fn way(&self, planning: &Planning, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Arc<Way>> {
+        if !wanted.is_subset(&self.quantities) {
+            return None;
+        }
+        let whole = self.whole.get_or_init(|| planning.whole(&self.mistaken.system, ground).map(Arc::new));
         if let Some(whole) = whole
             && wanted.iter().all(|symbol| whole.finds(*symbol))
         {
@@ -77,7 +95,7 @@ impl WrongSystem {
         if let Some(known) = self.parts.read().ok().and_then(|parts| parts.get(wanted).cloned()) {
             return known;
         }
-        let way = self.solved(ground, &wanted.iter().copied().collect::<Vec<_>>());
+        let way = planning.part(&self.mistaken.system, ground, wanted).map(Arc::new);
         if let Ok(mut parts) = self.parts.write() {
             parts.insert(wanted.clone(), way.clone());
         }
@@ -105,11 +123,32 @@ impl WrongSystem {
             (ratios.len() >= ENOUGH && is_same).then_some(first)
         })
     }
+}
 
-    /// A wrong value need not be a possible one: conditions do not judge it.
-    fn solved(&self, ground: &Ground, wanted: &[Symbol]) -> Option<Arc<Way>> {
-        let system = System { conditions: Vec::new(), ..self.mistaken.system.clone() };
-        Way::new(&system, &ground.told, wanted).map(Arc::new)
+impl Planning {
+    fn new(ground: &Ground) -> Self {
+        let used = ground.used().into_iter().filter_map(|place| ground.system.equations.get(place).cloned());
+        let right = System { conditions: Vec::new(), ..ground.system.with(used.collect()) };
+        let mut planner = Planner::default();
+        let plan = planner.plan(&right, &ground.told, &ground.sought()).ok();
+        Self { planner: Mutex::new(planner), right: plan.map(|plan| (right, plan)) }
+    }
+
+    /// The way to all that the answers need.
+    fn whole(&self, system: &System, ground: &Ground) -> Option<Way> {
+        let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
+        let example = self.right.as_ref();
+        let like = example.and_then(|(right, plan)| planner.plan_like((right, plan), system, &ground.told));
+        let plan = like.or_else(|| planner.plan(system, &ground.told, &ground.sought()).ok())?;
+        Way::of(system, plan, &ground.told, &ground.sought())
+    }
+
+    /// The way to some quantities.
+    fn part(&self, system: &System, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Way> {
+        let wanted: Vec<Symbol> = wanted.iter().copied().collect();
+        let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
+        let plan = planner.plan(system, &ground.told, &wanted).ok()?;
+        Way::of(system, plan, &ground.told, &wanted)
     }
 }
 
@@ -119,8 +158,13 @@ impl WrongSystems {
         let used = ground.used();
         let laws = model.mistaken(&ground.system, &used, &ground.told, worked.problem.units());
         let data = model.altered(&ground.system, &used, &ground.told, worked.problem.units());
-        let system = |mistaken| WrongSystem { mistaken, whole: OnceLock::new(), parts: RwLock::default() };
-        Self(laws.into_iter().chain(data).map(system).collect())
+        let system = |mut mistaken: Mistaken| {
+            // A wrong value need not be a possible one: conditions do not judge it.
+            mistaken.system.conditions.clear();
+            let quantities = mistaken.system.equations.iter().flat_map(Equation::symbols).collect();
+            WrongSystem { mistaken, quantities, whole: OnceLock::new(), parts: RwLock::default() }
+        };
+        Self { systems: laws.into_iter().chain(data).map(system).collect(), planning: Planning::new(ground) }
     }
 
     /// The mistakes from which a line follows that does not follow from the scene: those made in the fewest places, of laws before
@@ -132,10 +176,10 @@ impl WrongSystems {
         (line, meanings): (&Written, &[Meanings]),
         at: &At<'_>,
     ) -> Vec<Follows> {
-        let systems = ground.wrong.get(|| Self::new(ground, worked));
+        let Self { systems, planning } = &*ground.wrong.get(|| Self::new(ground, worked));
         let wanted: BTreeSet<Symbol> = line.quantities().difference(&ground.told).copied().collect();
         let apart = differences(ground, place, (line, meanings), at);
-        let direct = systems.0.iter().filter_map(|system| {
+        let direct = systems.iter().filter_map(|system| {
             let multiple = apart.iter().find_map(|line| system.multiple(line))?;
             Some((system, Follows { is_itself: (multiple.abs() - 1.0).abs() <= SAME, ..system.follows() }))
         });
@@ -145,7 +189,8 @@ impl WrongSystems {
             way.uses(&system.mistaken.wrong)
                 && meanings.iter().all(|set| holds(way, place, (line, set, at)) == Holds::No)
         };
-        let stands = |system: &WrongSystem| !system.way(ground, &wanted).is_some_and(|way| fails(system, &way));
+        let stands =
+            |system: &WrongSystem| !system.way(planning, ground, &wanted).is_some_and(|way| fails(system, &way));
         let standing = direct.iter().filter(|(system, _)| stands(system)).map(|(_, follows)| follows.clone());
         let standing: Vec<Follows> = standing.collect();
         if !standing.is_empty() {
@@ -155,8 +200,9 @@ impl WrongSystems {
             return likeliest(direct.into_iter().map(|(_, follows)| follows).collect());
         }
         let mut follows: Vec<Follows> = Vec::new();
-        for system in &systems.0 {
-            let Some(way) = system.way(ground, &wanted) else { continue };
+        for system in systems {
+            let way = system.way(planning, ground, &wanted);
+            let Some(way) = way.filter(|way| way.uses(&system.mistaken.wrong)) else { continue };
             let holds = meanings.iter().any(|set| {
                 let here = holds(&way, place, (line, set, at));
                 let elsewhere = || {

@@ -10,7 +10,7 @@ use super::super::structure::freedom::{Freedom, gradients};
 use super::super::structure::incidence::Structure;
 use super::super::structure::rank::dependent;
 use super::super::structure::sample::Samples;
-use super::super::{Plan, System};
+use super::super::{Equation, Plan, System};
 use super::audit::{Audit, extended};
 use super::search::Search;
 use super::stuck::{Reason, Stuck, enough};
@@ -82,6 +82,43 @@ impl Planner {
             plan.ok()
         });
         elsewhere.map_or(first, Ok)
+    }
+
+    /// The plan of a system some of whose statements differ from those of `example`, after the example's plan: the same blocks in the
+    /// same order, those that differ closed anew. Where one statement of many is changed, that is much less than a search. None where
+    /// the blocks are no longer the same; [`Self::plan`] searches for others.
+    #[must_use]
+    pub fn plan_like(&mut self, example: (&System, &Plan), system: &System, known: &BTreeSet<Symbol>) -> Option<Plan> {
+        let (former, plan) = example;
+        if former.equations.len() != system.equations.len() {
+            return None;
+        }
+        let is_as_before = |place: &usize| {
+            let [before, now] = [former, system].map(|system| system.equations.get(*place));
+            before.zip(now).is_some_and(|(before, now)| before.statement == now.statement)
+        };
+        let mut solved = known.clone();
+        let mut steps = Vec::new();
+        for step in &plan.steps {
+            let next = if step.equations.iter().all(is_as_before) {
+                step.clone()
+            } else {
+                let equations = step.equations.iter().filter_map(|place| system.equations.get(*place));
+                let mentioned: BTreeSet<Symbol> = equations.flat_map(Equation::symbols).collect();
+                if !mentioned.difference(&solved).eq(step.unknowns.iter().collect::<BTreeSet<_>>()) {
+                    return None;
+                }
+                let block = Block { system, equations: step.equations.clone(), unknowns: step.unknowns.clone() };
+                let closed = close(&block, &mut self.attempts).ok()?;
+                if divides_by_nothing(&block, &closed) {
+                    return None;
+                }
+                closed
+            };
+            solved.extend(next.unknowns.iter().copied());
+            steps.push(next);
+        }
+        Some(Plan { steps })
     }
 
     /// Whether the equations leave a quantity no freedom, judged by their derivatives where all of them hold: where counting finds too
