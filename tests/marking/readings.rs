@@ -197,10 +197,15 @@ fn hostile_answers_of_every_kind_are_answered_at_once() {
         for length in [10_000, 999, 200] {
             let text: String = piece.chars().cycle().take(length).collect();
             for kind in &kinds {
-                let start = Instant::now();
-                let _ = read(&text, kind, DecimalMark::Either);
-                // A build without optimisation, on a busy machine; the bound of a release build is a millisecond.
-                assert!(start.elapsed() < Duration::from_millis(100), "{piece} {length}: {:?}", start.elapsed());
+                let timed = || {
+                    let start = Instant::now();
+                    let _ = read(&text, kind, DecimalMark::Either);
+                    start.elapsed()
+                };
+                // A build without optimisation; the bound of a release build is a millisecond. A busy machine delays any one reading.
+                let bound = Duration::from_millis(100);
+                let is_quick = (0..5).any(|_| timed() < bound);
+                assert!(is_quick, "{piece} {length}: five readings took more than {bound:?} each");
             }
         }
     }

@@ -99,6 +99,10 @@ pub(super) fn plain(character: char) -> char {
         _ if character.is_whitespace() => ' ',
         _ => character,
     };
+    // Nearly all characters are these, and each name of a sheet is looked at for each term.
+    if ascii.is_ascii_alphanumeric() {
+        return ascii;
+    }
     MEANT.iter().find(|(signs, _)| signs.contains(ascii)).map_or(ascii, |(_, meant)| *meant)
 }
 
