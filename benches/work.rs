@@ -1,5 +1,5 @@
 //! Judging lines of work: `cargo bench --bench work`. It prints how long a line takes, the first of a form and any later one, right and wrong,
-//! over every form of the bank on one core.
+//! over every form of the bank on one core; with the variable `SLOWEST` set, the slowest lines of each kind, too.
 
 use std::sync::Arc;
 use std::time::Duration;
