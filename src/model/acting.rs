@@ -69,6 +69,8 @@ pub struct Flowing {
     pub direction: Direction,
     /// Its direction after a vane, seen from there.
     pub leaving: Option<Direction>,
+    /// The direction at right angles to the smooth surface that it meets, where that is told.
+    pub normal: Option<Direction>,
     /// Its speed relative to the body.
     pub relative: Expr,
     /// The mass that the body has caught of a stream that stays, where that is told.

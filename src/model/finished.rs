@@ -40,6 +40,8 @@ pub struct Model {
     pub system: System,
     /// For each stage that can go several ways, the ways.
     pub choices: Vec<Vec<Alternative>>,
+    /// Distances by the mean velocity: they follow from the other equations too, unless the net force is zero.
+    pub distances: Vec<Equation>,
     /// Which law each equation is, and why it applies.
     pub instances: Vec<Instance>,
     /// The reasons to give where a condition is broken; conditions' tags count these.

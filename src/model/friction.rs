@@ -25,6 +25,7 @@ use super::builder::LAW_COST;
 use super::forces::Acts;
 use super::incline::Incline;
 use super::stage::Pushed;
+use super::stage::Sliding;
 
 /// The forces on a body that rests or slides on a floor, along its motion.
 struct Contact {
@@ -36,6 +37,7 @@ struct Contact {
     kinetic: Expr,
     before: Expr,
     after: Expr,
+    axis: Axis,
 }
 
 impl Contact {
@@ -152,7 +154,7 @@ impl Builder<'_> {
         };
         let [before, after] = [index + 1, index + 2].map(|instant| sign.clone() * self.velocity(body, instant, axis));
         let after = if pushed.stops { Expr::zero() } else { after };
-        Contact { along, normal, kinetic, before, after }
+        Contact { along, normal, kinetic, before, after, axis }
     }
 
     /// A body that slides all the time, one way.
@@ -212,6 +214,7 @@ impl Builder<'_> {
         if !may_move {
             self.starts_from_rest(index, pushed.body);
         }
+        self.accelerated_at_both_ends(pushed, contact.axis);
         let begins = self.begins(index, &name);
         let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         let changes = along.contains(pushed.clock) || threshold.contains(pushed.clock);
@@ -226,14 +229,20 @@ impl Builder<'_> {
             let sides = (at(along, &begins), at(threshold, &begins));
             moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
             moves.equations.extend(self.gains(pushed, contact, &begins, "from then on "));
+            moves.equations.extend(self.goes_in_this_way(pushed, contact, &Expr::zero(), Some(&begins)));
             let early = Reason::BeyondBeforeStart;
             moves.conditions.push(self.condition(begins.clone(), Relation::AtLeast, start.clone(), early));
             let at_first = Reason::BeyondFromStart;
             moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
-            if !pushed.incline.is_level() {
-                let held = -at(threshold, start);
-                moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
-            }
+            let held = -at(threshold, start);
+            moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
+            self.passages.push(Passage {
+                place: pushed.clock,
+                ends: [start.clone(), begins.clone()],
+                kinetic: threshold.clone() + along.clone(),
+                reason: backwards.clone(),
+                way: Some((self.choices.len(), moves.what.clone())),
+            });
             let late = Reason::NeverBeyond(name.clone());
             moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
             ways.push(moves);
@@ -243,6 +252,7 @@ impl Builder<'_> {
         let sides = (begins, start.clone());
         at_once.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
         at_once.equations.extend(self.gains(pushed, contact, start, ""));
+        at_once.equations.extend(self.goes_in_this_way(pushed, contact, &Expr::zero(), Some(start)));
         let weak = Reason::NotBeyondAtStart;
         at_once.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), weak));
         ways.push(at_once);
@@ -260,6 +270,7 @@ impl Builder<'_> {
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
+        stays.equations.extend(self.goes_in_this_way(pushed, contact, &Expr::zero(), None));
         for (push, reason) in [(along.clone(), Reason::Beyond(name.clone())), (-along.clone(), backwards)] {
             for time in if changes { vec![start, end] } else { vec![end] } {
                 let held = self.condition(at(&push, time), Relation::AtMost, at(threshold, time), reason.clone());
@@ -307,6 +318,7 @@ impl Builder<'_> {
         let sides = (begins, pushed.start.clone());
         slides.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
         slides.equations.extend(self.gains(pushed, contact, &pushed.start, ""));
+        slides.equations.extend(self.goes_in_this_way(pushed, contact, &contact.before, Some(&pushed.start)));
         let reason = Reason::RestsOrSlidesBack(name.clone());
         slides.conditions.push(self.condition(contact.before.clone(), Relation::Greater, Expr::zero(), reason));
         let reason = Reason::StopsEarly(name);
@@ -340,6 +352,20 @@ impl Builder<'_> {
             (Expr::sum([start, gained].into_iter().filter(|part| !part.is_zero())), mass * contact.after.clone());
         let momentum = self.stated(LAW_COST, &momentum::IMPULSE_MOMENTUM, Some(index), because, sides, None);
         vec![impulse, momentum]
+    }
+
+    /// The place of the body in the end and the net force at both ends, where it slides from that time on with that speed at first.
+    fn goes_in_this_way(
+        &mut self,
+        pushed: &Pushed<'_>,
+        contact: &Contact,
+        before: &Expr,
+        from: Option<&Expr>,
+    ) -> Vec<Equation> {
+        let sign = Expr::integer(pushed.sign);
+        let ends = [before, &contact.after].map(|speed| (sign.clone() * speed.clone()).simplify());
+        let sliding = Sliding { net: (sign * contact.net()).simplify(), ends: ends.each_ref(), from };
+        self.moves_in_this_way(pushed, contact.axis, &sliding)
     }
 
     /// The time at which a body at rest starts to slide.

@@ -54,6 +54,7 @@ mod turned;
 mod unheld;
 mod unknown;
 mod upright;
+mod warning;
 mod weight;
 mod weight_in_contact;
 mod wording;
@@ -72,9 +73,10 @@ pub use name::{Instant, Name, VectorName, component_name};
 pub use passage::Passage;
 pub use printed_graph::PrintedGraph;
 pub use quantity_kind::{QuantityKind, VectorKind};
-pub use reason::{Opposing, Reason, Warning};
+pub use reason::{Opposing, Reason};
 pub use taut_string::TautString;
 pub use timeline::Timeline;
+pub use warning::Warning;
 
 use std::collections::BTreeSet;
 
@@ -297,6 +299,7 @@ impl<'s> Builder<'s> {
             names: self.names,
             system: self.system,
             choices: self.choices,
+            distances: self.distances,
             instances: self.instances,
             reasons: self.reasons,
             reasons_of_stages: self.reasons_of_stages,

@@ -1,5 +1,9 @@
 //! Why a root or a way is not possible.
 
+use momentous_scene::stage::UpOrDown;
+
+use super::warning::Warning;
+
 /// Forces against the motion of a body, whichever way it moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Opposing {
@@ -26,6 +30,12 @@ pub enum Reason {
     /// A body would not catch up with another.
     #[error("{0} would not catch up with {1}, so there would be no impact")]
     NoCatchingUp(String, String),
+    /// Two bodies would not lie along the line of impact, or the string, in the order in which they are named.
+    #[error("{0} and {1} would not lie along {2}, where their positions are")]
+    LiesBeside(String, String, String),
+    /// A swing between two angles would end higher or lower than is said.
+    #[error("{0} would end {what} than it began, not {other}", what = heights(*.1)[0], other = heights(*.1)[1])]
+    EndsOnOtherSide(String, UpOrDown),
     /// The body that catches up would lie ahead of the other.
     #[error("{0} would lie ahead of {1}, and could not run into it")]
     LiesAhead(String, String),
@@ -244,33 +254,12 @@ pub enum Reason {
     Asked,
 }
 
-/// Ways in which a solution is unphysical, by the names that authors write under `allow`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Warning {
-    /// The bodies would not meet.
-    NoImpact,
-    /// A body would pass through another, or through a surface.
-    PassesThrough,
-    /// Kinetic energy would be created in an impact, or restitution lies outside 0 to 1.
-    EnergyCreated,
-    /// A body would move the other way than its stage says.
-    Reverses,
-    /// The cord of a body that swings would go slack, where a rod would push, or it would leave its track.
-    GoesSlack,
-    /// Weight, which a short contact leaves out, would give a tenth or more of the change of momentum.
-    WeightNeglected,
-}
-
-impl Warning {
-    /// Every warning with its name.
-    pub const NAMES: &[(&str, Self)] = &[
-        ("no-impact", Self::NoImpact),
-        ("passes-through", Self::PassesThrough),
-        ("energy-created", Self::EnergyCreated),
-        ("reverses", Self::Reverses),
-        ("goes-slack", Self::GoesSlack),
-        ("weight-neglected", Self::WeightNeglected),
-    ];
+/// Where a swing would end, and where it is said to.
+fn heights(way: UpOrDown) -> [&'static str; 2] {
+    match way {
+        UpOrDown::Up => ["lower", "higher"],
+        UpOrDown::Down => ["higher", "lower"],
+    }
 }
 
 impl Reason {
@@ -367,6 +356,10 @@ impl Reason {
                 "the upper body slides on in the way in which it is the faster one at the start; where the body below is the faster \
                     one, that is backwards, and so is its `direction`; a stage in which both come to move alike ends there: `until: together`"
             }
+            Self::LiesBeside(..) => {
+                "give the positions at which they meet, or on the straight string, and the direction from the first to the second; or leave the positions out"
+            }
+            Self::EndsOnOtherSide(..) => "write the other `way`, or leave it out",
             Self::Slack(_) => "it cannot push: let the stage end before it goes slack",
             Self::Unsupported(..) => "ask for nothing of it afterwards; a `push` can name it, too (`bodies`)",
             Self::StringStretches(..) => {

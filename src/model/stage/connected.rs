@@ -107,6 +107,7 @@ impl Builder<'_> {
             let kinetic = |velocity: &dyn Fn(&Side) -> Expr| {
                 Expr::sum(sides.map(|side| energy::kinetic(&side.mass, &[velocity(side)])))
             };
+            self.comes_evenly(index, &leading.name, &distance, [&leading.before, &leading.after], &duration);
             let run = leading.of_string(&distance);
             let works = sides
                 .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
@@ -177,6 +178,11 @@ impl Builder<'_> {
         };
         let mut parts = vec![pull];
         self.acts(Influence::outside(index, body, "weight").force(parts.clone()));
+        if let (Some(_), true) = (&strand.friction, press.is_zero()) {
+            let message = format!("{name} hangs on the string, and rubs on nothing");
+            let help = "remove its `friction`, or say what it slides on: `on: level` or `on: alpha`";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("friction")));
+        }
         if let Some(term) = &strand.friction {
             let meaning = format!("the coefficient of kinetic friction of {name}");
             let friction = self.read_positive(term, Dimension::NONE, &meaning, &path.key("friction"));

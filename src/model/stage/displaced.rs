@@ -2,6 +2,7 @@
 
 use crate::Because;
 use crate::Builder;
+use crate::builder::LAW_COST;
 use momentous_expr::Expr;
 use momentous_laws::kinematics;
 use momentous_scene::Axis;
@@ -31,6 +32,15 @@ impl Builder<'_> {
     ) {
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
         self.law(&kinematics::DISPLACED, Some(index), because, (to, from + way));
+    }
+
+    /// A distance by the mean velocity, where forces that do not change act on a body all the way. Impulse and momentum say the same
+    /// of the time, unless the forces balance.
+    pub(super) fn comes_evenly(&mut self, index: usize, name: &str, distance: &Expr, ends: [&Expr; 2], time: &Expr) {
+        let because = format!("the forces on {name} do not change, so the velocity changes evenly, if at all");
+        let sides = kinematics::mean_velocity([&Expr::zero(), distance], ends, time);
+        let equation = self.stated(LAW_COST, &kinematics::MEAN_VELOCITY, Some(index), because, sides, None);
+        self.distances.push(equation);
     }
 
     /// The axis of a scene that has one.

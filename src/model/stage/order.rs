@@ -2,7 +2,9 @@
 
 use crate::Builder;
 use crate::Reason;
+use crate::frame::Direction;
 use crate::guide::dot;
+use momentous_expr::Expr;
 use momentous_scene::Axis;
 use momentous_solve::Relation;
 
@@ -34,5 +36,44 @@ impl Builder<'_> {
         });
         let [one, other] = bodies.map(|body| self.called(body));
         self.require(ahead, Relation::AtLeast, behind, Reason::LiesAhead(one, other));
+        self.lies_along(contact.index, bodies, &frame.normal, "the line of impact");
+    }
+
+    /// A line that is told leads from one body to another, where the problem gives the places of both: nearly so, since these are
+    /// rounded.
+    pub(super) fn lies_along(&mut self, index: usize, bodies: [&str; 2], direction: &Direction, line: &str) {
+        let placed = self.placed();
+        if self.axes.len() < 2 || !bodies.iter().all(|body| placed.contains(*body)) {
+            return;
+        }
+        let along = self.components(direction);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let apart: Vec<Expr> = axes
+            .iter()
+            .map(|axis| self.place(bodies[1], index + 1, *axis) - self.place(bodies[0], index + 1, *axis))
+            .collect();
+        let whole = Expr::sum(apart.iter().map(|part| part.clone().powi(2)));
+        let share = dot(&apart, &along).powi(2);
+        let [one, other] = bodies.map(|body| self.called(body));
+        let reason = Reason::LiesBeside(one, other, line.to_owned());
+        self.require(share, Relation::AtLeast, Expr::ratio(99, 100) * whole, reason);
+    }
+
+    /// Along a string that is told the second body lies ahead of the first, where the problem gives the places of both.
+    pub(super) fn lies_on_the_string(&mut self, index: usize, bodies: [&str; 2], direction: &Direction) {
+        let placed = self.placed();
+        if !bodies.iter().all(|body| placed.contains(*body)) {
+            return;
+        }
+        let along = self.components(direction);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let [behind, ahead] = bodies.map(|body| {
+            let places = axes.iter().map(|axis| self.place(body, index + 1, *axis)).collect::<Vec<_>>();
+            dot(&places, &along)
+        });
+        let [one, other] = bodies.map(|body| self.called(body));
+        let reason = Reason::LiesBeside(one, other, "the string".to_owned());
+        self.require(ahead, Relation::AtLeast, behind, reason);
+        self.lies_along(index, bodies, direction, "the string");
     }
 }

@@ -246,7 +246,9 @@ impl Builder<'_> {
         let [start, stop] = [&before, &end].map(|speed| energy::kinetic(&mass, std::slice::from_ref(speed)));
         let because = format!("the forces on {name} do work over the distance");
         self.law(&energy::WORK_ENERGY, Some(pushed.index), because, energy::work_energy(start, works, stop));
-        let [before, end] = [before, end].map(|velocity| Expr::integer(pushed.sign) * velocity);
+        let time = pushed.end.clone() - pushed.start.clone();
+        let [before, end] = [before, end].map(|velocity| (Expr::integer(pushed.sign) * velocity).simplify());
+        self.comes_evenly(pushed.index, &name, distance, [&before, &end], &time);
         self.moves_along(pushed.index, pushed.body, [&before, &end], opposing);
     }
     /// The impulse of weight along the axis of that position, in a vertical plane.

@@ -125,6 +125,10 @@ impl Builder<'_> {
             let influence = match arm {
                 Arm::Constant(_) => influence.workless(),
                 Arm::Changing([before, after]) => {
+                    self.neglect(
+                        format!("the motion of {} towards {centre} or away from it at both ends", self.called(body)),
+                        "there its distance is taken not to change",
+                    );
                     let [before, after] = [before, after].map(|term| self.read(term, Dimension::LENGTH, "", path));
                     influence.works(Effect::Of(before - after), "work is done as the distance changes")
                 }

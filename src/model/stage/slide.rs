@@ -10,6 +10,8 @@ use crate::forces::Acts;
 use crate::incline::Incline;
 use crate::speeds::Speeds;
 use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::energy;
 use momentous_laws::force;
@@ -50,6 +52,7 @@ impl Builder<'_> {
             self.rubs_on_a_floor(&incline, &path.key("friction"));
             self.read_positive(term, Dimension::NONE, "the coefficient of kinetic friction", &path.key("friction"))
         });
+        self.way_fits(stage, &incline, way.sign, path);
         let distance = stage.distance.as_ref().map(|term| {
             let meaning = format!("how far {}", self.does(body, ["slides", "slide"]));
             self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"))
@@ -67,6 +70,9 @@ impl Builder<'_> {
         } else {
             let retardation = self.retardation(&name, friction.as_ref(), &incline, &way);
             self.slowed((index, body), &retardation, distance.as_ref(), &duration, &way);
+            if let Some(distance) = &distance {
+                self.comes_evenly(index, &name, distance, [&way.before, &way.after], &duration);
+            }
             if let Some(axis) = self.only_axis() {
                 let along = |amount: &Expr| (Expr::integer(way.sign) * amount.clone()).simplify();
                 self.moves_evenly((index, body), axis, [&along(&way.before), &along(&way.after)], &duration);
@@ -90,6 +96,22 @@ impl Builder<'_> {
         if friction.is_none() {
             let track = if stage.incline.is_none() && stage.height.is_none() { "floor" } else { "slope" };
             self.neglect("friction", format!("the {track} is smooth"));
+        }
+    }
+
+    /// Friction needs a slope that is told, and a slope tells whether the way leads up or down.
+    fn way_fits(&mut self, stage: &Slide, incline: &Incline, sign: i64, path: &Path) {
+        if stage.is_ramp() && stage.friction.is_some() {
+            let message = "on a ramp of which only the height is told, the work of friction does not follow";
+            let help = "write `incline: alpha above +x` with a `distance`, in place of the `height` or beside it; or remove `friction`";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("friction")));
+        }
+        let leads = if incline.sign * sign > 0 { UpOrDown::Up } else { UpOrDown::Down };
+        if stage.way.is_some_and(|way| way != leads) && !incline.is_level() {
+            let [one, other] = if leads == UpOrDown::Up { ["up", "down"] } else { ["down", "up"] };
+            let message = format!("{} moves {one} this slope, and not {other}", self.called(&stage.body));
+            let help = "leave `way` out; the `incline` and the `direction` of the motion tell it";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("way")));
         }
     }
 

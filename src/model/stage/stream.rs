@@ -27,6 +27,7 @@ use momentous_scene::Term;
 use momentous_scene::stage::Stream;
 use momentous_solve::Relation;
 
+use super::stream_goes_on::Way;
 use super::thrust::FLOW;
 
 impl Builder<'_> {
@@ -53,7 +54,13 @@ impl Builder<'_> {
             self.require(arriving.clone(), Relation::Greater, Expr::zero(), reason);
         }
         let (leaving, back) = self.stream_leaves(stage, &direction, path);
-        let (cause, parts) = (why(stage, &name), self.parts(&direction, leaving.as_ref(), &back));
+        let normal = self.surface_in_stream(stage, &direction, path);
+        let way = match (&leaving, &normal) {
+            (Some(leaving), _) => Way::Turned(leaving),
+            (None, Some(normal)) => Way::Along(normal, &back),
+            (None, None) => Way::Straight(&back),
+        };
+        let (cause, parts) = (why(stage, &name), self.parts(&direction, &way));
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let mut forces = Vec::new();
         for (axis, [before, after, change]) in axes.iter().zip(parts) {
@@ -70,7 +77,7 @@ impl Builder<'_> {
         let caught = self.caught(stage, &flow, path);
         self.stream_support(index, stage, caught.as_ref(), &forces);
         let rests = speed.is_zero();
-        self.flowing.push(Flowing { stage: index, speed, direction, leaving, relative, caught });
+        self.flowing.push(Flowing { stage: index, speed, direction, leaving, normal, relative, caught });
         self.acts(Influence::outside(index, body, by).force(forces.clone()));
         // The body keeps its velocity, so something holds it.
         let held = forces.iter().map(|force| -force.clone()).collect();
@@ -153,43 +160,6 @@ impl Builder<'_> {
         let sides = (flow.clone(), cross * arriving.clone());
         self.law(&variable_mass::FLOW, Some(index), because, sides);
         Some(flow)
-    }
-
-    /// The direction of the stream after the body, and the share of its relative speed with which it comes straight back.
-    fn stream_leaves(&mut self, stage: &Stream, direction: &Direction, path: &Path) -> (Option<Direction>, Expr) {
-        match (&stage.turned, &stage.restitution, stage.stays) {
-            (Some(term), None, false) => {
-                self.counts_turns("the angle of `turned`", &path.key("turned"));
-                let meaning = format!("the angle through which {} is turned", stage.by);
-                let turn = self.read(term, Dimension::NONE, &meaning, &path.key("turned"));
-                self.needs_unit(&turn, &path.key("turned"));
-                let leaving = Direction::turned(direction.quarters, direction.turn.clone() + turn);
-                (Some(leaving), Expr::zero())
-            }
-            (None, Some(term), false) => (None, self.restitution_coefficient(term, &path.key("restitution"))),
-            (None, None, _) => (None, Expr::zero()),
-            _ => {
-                let fault = Fault::new(Code::Value, "a stream is turned, rebounds or stays: only one is possible");
-                self.faults.push(fault.help("keep one of `turned`, `restitution` and `stays`").at_path(path.clone()));
-                (None, Expr::zero())
-            }
-        }
-    }
-
-    /// The velocities of the stream before and after along every axis, and before less after, as parts of the relative speed.
-    fn parts(&self, direction: &Direction, leaving: Option<&Direction>, back: &Expr) -> Vec<[Expr; 3]> {
-        let before = self.components(direction).into_iter();
-        match leaving {
-            Some(leaving) => {
-                let both = before.zip(self.components(leaving));
-                both.map(|(before, after)| [before.clone(), after.clone(), before - after]).collect()
-            }
-            None => {
-                let rebounds =
-                    |part: Expr| [part.clone(), -(part.clone() * back.clone()), part * (Expr::one() + back.clone())];
-                before.map(rebounds).collect()
-            }
-        }
     }
 
     /// Magnitude and direction, what holds the body against the stream, and its power.
@@ -313,10 +283,18 @@ fn meets(stage: &Stream, name: &str) -> String {
     let frame = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
         (Some(_), ..) => format!("{name} is smooth and turns {by}{frame} without a change of speed"),
+        (_, Some(_), _) if stage.normal.is_some() => {
+            format!("{name} is smooth and throws {by} back from its surface{frame} with the coefficient of restitution")
+        }
         (_, Some(_), _) => {
             format!("{name} throws {by} back{frame} with the speed of arrival times the coefficient of restitution")
         }
         (_, _, true) => format!("{by} comes to rest relative to {name}"),
+        _ if stage.normal.is_some() => {
+            format!(
+                "{name} is smooth and lets {by} spread over it{frame}, so that nothing changes its momentum along the surface"
+            )
+        }
         _ => format!("{name} lets {by} spread over it and leave{frame} at right angles to the original direction"),
     }
 }

@@ -4,11 +4,13 @@ use crate::Builder;
 use crate::Effect;
 use crate::Influence;
 use crate::Name;
+use crate::Passage;
 use crate::QuantityKind;
 use crate::Reason;
 use crate::VectorKind;
 use crate::builder::LAW_COST;
 use momentous_expr::Expr;
+use momentous_expr::Function;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
@@ -19,6 +21,7 @@ use momentous_quantity::Dimension;
 use momentous_scene::Stage;
 use momentous_scene::stage::Place;
 use momentous_scene::stage::Swing;
+use momentous_scene::stage::UpOrDown;
 use momentous_solve::Relation;
 
 /// The cost of an equation that puts two laws and the height on the circle together.
@@ -29,6 +32,11 @@ pub(super) struct End {
     pub angle: Expr,
     pub velocity: Vec<Expr>,
     pub is_lowest: bool,
+}
+
+/// How far below the fixed end of the cord an end of the swing is.
+fn below(length: &Expr, end: &End) -> Expr {
+    length.clone() * end.angle.clone().cos().simplify()
 }
 
 impl Builder<'_> {
@@ -60,15 +68,20 @@ impl Builder<'_> {
         }
         let ends = [0, 1].map(|side| self.swing_end(index, side, stage, path));
         let height = self.swing_height(index, stage, length.as_ref(), &ends, path);
-        let raised = self.gravity() * height.clone();
+        // From one angle to another the height counts downwards, unless it is said to go up.
+        let rises = ends[0].is_lowest || stage.goes_between_angles() && stage.way == Some(UpOrDown::Up);
+        let difference = match (&length, stage.goes_between_angles(), stage.way) {
+            (Some(length), true, None) => below(length, &ends[1]) - below(length, &ends[0]),
+            _ => height.clone(),
+        };
+        let raised = self.gravity() * difference;
         let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
-        // From one angle to another the height counts downwards.
         if !stage.stops() {
             // Only then does it come to the end of its way, asked how fast or not.
-            let worked = if ends[0].is_lowest { -raised.clone() } else { raised.clone() };
+            let worked = if rises { -raised.clone() } else { raised.clone() };
             self.goes_the_whole_way(&name, start.clone(), [worked]);
         }
-        let sides = if ends[0].is_lowest { (start, end + raised) } else { (start + raised, end) };
+        let sides = if rises { (start, end + raised) } else { (start + raised, end) };
         let holds = stage.held_by();
         let force = if stage.radius.is_some() { "the push of the track" } else { "the pull of the cord" };
         let because = format!("{force} is at right angles to the motion of {name} and does no work; the mass cancels");
@@ -80,6 +93,7 @@ impl Builder<'_> {
                 self.tension(index, side, stage, length, end);
             }
             self.where_it_pulls_so(index, stage, length, &ends);
+            self.passes_the_top(index, stage, length, &ends);
         }
         self.acts(Influence::outside(index, body, holds).workless());
         let words =
@@ -182,11 +196,20 @@ impl Builder<'_> {
         let on_track = usize::from(stage.radius.is_some());
         let goes = self.does(&stage.body, [["swings", "swing"], ["slides", "slide"]][on_track]);
         let meaning = match (between, ends[0].is_lowest) {
-            (true, _) => format!("the height by which {}", self.does(&stage.body, ["comes down", "come down"])),
+            (true, _) => match stage.way {
+                None => format!("the height between the two ends of {}", self.stage_phrase(index)),
+                Some(UpOrDown::Up) => format!("the height by which {goes} up"),
+                Some(UpOrDown::Down) => format!("the height by which {goes} down"),
+            },
             (false, true) => format!("the height to which {goes} up"),
             (false, false) => format!("the height from which {goes} down"),
         };
         let name = self.in_stage(QuantityKind::Height, &stage.body, index);
+        if let (true, Some(_), None) = (between, &stage.height, stage.way) {
+            let message = "a `height` between two angles does not tell which of them is the higher";
+            let help = "write `way: up` or `way: down` beside it";
+            self.faults.push(Fault::new(Code::MissingKey, message).help(help).at_path(path.key("height")));
+        }
         let height = match &stage.height {
             Some(term) => self.read(term, Dimension::LENGTH, &meaning, &path.key("height")),
             None => self.symbol(name, meaning).into(),
@@ -196,9 +219,18 @@ impl Builder<'_> {
         }
         if let Some(length) = length {
             // The lower end stands first; at the lowest place the whole cord hangs down.
-            let [lower, upper] = if ends[0].is_lowest { [0, 1] } else { [1, 0] };
-            let below = |end: &End| length.clone() * end.angle.clone().cos().simplify();
-            let sides = (height.clone(), below(&ends[lower]) - below(&ends[upper]));
+            let goes_up = ends[0].is_lowest || between && stage.way == Some(UpOrDown::Up);
+            let [lower, upper] = if goes_up { [0, 1] } else { [1, 0] };
+            let difference = below(length, &ends[lower]) - below(length, &ends[upper]);
+            let sides = match (between, stage.way) {
+                (true, None) => (height.clone(), Expr::apply(Function::Abs, difference)),
+                (true, Some(way)) => {
+                    let reason = Reason::EndsOnOtherSide(self.called(&stage.body), way);
+                    self.require(height.clone(), Relation::AtLeast, Expr::zero(), reason);
+                    (height.clone(), difference)
+                }
+                (false, _) => (height.clone(), difference),
+            };
             let because = ["the cord is straight", "the track is a circle"][on_track];
             self.law(&geometry::HEIGHT_ON_CIRCLE, Some(index), because, sides);
         }
@@ -232,6 +264,29 @@ impl Builder<'_> {
         let pull = pull + self.gravity() * end.angle.clone().cos();
         let reason = self.lets_go(index, stage);
         self.require(pull, Relation::AtLeast, Expr::zero(), reason);
+    }
+
+    /// On its way to an angle the body may pass the top, where it must be fast enough to be held, or on a rod to get there.
+    fn passes_the_top(&mut self, index: usize, stage: &Swing, length: &Expr, ends: &[End; 2]) {
+        if ends[1].is_lowest || stage.stops() {
+            return;
+        }
+        let place = self.running_time();
+        let there = Expr::from(place).cos();
+        let fallen = Expr::integer(2)
+            * self.gravity()
+            * length.clone()
+            * (there.clone() - ends[0].angle.clone().cos().simplify());
+        let square = Expr::integer(2) * energy::specific_kinetic(&ends[0].velocity) + fallen;
+        // A body that is just held at the top passes it.
+        let spare = Expr::ratio(1, 1_000_000);
+        let pull = square.clone() / length.clone() + self.gravity() * (there + spare);
+        let whole = Reason::TurnsBack(self.called(&stage.body));
+        let held = self.lets_go(index, stage);
+        for (kinetic, reason) in [(pull, held), (square, whole)] {
+            let ends = ends.each_ref().map(|end| end.angle.clone());
+            self.passages.push(Passage { place, ends, kinetic, reason, way: None });
+        }
     }
 
     /// The reason to give where nothing holds the body on its circle.

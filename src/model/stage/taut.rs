@@ -41,6 +41,9 @@ impl Builder<'_> {
         };
         let resolve = |builder: &Self, impulse: &Expr| builder.resolved(impulse, &frame);
         self.pair(&pair, plane.then_some("n"), &resolve, stage.duration.as_ref(), path);
+        if stage.over.is_none() {
+            self.lies_on_the_string(index, bodies, &frame.normal);
+        }
         let because = format!(
             "the string does not stretch: once it is taut, {first} and {second} have the same velocity along it"
         );

@@ -73,6 +73,7 @@ impl Builder<'_> {
         };
         let line = self.components(&direction);
         let ends = string.between.clone();
+        self.lies_on_the_string(index, string.ends(), &direction);
         self.strings.push(TautString { jerk: index, ends: ends.clone(), direction });
         let [first, second] = ends.each_ref().map(|body| self.called(body));
         let called = format!("the string between {first} and {second}");

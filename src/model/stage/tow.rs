@@ -81,6 +81,7 @@ impl Builder<'_> {
             let kinetic = |velocity: &dyn Fn(&Member) -> Expr| {
                 Expr::sum(both.map(|member| energy::kinetic(&member.mass, &[velocity(member)])))
             };
+            self.comes_evenly(index, &front.name, &distance, [&front.before, &front.after], &duration);
             let works = both.map(|member| (member.drive.clone() * distance.clone()).simplify());
             let fact = format!("{joint} does equal and opposite work on the two bodies");
             let because = Because::Conclusion(fact, "its total work is zero".to_owned());

@@ -5,6 +5,7 @@ use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_fault::did_you_mean;
 use momentous_model::Model;
+use momentous_model::QuantityKind;
 use momentous_solve::Condition;
 use momentous_solve::Equation;
 
@@ -38,7 +39,7 @@ pub(super) fn faults(
     let any = |known: &Known| matches!(known.origin, Origin::Any) && model.symbols.is_described(known.symbol);
     // A text may mention a value that no equation needs, but not under the name of a quantity that it is not.
     let misnamed = |known: &Known| {
-        let advice = model.belongs_to_no_stage(known.symbol)?;
+        let advice = model.belongs_to_no_stage(known.symbol).or_else(|| of_nobody(loaded, model, known))?;
         (!worked_with.contains(&known.symbol)).then_some(advice)
     };
     let is_idle = |known: &Known| !used.contains(&known.symbol) || misnamed(known).is_some();
@@ -52,4 +53,27 @@ pub(super) fn faults(
         fault.help(misnamed(known).unwrap_or_else(near)).at_path(Path::root().key("given").name(known.name.as_str()))
     };
     idle.map(fault).collect()
+}
+
+/// Advice for the name of a quantity of a body at an instant, where there is no such body.
+fn of_nobody(loaded: &Loaded, model: &Model, known: &Known) -> Option<String> {
+    let (name, scene) = (model.name(known.symbol), &loaded.draft.scene);
+    let is_of_motion = matches!(
+        name.kind,
+        QuantityKind::Velocity
+            | QuantityKind::Speed
+            | QuantityKind::Position
+            | QuantityKind::KineticEnergy
+            | QuantityKind::Momentum
+    );
+    let subject = name.subject.as_str();
+    let somebody = subject.is_empty()
+        || name.is_of_mass_centre()
+        || scene.bodies.contains_key(subject)
+        || scene.points.contains_key(subject);
+    (is_of_motion && name.instant.is_some() && !somebody && !model.symbols.is_described(known.symbol)).then(|| {
+        format!(
+            "there is no body `{subject}`; name one of the scene, or choose a name that no quantity of a motion has"
+        )
+    })
 }

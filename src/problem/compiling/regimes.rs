@@ -27,6 +27,9 @@ use momentous_solve::Verify;
 use super::super::language::domain::Domain;
 use super::input::Input;
 
+/// The cost of an equation that is to be taken before others that say the same.
+const CHEAP: u32 = 1;
+
 /// One way in which the scene can go.
 #[derive(Clone, Debug)]
 pub struct Leaf {
@@ -84,7 +87,17 @@ impl Regimes {
         let mut leaves = Vec::new();
         let mut programs = Vec::new();
         let mut first = None;
-        for (words, mut system) in model.systems() {
+        let mut systems = model.systems();
+        // Where a net force is zero, the time cannot be found from the change of momentum, but from the distance.
+        if !model.distances.is_empty() {
+            systems.extend(systems.clone().into_iter().map(|(words, mut system)| {
+                system
+                    .equations
+                    .extend(model.distances.iter().map(|equation| Equation { cost: CHEAP, ..equation.clone() }));
+                (words, system)
+            }));
+        }
+        for (words, mut system) in systems {
             system.equations.extend(equations.iter().cloned());
             // Those of the way, which tell it from the others, and the author's.
             let mut judging = system.conditions.split_off(model.system.conditions.len());
@@ -103,6 +116,12 @@ impl Regimes {
                     continue;
                 }
             };
+            let uses = |place: &usize| model.distances.iter().any(|equation| is_tagged(&system, *place, equation.tag));
+            let by_distance = |plan: &Plan| plan.steps.iter().flat_map(|step| &step.equations).any(|place| uses(place));
+            // A way by the mean velocity that needs none is the same as one of those before it.
+            if leaves.iter().any(|leaf: &Leaf| leaf.words == words) && !by_distance(&planned) {
+                continue;
+            }
             let audit = judged(planner, &system, told, &planned, &judging);
             let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
                 .map_err(|unknown| Unplanned::Unknown(unknown.to_string()))?;
@@ -139,6 +158,11 @@ impl Regimes {
     pub fn inputs(&self) -> &[Symbol] {
         &self.inputs
     }
+}
+
+/// Whether the equation at that place of a system has that tag.
+fn is_tagged(system: &System, place: usize, tag: usize) -> bool {
+    system.equations.get(place).is_some_and(|equation| equation.tag == tag)
 }
 
 /// The audit of a plan, in which whatever those conditions compare is found, too, where it follows: none is passed over.

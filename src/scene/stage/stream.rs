@@ -6,7 +6,7 @@ use serde::Deserialize;
 use crate::Term;
 
 /// A steady stream meets a body that is at rest or moves at constant velocity, and exerts a force on it. How much arrives is given by `flow`, or by
-/// `density` and `area`, or by `per_length`. Without `turned`, `restitution` or `stays` it spreads sideways over the body.
+/// `density` and `area`, or by `per_length`. Without `turned`, `restitution` or `stays` it spreads over the smooth surface of the body.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stream {
@@ -47,6 +47,10 @@ pub struct Stream {
     /// The angle through which a smooth vane turns the stream, counter-clockwise positive: 180° sends it back.
     #[serde(default)]
     pub turned: Option<Term>,
+    /// The direction at right angles to the smooth surface over which the stream spreads, or from which it rebounds: `upwards`,
+    /// `30 deg above +x`. Default: that of the stream, which meets the surface squarely.
+    #[serde(default)]
+    pub normal: Option<Term>,
     /// The coefficient of restitution, where the stream rebounds from the body: hail, bullets.
     #[serde(default)]
     pub restitution: Option<Term>,

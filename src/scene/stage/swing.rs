@@ -39,9 +39,10 @@ pub struct Swing {
     /// The angle between the cord and the vertical at the end.
     #[serde(default)]
     pub to: Option<Term>,
-    /// `down` if the body swings down to its lowest point and only the height says from where. Default: up.
+    /// `down` if the body swings down to its lowest point and only the height says from where, and up by default. Between two angles
+    /// it says which end lies higher, so that a `height` may be given.
     #[serde(default)]
-    pub way: UpOrDown,
+    pub way: Option<UpOrDown>,
     /// Which way the body moves at its lowest point, along the horizontal axis: `to the left`; relative to what the cord is fixed
     /// `on`. Default: along the axis.
     #[serde(default)]
@@ -90,9 +91,15 @@ impl Swing {
         match (&self.from, &self.to, self.way) {
             (Some(from), Some(to), _) => [Place::Angle(Some(from)), Place::Angle(Some(to))],
             (Some(from), None, _) => [Place::Angle(Some(from)), Place::Lowest],
-            (None, to, UpOrDown::Up) => [Place::Lowest, Place::Angle(to.as_ref())],
-            (None, _, UpOrDown::Down) => [Place::Angle(None), Place::Lowest],
+            (None, to, None | Some(UpOrDown::Up)) => [Place::Lowest, Place::Angle(to.as_ref())],
+            (None, _, Some(UpOrDown::Down)) => [Place::Angle(None), Place::Lowest],
         }
+    }
+
+    /// Whether it swings from one angle to another.
+    #[must_use]
+    pub fn goes_between_angles(&self) -> bool {
+        self.places().iter().all(|place| matches!(place, Place::Angle(_)))
     }
 
     /// Whether the body is at rest at the end.

@@ -19,6 +19,13 @@ pub struct TreeWorkspace {
     tried: usize,
 }
 
+/// What a leaf gives.
+struct Solved {
+    solutions: usize,
+    /// Whether every value has a bound on its error.
+    is_certain: bool,
+}
+
 impl TreeWorkspace {
     /// Memory for replays of that precision.
     #[must_use]
@@ -42,29 +49,39 @@ impl Tree {
         exact: &dyn Fn() -> Vec<Exact>,
         workspace: &mut TreeWorkspace,
     ) -> Option<usize> {
-        self.first(workspace, &|leaf, memory| leaf.solve_from(inputs, exact, memory).survivors())
+        self.first(workspace, &|leaf, memory| {
+            let outcome = leaf.solve_from(inputs, exact, memory);
+            let is_certain = outcome.values().all(|(_, value)| value.error.is_finite());
+            Solved { solutions: outcome.survivors(), is_certain }
+        })
     }
 
     /// The same for a limiting case, by [`Program::solve_limit`].
     pub fn solve_limit(&self, inputs: &[Bounded], workspace: &mut TreeWorkspace) -> Option<usize> {
-        self.first(workspace, &|leaf, memory| leaf.solve_limit(inputs, memory).survivors())
+        self.first(workspace, &|leaf, memory| Solved {
+            solutions: leaf.solve_limit(inputs, memory).survivors(),
+            is_certain: true,
+        })
     }
 
-    /// The first leaf with a solution.
+    /// The first leaf with a solution; one in which something may be divided by zero only where no other has any.
     fn first(
         &self,
         workspace: &mut TreeWorkspace,
-        solutions: &dyn Fn(&Program, &mut Workspaces) -> usize,
+        solve: &dyn Fn(&Program, &mut Workspaces) -> Solved,
     ) -> Option<usize> {
         let precision = workspace.precision;
         workspace.leaves.resize_with(self.leaves.len(), || Workspaces::new(precision));
+        let mut uncertain = None;
         for (place, (leaf, memory)) in self.leaves.iter().zip(&mut workspace.leaves).enumerate() {
             workspace.tried = place + 1;
-            if solutions(leaf, memory) > 0 {
-                return Some(place);
+            match solve(leaf, memory) {
+                Solved { solutions: 0, .. } => {}
+                Solved { is_certain: true, .. } => return Some(place),
+                Solved { is_certain: false, .. } => uncertain = uncertain.or(Some(place)),
             }
         }
-        None
+        uncertain
     }
 
     /// The result of the last [`Tree::solve`] for a leaf; `None` of one that it did not try.

@@ -43,6 +43,10 @@ pub(in super::super) fn drawing(
     stage: &Stream,
 ) -> Option<Drawing> {
     let flowing = quantities.model().flowing_in(index)?;
+    // A picture of a plate that lies obliquely is not drawn with one that lies across the stream.
+    if flowing.normal.is_some() {
+        return None;
+    }
     let arriving = arrow(quantities, compass, &flowing.speed, &flowing.direction).filter(|_| !flowing.speed.is_zero());
     let departing = flowing.leaving.as_ref().and_then(|leaving| arrow(quantities, compass, &flowing.relative, leaving));
     // The body moves along the stream.

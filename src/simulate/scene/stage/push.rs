@@ -99,7 +99,9 @@ impl StageRun<'_> {
         let between = [0.0, 0.3, 0.5, 1.0].map(|share| system.slope(start + share * (end - start), state));
         let largest = between.iter().map(|slope| size(velocity(slope, 0))).fold(0.0, f64::max);
         for (instant, (time, state)) in (index + 1..).zip(ends).skip(first) {
-            let acceleration = velocity(&system.slope(time, state), 0);
+            // Until it slides, static friction balances what acts on it.
+            let held = time < system.start;
+            let acceleration = if held { ZERO } else { velocity(&system.slope(time, state), 0) };
             for axis in self.values.axes() {
                 let (letter, along) = (self.values.letter(axis), part(acceleration, axis));
                 self.note(&format!("a_{body}{instant}{letter}"), along, largest);
@@ -269,6 +271,8 @@ impl StageRun<'_> {
                 if !held.stopped {
                     self.note(&self.values.velocity_after(body, axis), 0.0, 0.0);
                     self.note_place(body, ZERO);
+                    system.start = f64::INFINITY;
+                    self.note_ends(body, &system, [(begun, &still), (end, &still)]);
                     return Ok(());
                 }
                 begins = held.time;
@@ -288,9 +292,7 @@ impl StageRun<'_> {
             self.note_terminal(&system, resistance)?;
         }
         let end = self.go_along(&system, (0, ahead), finish)?;
-        if at_rest.is_none() {
-            self.note_ends(body, &system, [(begun, &system.state()), (end.time.next_down(), &end.state)]);
-        }
+        self.note_ends(body, &system, [(begun, &system.state()), (end.time.next_down(), &end.state)]);
         self.note_place(body, place(&end.state, 0));
         self.note_velocity(body, velocity(&end.state, 0), size(moves));
         let time = end.time - begun;

@@ -116,7 +116,13 @@ impl StageRun<'_> {
         let restitution = self.values.or_zero(stage.restitution.as_ref())?;
         let drop = Particle::free(DROPLET, 1.0, times(relative, towards));
         let still = Particle { mass: None, ..Particle::free("", 0.0, ZERO) };
-        let normal = times(relative.signum(), towards);
+        let normal = match &stage.normal {
+            Some(_) => {
+                let normal = self.values.towards(stage.normal.as_ref())?;
+                times((relative * dot(normal, towards)).signum(), normal)
+            }
+            None => times(relative.signum(), towards),
+        };
         let parted = Touch { parties: [drop, still], normal, restitution }.watched(self)?;
         self.remark(SEEN);
         Ok(parted.bodies[1].impulse)

@@ -31,7 +31,7 @@ impl StageRun<'_> {
         let length = match (told, height, &before) {
             (Some(length), ..) => length,
             // Only heights are used, so that the length may be anything that reaches them.
-            (None, Some(height), _) if stage.way == UpOrDown::Down => height / (1.0 - libm::cos(ANY_ANGLE)),
+            (None, Some(height), _) if stage.way == Some(UpOrDown::Down) => height / (1.0 - libm::cos(ANY_ANGLE)),
             (None, _, Ok(speed)) if *speed != 0.0 => speed * speed / gravity,
             _ => return Err(NothingToSimulate::ValueMissing),
         };
@@ -87,11 +87,7 @@ impl StageRun<'_> {
         self.about(vec![0.0, length], true);
         let [before, after] = [system.state(), end.state];
         let reached = size(velocity(&after, 0));
-        // Between two angles the height is that by which it comes down; else that between the lowest place and the other.
-        let rise = match (from, to) {
-            (Place::Angle(_), Place::Angle(_)) => before[1] - after[1],
-            (Place::Lowest, _) | (_, Place::Lowest) => (after[1] - before[1]).abs(),
-        };
+        let rise = (after[1] - before[1]).abs();
         match to {
             Place::Lowest => self.note_velocity(body, times(sense * reached, unit(axis)), 0.0),
             Place::Angle(term) => {
