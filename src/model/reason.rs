@@ -30,9 +30,12 @@ pub enum Reason {
     /// A body would not catch up with another.
     #[error("{0} would not catch up with {1}, so there would be no impact")]
     NoCatchingUp(String, String),
-    /// Two bodies would not lie along the line of impact, or the string, in the order in which they are named.
-    #[error("{0} and {1} would not lie along {2}, where their positions are")]
-    LiesBeside(String, String, String),
+    /// Two bodies would not lie along the line of impact.
+    #[error("{0} and {1} would not lie along the line of impact, where their positions are")]
+    LiesBeside(String, String),
+    /// Two bodies would not lie along the string, in the order in which they are named.
+    #[error("{0} and {1} would not lie along the string, where their positions are")]
+    OffTheString(String, String),
     /// A swing between two angles would end higher or lower than is said.
     #[error("{0} would end {what} than it began, not {other}", what = heights(*.1)[0], other = heights(*.1)[1])]
     EndsOnOtherSide(String, UpOrDown),
@@ -356,7 +359,7 @@ impl Reason {
                 "the upper body slides on in the way in which it is the faster one at the start; where the body below is the faster \
                     one, that is backwards, and so is its `direction`; a stage in which both come to move alike ends there: `until: together`"
             }
-            Self::LiesBeside(..) => {
+            Self::LiesBeside(..) | Self::OffTheString(..) => {
                 "give the positions at which they meet, or on the straight string, and the direction from the first to the second; or leave the positions out"
             }
             Self::EndsOnOtherSide(..) => "write the other `way`, or leave it out",

@@ -36,12 +36,18 @@ impl Builder<'_> {
         });
         let [one, other] = bodies.map(|body| self.called(body));
         self.require(ahead, Relation::AtLeast, behind, Reason::LiesAhead(one, other));
-        self.lies_along(contact.index, bodies, &frame.normal, "the line of impact");
+        self.lies_along(contact.index, bodies, &frame.normal, Reason::LiesBeside);
     }
 
     /// A line that is told leads from one body to another, where the problem gives the places of both: nearly so, since these are
     /// rounded.
-    pub(super) fn lies_along(&mut self, index: usize, bodies: [&str; 2], direction: &Direction, line: &str) {
+    pub(super) fn lies_along(
+        &mut self,
+        index: usize,
+        bodies: [&str; 2],
+        direction: &Direction,
+        otherwise: fn(String, String) -> Reason,
+    ) {
         let placed = self.placed();
         if self.axes.len() < 2 || !bodies.iter().all(|body| placed.contains(*body)) {
             return;
@@ -55,8 +61,7 @@ impl Builder<'_> {
         let whole = Expr::sum(apart.iter().map(|part| part.clone().powi(2)));
         let share = dot(&apart, &along).powi(2);
         let [one, other] = bodies.map(|body| self.called(body));
-        let reason = Reason::LiesBeside(one, other, line.to_owned());
-        self.require(share, Relation::AtLeast, Expr::ratio(99, 100) * whole, reason);
+        self.require(share, Relation::AtLeast, Expr::ratio(99, 100) * whole, otherwise(one, other));
     }
 
     /// Along a string that is told the second body lies ahead of the first, where the problem gives the places of both.
@@ -72,8 +77,7 @@ impl Builder<'_> {
             dot(&places, &along)
         });
         let [one, other] = bodies.map(|body| self.called(body));
-        let reason = Reason::LiesBeside(one, other, "the string".to_owned());
-        self.require(ahead, Relation::AtLeast, behind, reason);
-        self.lies_along(index, bodies, direction, "the string");
+        self.require(ahead, Relation::AtLeast, behind, Reason::OffTheString(one, other));
+        self.lies_along(index, bodies, direction, Reason::OffTheString);
     }
 }

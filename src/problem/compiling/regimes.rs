@@ -117,7 +117,7 @@ impl Regimes {
                 }
             };
             let uses = |place: &usize| model.distances.iter().any(|equation| is_tagged(&system, *place, equation.tag));
-            let by_distance = |plan: &Plan| plan.steps.iter().flat_map(|step| &step.equations).any(|place| uses(place));
+            let by_distance = |plan: &Plan| plan.steps.iter().flat_map(|step| &step.equations).any(uses);
             // A way by the mean velocity that needs none is the same as one of those before it.
             if leaves.iter().any(|leaf: &Leaf| leaf.words == words) && !by_distance(&planned) {
                 continue;
