@@ -33,7 +33,9 @@ mod world;
 
 pub use budget::{Budget, Keep};
 pub use contact::Contact;
-pub use exact::{BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine};
+pub use exact::{
+    BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine, repeated_cosine, repeated_decay,
+};
 pub use force::{Force, Piece, Strength};
 pub use geometry::Geometry;
 pub use method::Method;

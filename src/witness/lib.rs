@@ -28,7 +28,7 @@ mod worlds;
 pub use film::{AT_ITS_TIME, Film, NotFilmed};
 pub use impacts::IMPACTS;
 pub use shoot::{Shot, shoot};
-pub use staging::{followed, staged};
+pub use staging::{followed, followed_least, staged};
 pub use trial::{Portion, Simulated};
 
 /// The tolerances of the two runs whose difference says how far the finer one may be off.

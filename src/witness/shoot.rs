@@ -5,13 +5,17 @@ use momentous_problem::Variant;
 use momentous_scene::Axis;
 use momentous_scene::Scene;
 use momentous_simulate::Ending;
+use momentous_simulate::MethodKind;
+use momentous_simulate::least::Class;
 use momentous_simulate::least::Kept;
 use momentous_simulate::least::NotKept;
 use momentous_simulate::least::Request;
+use momentous_simulate::least::classify;
 use momentous_simulate::least::keep;
 use momentous_simulate::scene::Component;
 use momentous_simulate::scene::Experiment;
 use momentous_simulate::scene::NothingToSimulate;
+use momentous_simulate::scene::Staged;
 
 use super::film::{AT_ITS_TIME, Film, NotFilmed, out_of_reach, refused};
 use super::integrated::integrated;
@@ -40,14 +44,18 @@ pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<
                 Ok(films) => shot.films.extend(films),
                 Err(reason) => shot.nothing.push((stage, reason.reason())),
             },
-            Ok(staged) => {
-                for experiment in &staged.on_lines {
-                    shot.films.push(filmed(experiment, scene, stage, request)?);
-                }
-                for experiment in &staged.in_planes {
-                    shot.films.push(filmed(experiment, scene, stage, request)?);
+            // Without exact motion between impacts the motion as it is may still have a formula.
+            Ok(staged)
+                if !is_exact(&staged) && request.method.is_none_or(|method| method == MethodKind::ClosedForm) =>
+            {
+                match integrated(problem, variant, stage, request)? {
+                    Ok(films) if films.iter().all(|film| film.choice.class == Class::ClosedForm) => {
+                        shot.films.extend(films);
+                    }
+                    _ => shot.films.extend(run(&staged, scene, stage, request)?),
                 }
             }
+            Ok(staged) => shot.films.extend(run(&staged, scene, stage, request)?),
         }
     }
     for film in &mut shot.films {
@@ -73,6 +81,21 @@ fn is_weighed(problem: &Problem, variant: &Variant, body: &str) -> bool {
         |part: &&str| scene.bodies.get(*part).is_some_and(|body| body.mass.is_some()) || known(&format!("m_{part}"));
     let members = scene.members(body);
     members.iter().all(all_parts) || members.iter().all(|part| !scene.bodies.contains_key(*part))
+}
+
+/// The films of all parts of a stage that are worlds.
+fn run(staged: &Staged, scene: &Scene, stage: usize, request: &Request) -> Result<Vec<Film>, NotFilmed> {
+    let on_lines = staged.on_lines.iter().map(|experiment| filmed(experiment, scene, stage, request));
+    on_lines.chain(staged.in_planes.iter().map(|experiment| filmed(experiment, scene, stage, request))).collect()
+}
+
+/// Whether all motions of a stage between impacts are known exactly.
+fn is_exact(staged: &Staged) -> bool {
+    fn all<const D: usize>(experiments: &[Experiment<D>]) -> bool {
+        let class = |experiment: &Experiment<D>| classify(&experiment.world, &experiment.budget);
+        experiments.iter().all(|experiment| class(experiment).is_ok_and(|found| found.class != Class::OdeNeeded))
+    }
+    all(&staged.on_lines) && all(&staged.in_planes)
 }
 
 fn filmed<const D: usize>(

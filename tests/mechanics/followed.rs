@@ -6,8 +6,8 @@ use std::path::Path;
 
 use momentous::problem::{Problem, Sampler, Variant};
 use momentous::simulate::Moment;
-use momentous::simulate::scene::RecordedMotion;
-use momentous::witness::{followed, staged};
+use momentous::simulate::scene::{Followed, RecordedMotion};
+use momentous::witness::{followed, followed_least, staged};
 
 use crate::variants;
 
@@ -150,6 +150,40 @@ fn what_is_integrated_can_be_watched() {
         assert!(seen.followed.contains_key(stage), "no stage `{stage}` was followed");
     }
     assert!(seen.compared > 50, "only {} compared", seen.compared);
+}
+
+/// Every motion that is taken from a formula is the one that its equations of motion give when they are integrated.
+#[test]
+fn a_formula_gives_the_motion_that_is_integrated() {
+    let (mut reasons, mut integrated, mut wrong) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
+    for problem in variants::bank() {
+        for form in 0..problem.forms().len() {
+            let Ok(variant) = Sampler::new(&problem, form).unwrap().variant(2) else { continue };
+            for place in 0..problem.loaded().draft.scene.stages.len() {
+                let name = format!("{}, stage {}", variants::form_name(&problem, form), place + 1);
+                let (Ok(formulas), Ok(truths)) = (
+                    followed_least(&problem, &variant, place, TOLERANCE, 0.0),
+                    followed(&problem, &variant, place, TOLERANCE / 10.0),
+                ) else {
+                    continue;
+                };
+                assert_eq!(formulas.len(), truths.len(), "{name}");
+                for (formula, truth) in formulas.iter().zip(&truths) {
+                    match formula.followed {
+                        Followed::Formula(why) => *reasons.entry(why).or_insert(0) += 1,
+                        Followed::Equations(what) => *integrated.entry(what).or_insert(0) += 1,
+                    }
+                    let apart = formula.record.apart(&truth.record, false);
+                    if apart.is_none_or(|apart| apart > 1e-7) {
+                        wrong.push(format!("{name}: {apart:?}, {:?}", formula.followed));
+                    }
+                }
+            }
+        }
+    }
+    println!("{reasons:#?} {integrated:#?}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(reasons.len() >= 9 && reasons.values().sum::<u32>() > 150, "{reasons:#?}");
 }
 
 /// Coils drive two sliders apart for 20 to 40 ms: they are seen for that time, and nothing is said to be assumed.

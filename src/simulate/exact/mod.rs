@@ -2,6 +2,7 @@
 
 mod bounces;
 mod clock;
+mod fading;
 mod grazing;
 mod orbit;
 mod polynomial;
@@ -9,6 +10,7 @@ mod quadratic;
 
 pub use bounces::BounceTrain;
 pub use clock::Clock;
+pub use fading::{repeated_cosine, repeated_decay};
 pub use grazing::grazing_cosine;
 pub use orbit::Orbit;
 pub use polynomial::first_fall;

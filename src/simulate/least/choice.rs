@@ -96,10 +96,11 @@ impl Request {
 ///
 /// ```
 /// use momentous_simulate::least::{Classified, Request, options};
-/// let swing = Classified::integrated("swing");
+/// use momentous_simulate::scene::Followed;
+/// let swing = Classified::followed(Followed::Equations("a swing under weight"));
 /// let all = options(&swing, &Request { accuracy: Some(1e-6), ..Request::default() }).unwrap();
 /// assert!(all[0].cost.as_ref().unwrap().error <= 1e-6);
-/// assert!(all[0].to_string().contains("because the stage `swing` is followed by its equations of motion"));
+/// assert!(all[0].to_string().contains("because there is no formula here for a swing under weight"));
 /// ```
 ///
 /// # Errors
@@ -109,13 +110,15 @@ pub fn options(scene: &Classified, request: &Request) -> Result<Vec<Choice>, NoC
         return Err(NoChoice::LawRequired(scene.to_string()));
     }
     let out_of_reach = |nearest: String| NoChoice::out_of_reach(scene, request, nearest);
-    if let (Some(only), Some(asked)) = (scene.only, request.method)
-        && only != asked
+    if let (false, Some(asked)) = (scene.methods.is_empty(), request.method)
+        && !scene.methods.contains(&asked)
     {
-        return Err(out_of_reach(format!("only {} follows such a motion", only.name())));
+        let names: Vec<&str> = scene.methods.iter().map(|method| method.name()).collect();
+        let follow = if names.len() > 1 { "follow" } else { "follows" };
+        return Err(out_of_reach(format!("only {} {follow} such a motion", names.join(" and "))));
     }
     let formula = (scene.class == Class::ClosedForm).then_some(MethodKind::ClosedForm);
-    let wanted = request.method.or(scene.only).or(formula);
+    let wanted = request.method.or(formula).or(scene.methods.first().copied());
     let mut rows: Vec<&Cost> = costs()
         .iter()
         .filter(|cost| cost.class == scene.class && wanted.is_none_or(|method| method == cost.method))
@@ -228,7 +231,7 @@ mod tests {
     use super::*;
 
     fn scene(class: Class) -> Classified {
-        Classified { class, reason: "so it is".to_owned(), only: None }
+        Classified { class, reason: "so it is".to_owned(), methods: &[] }
     }
 
     fn asked(accuracy: f64) -> Request {

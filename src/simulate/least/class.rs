@@ -7,6 +7,7 @@ use crate::force::Force;
 use crate::method::Method;
 use crate::methods::{ClosedForm, EventDriven, MethodKind};
 use crate::refusal::Refusal;
+use crate::scene::Followed;
 use crate::world::World;
 
 /// The class of a scene: the methods that it needs.
@@ -49,20 +50,28 @@ pub struct Classified {
     pub class: Class,
     /// Why, as a clause.
     pub reason: String,
-    /// The one method that there is for it, where there is only one.
-    pub only: Option<MethodKind>,
+    /// The methods that there are for it; any where none are listed.
+    pub methods: &'static [MethodKind],
 }
 
 impl Classified {
     fn new(class: Class, reason: String) -> Self {
-        Self { class, reason, only: None }
+        Self { class, reason, methods: &[] }
     }
 
-    /// A stage of this kind, which no world of spheres and walls describes.
+    /// A motion that no world of spheres and walls describes, by what it follows from.
     #[must_use]
-    pub fn integrated(stage: &str) -> Self {
-        let reason = format!("the stage `{stage}` is followed by its equations of motion, whatever formula they have");
-        Self { only: Some(MethodKind::RungeKutta), ..Self::new(Class::OdeNeeded, reason) }
+    pub fn followed(followed: Followed) -> Self {
+        match followed {
+            Followed::Formula(why) => Self {
+                methods: &[MethodKind::ClosedForm, MethodKind::RungeKutta],
+                ..Self::new(Class::ClosedForm, why.to_owned())
+            },
+            Followed::Equations(what) => Self {
+                methods: &[MethodKind::RungeKutta],
+                ..Self::new(Class::OdeNeeded, format!("there is no formula here for {what}"))
+            },
+        }
     }
 }
 

@@ -13,7 +13,7 @@ use super::class::classify;
 use super::work::work;
 
 /// How far a second run shows the first to be off is known to within this factor.
-const MARGIN: f64 = 4.0;
+pub const MARGIN: f64 = 4.0;
 
 /// The step by which tolerances of two runs that are compared differ.
 const FINER: f64 = 0.1;

@@ -11,6 +11,6 @@ mod work;
 pub use choice::{Choice, DEFAULT_ACCURACY, NoChoice, Request, options, time};
 pub use class::{Class, Classified, classify};
 pub use costs::{Cost, costs};
-pub use kept::{Kept, NotKept, keep};
+pub use kept::{Kept, MARGIN, NotKept, keep};
 #[cfg(feature = "clock")]
 pub use measure::measure_costs;

@@ -74,12 +74,17 @@ impl StageRun<'_> {
             let slope = |at: f64, state: &[f64; N]| system.slope(if at >= next { next.next_down() } else { at }, state);
             let look = |at: f64, state: &[f64; N]| system.look(if at >= next { next.next_down() } else { at }, state);
             let start = (reached.time, reached.state);
-            reached = integrator.run(start.0, start.1, next, &slope, &stop)?;
+            let course = self.course(|| system.course(start.0, &start.1));
+            reached = match course.known() {
+                Some(formula) => formula.run(start, next, integrator.longest, &stop)?,
+                None => integrator.run(start.0, start.1, next, &slope, &stop)?,
+            };
             let components = system.frame.components.clone();
             for index in 0..system.particles.len() {
                 self.fastest = self.fastest.max(size(velocity(&reached.largest, index)));
             }
-            self.film(&Motion { names: &names, components, start, end: reached.time, slope: &slope, look: &look })?;
+            let (end, slope, look) = (reached.time, &slope, &look);
+            self.film(&Motion { names: &names, components, start, end, slope, course: &course, look })?;
             if reached.stopped {
                 break;
             }

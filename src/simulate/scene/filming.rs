@@ -3,6 +3,7 @@
 use crate::record::{GAUSS, Moment, Pivot, Record, Recorded, Tie};
 
 use super::component::Component;
+use super::formula::Course;
 use super::integrate::{Integrator, Slope};
 use super::nothing::NothingToSimulate;
 use super::recorded_motion::{Look, RecordedMotion, SeenBody};
@@ -24,6 +25,7 @@ pub(super) struct Motion<'a, const N: usize> {
     pub start: (f64, [f64; N]),
     pub end: f64,
     pub slope: Slope<'a, N>,
+    pub course: &'a Course<N>,
     pub look: &'a dyn Fn(f64, &[f64; N]) -> Look,
 }
 
@@ -39,11 +41,14 @@ impl StageRun<'_> {
             recorded.record.bodies.iter().map(|body| body.name.as_str()).eq(motion.names.iter().copied())
         };
         let before = motions.pop_if(same);
+        let followed = motion.course.followed();
         let mut recorded = before.filter(ended).unwrap_or_else(|| RecordedMotion {
             components: motion.components.clone(),
             record: Record::default(),
+            followed,
             notes: Vec::new(),
         });
+        recorded.followed = recorded.followed.and(followed);
         let longest = (motion.end - motion.start.0) / f64::from(INSTANTS);
         motion.watch(Integrator { tolerance, longest }, &mut recorded.record)?;
         motions.push(recorded);
@@ -76,6 +81,14 @@ impl StageRun<'_> {
 }
 
 impl<const N: usize> Motion<'_, N> {
+    /// The state at a later time.
+    fn later(&self, integrator: Integrator, from: (f64, [f64; N]), to: f64) -> Result<[f64; N], NothingToSimulate> {
+        match self.course.known() {
+            Some(formula) => Ok((formula.at)(to)),
+            None => integrator.until(from.0, from.1, to, self.slope),
+        }
+    }
+
     fn watch(&self, integrator: Integrator, record: &mut Record) -> Result<(), NothingToSimulate> {
         let (start, mut state) = self.start;
         let first = (self.look)(start, &state);
@@ -137,7 +150,7 @@ impl<const N: usize> Motion<'_, N> {
         let mut given = Given { outside: vec![0.0; self.components.len()], ..Given::default() };
         for (place, weight) in GAUSS {
             let node = middle + place * half;
-            (state, time) = (integrator.until(time, state, node, self.slope)?, node);
+            (state, time) = (self.later(integrator, (time, state), node)?, node);
             let look = (self.look)(time, &state);
             for (sum, force) in given.outside.iter_mut().zip(&look.outside) {
                 *sum += force * weight * half;
@@ -146,7 +159,7 @@ impl<const N: usize> Motion<'_, N> {
             given.work += look.power * weight * half;
             given.works += look.power.abs() * weight * half;
         }
-        Ok((integrator.until(time, state, to, self.slope)?, given))
+        Ok((self.later(integrator, (time, state), to)?, given))
     }
 }
 

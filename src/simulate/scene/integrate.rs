@@ -8,7 +8,7 @@ use crate::methods::dormand_prince::{ERROR, NODES, STAGES};
 use super::nothing::NothingToSimulate;
 
 /// Steps after which a run is given up.
-const MOST_STEPS: usize = 20_000;
+pub(super) const MOST_STEPS: usize = 20_000;
 
 /// The share of the largest component below which a component is rounding.
 const NOISE: f64 = 1e-14;
@@ -155,7 +155,7 @@ fn step<const N: usize>(
 }
 
 /// Finds where a function of a part of the step crosses zero: false position with halved ends (the Illinois method).
-fn located(function: &dyn Fn(f64) -> f64, whole: f64, ends: [f64; 2]) -> f64 {
+pub(super) fn located(function: &dyn Fn(f64) -> f64, whole: f64, ends: [f64; 2]) -> f64 {
     let ([mut low, mut high], [mut before, mut after]) = ([0.0, whole], ends);
     for _ in 0..MOST_TRIALS {
         let mut part = low + (high - low) * before / (before - after);

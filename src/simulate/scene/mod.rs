@@ -3,16 +3,21 @@
 //! This is the independent witness of `momentous check`: it reads the scene anew, and shares no code with the laws.
 
 mod bounces;
+mod changing;
+mod closed;
 mod component;
 mod course;
 mod direction;
 mod experiment;
 mod filming;
 mod floor;
+mod formula;
 mod impact;
 mod impulsive;
+mod in_time;
 mod integrate;
 mod measure;
+mod modes;
 mod motion;
 mod nothing;
 mod particles;
@@ -20,12 +25,14 @@ mod pushed;
 mod rate;
 mod recorded_motion;
 mod revolution;
+mod square;
 mod stage;
 mod stage_run;
 mod state;
 mod strength;
 mod system;
 mod touch;
+mod turned;
 mod values;
 mod vector;
 mod watch;
@@ -34,6 +41,7 @@ use momentous_scene::Scene;
 
 pub use component::Component;
 pub use experiment::{Experiment, Reached, Reading, Staged};
+pub use formula::Followed;
 pub use impulsive::is_impulsive;
 pub use measure::{Asked, measure};
 pub use nothing::NothingToSimulate;
@@ -122,9 +130,32 @@ pub fn follow(
     value: &dyn Fn(&str) -> Option<f64>,
     tolerance: f64,
 ) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
+    followed(scene, stage, value, tolerance, false)
+}
+
+/// The same with the least model: motions that have a formula are taken from it, and only the others are integrated.
+///
+/// # Errors
+/// There is nothing to watch: why.
+pub fn follow_least(
+    scene: &Scene,
+    stage: usize,
+    value: &dyn Fn(&str) -> Option<f64>,
+    tolerance: f64,
+) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
+    followed(scene, stage, value, tolerance, true)
+}
+
+fn followed(
+    scene: &Scene,
+    stage: usize,
+    value: &dyn Fn(&str) -> Option<f64>,
+    tolerance: f64,
+    by_formulas: bool,
+) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
     let entry = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
     let values = Values { scene, value, index: stage };
-    let mut run = StageRun { motions: Some(Vec::new()), ..StageRun::new(&values, tolerance) };
+    let mut run = StageRun { motions: Some(Vec::new()), by_formulas, ..StageRun::new(&values, tolerance) };
     run.stage(entry)?;
     let motions = run.motions.unwrap_or_default();
     if motions.is_empty() { Err(NothingToSimulate::NotShown) } else { Ok(motions) }

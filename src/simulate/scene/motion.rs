@@ -59,7 +59,7 @@ impl Values<'_> {
             return Ok(());
         }
         let (strength, changes) = self.strength(told)?;
-        let strength = Strength::Function(Arc::new(move |time| strength(time + start)));
+        let strength = Strength::Function(Arc::new(move |time| strength.at(time + start)));
         world.forces.push(Force::Varying { body: 0, direction, strength });
         // A force of no strength that changes its law at the same times, so that no step goes across one.
         let pieces = changes.into_iter().map(|until| Piece { until: until - start, coefficients: vec![0.0] }).collect();

@@ -1,9 +1,8 @@
 //! Particles, the forces and constraints that act on them, and where a state holds them.
 
 use std::borrow::Cow;
-use std::sync::Arc;
 
-use super::values::OfTime;
+use super::in_time::InTime as Timed;
 use super::vector::{Vector, ZERO, dot, less, times, within};
 
 /// A particle, and how it starts.
@@ -36,7 +35,7 @@ pub(super) struct Force {
 /// How strong a force is.
 pub(super) enum Strength {
     /// A force that changes with the time.
-    InTime(OfTime),
+    InTime(Timed),
     /// Against the velocity along the line, so much for each metre per second, and for the square of it.
     Resistance { linear: f64, quadratic: f64 },
     /// The pull of a spring, which is deformed by so much where all particles are at the origin.
@@ -94,13 +93,13 @@ impl<'a> Particle<'a> {
 
 impl Force {
     /// A force in the time of the stage.
-    pub(super) fn in_time(on: Lines, strength: OfTime) -> Self {
+    pub(super) fn in_time(on: Lines, strength: Timed) -> Self {
         Self { on, strength: Strength::InTime(strength) }
     }
 
     /// A force on one particle that stays what it is.
     pub(super) fn steady(on: usize, force: Vector) -> Self {
-        Self::in_time(vec![(on, force)], Arc::new(|_| 1.0))
+        Self::in_time(vec![(on, force)], Timed::steady(1.0))
     }
 
     /// A spring that is deformed by so much where all particles are at the origin.
@@ -120,7 +119,7 @@ impl Force {
 
     pub(super) fn strength(&self, time: f64, state: &[f64]) -> f64 {
         match &self.strength {
-            Strength::InTime(strength) => strength(time),
+            Strength::InTime(strength) => strength.at(time),
             Strength::Resistance { linear, quadratic } => {
                 let speed = self.moves(state);
                 -(linear + quadratic * speed.abs()) * speed
@@ -140,7 +139,8 @@ impl Force {
         Some(self.stretched(deformed, state))
     }
 
-    fn stretched(&self, deformed: f64, state: &[f64]) -> f64 {
+    /// How far the line is longer than where all particles are at the origin and it is deformed by so much.
+    pub(super) fn stretched(&self, deformed: f64, state: &[f64]) -> f64 {
         self.on.iter().fold(deformed, |sum, (index, along)| sum + dot(*along, place(state, *index)))
     }
 }

@@ -3,6 +3,7 @@
 use crate::record::Record;
 
 use super::component::Component;
+use super::formula::Followed;
 
 /// A motion that was watched.
 #[derive(Clone, Debug)]
@@ -11,6 +12,8 @@ pub struct RecordedMotion {
     pub components: Vec<Component>,
     /// The record.
     pub record: Record,
+    /// What it follows from.
+    pub followed: Followed,
     /// The notes that a reader needs.
     pub notes: Vec<&'static str>,
 }

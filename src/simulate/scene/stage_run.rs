@@ -6,6 +6,7 @@ use momentous_scene::Term;
 use momentous_scene::stage::Included;
 
 use super::experiment::{Reached, Staged};
+use super::formula::Course;
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
 use super::recorded_motion::RecordedMotion;
@@ -68,6 +69,8 @@ pub(super) struct StageRun<'a> {
     pub observed: Observed,
     /// The motions, where somebody watches.
     pub motions: Option<Vec<RecordedMotion>>,
+    /// Whether motions that have a formula are taken from it.
+    pub by_formulas: bool,
 }
 
 impl<'a> StageRun<'a> {
@@ -81,6 +84,7 @@ impl<'a> StageRun<'a> {
             fastest: 0.0,
             observed: Observed::default(),
             motions: None,
+            by_formulas: false,
         }
     }
 
@@ -88,6 +92,11 @@ impl<'a> StageRun<'a> {
     pub(super) fn integrator(&mut self, longest: f64) -> Integrator {
         self.by(Procedure::Integrated);
         Integrator { tolerance: self.tolerance, longest }
+    }
+
+    /// The course of a motion, where it may be taken from a formula; else it is integrated, whatever formula it has.
+    pub(super) fn course<const N: usize>(&self, course: impl FnOnce() -> Course<N>) -> Course<N> {
+        if self.by_formulas { course() } else { Course::Equations("what is to be integrated") }
     }
 
     /// Notes by which way something was found.

@@ -1,48 +1,38 @@
 //! The strength of a force as it is given: at any time, and as polynomials in the time where it is nothing else.
 
-use std::sync::Arc;
-
 use crate::exact::shifted;
 use crate::force::{HIGHEST_POWER, Piece};
 use momentous_scene::Strength as Told;
 
+use super::in_time::{InTime, Law};
 use super::nothing::NothingToSimulate;
-use super::values::{OfTime, Values};
+use super::values::Values;
 
 impl Values<'_> {
     /// A strength in the time, and when it changes its law.
-    pub(super) fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
+    pub(super) fn strength(&self, told: &Told) -> Result<(InTime, Vec<f64>), NothingToSimulate> {
+        let mut laws = Vec::new();
         match told {
             // A vector has no one strength.
-            Told::Components(_) => Err(NothingToSimulate::Unread),
-            Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
+            Told::Components(_) => return Err(NothingToSimulate::Unread),
+            Told::Term(term) => laws.push((f64::INFINITY, self.law(term)?)),
             Told::Pieces(pieces) => {
-                let mut laws = Vec::new();
                 for piece in pieces {
                     let until = piece.until.as_ref().map_or(Ok(f64::INFINITY), |term| self.term(term))?;
-                    laws.push((until, self.of_time(&piece.is)?));
+                    laws.push((until, self.law(&piece.is)?));
                 }
-                let changes = laws.iter().map(|(until, _)| *until).filter(|until| until.is_finite()).collect();
-                let at =
-                    move |time: f64| laws.iter().find(|(until, _)| time < *until).map_or(0.0, |(_, law)| law(time));
-                Ok((Arc::new(at), changes))
             }
             Told::Graph(graph) => {
-                let mut points = Vec::new();
+                let mut before: Option<[f64; 2]> = None;
                 for [time, force] in &graph.points {
-                    points.push((self.term(time)?, self.term(force)?));
+                    let point = [self.term(time)?, self.term(force)?];
+                    laws.push((point[0], before.map_or_else(Law::nothing, |before| Law::line(before, point))));
+                    before = Some(point);
                 }
-                let changes = points.iter().map(|(time, _)| *time).collect();
-                let at = move |time: f64| {
-                    let line = points.windows(2).find(|ends| ends[0].0 <= time && time < ends[1].0);
-                    line.map_or(0.0, |ends| {
-                        let share = (time - ends[0].0) / (ends[1].0 - ends[0].0);
-                        ends[0].1 + share * (ends[1].1 - ends[0].1)
-                    })
-                };
-                Ok((Arc::new(at), changes))
             }
         }
+        let changes = laws.iter().map(|(until, _)| *until).filter(|until| until.is_finite()).collect();
+        Ok((InTime::pieces(laws), changes))
     }
 
     /// The same as polynomials in the time since `start`; none where it is anything else.

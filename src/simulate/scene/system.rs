@@ -54,6 +54,30 @@ impl<'a, const N: usize> System<'a, N> {
         slope
     }
 
+    /// How velocities change by weight alone.
+    pub(super) fn falling(&self) -> [f64; N] {
+        let mut slope = [0.0; N];
+        for (part, particle) in slope.chunks_exact_mut(6).zip(&self.particles) {
+            part[3..].copy_from_slice(&particle.let_through(particle.falls));
+        }
+        self.held(slope)
+    }
+
+    /// How velocities change by a unit of a force alone.
+    pub(super) fn answer(&self, force: usize) -> [f64; N] {
+        let mut slope = [0.0; N];
+        self.push(&mut slope, &self.forces[force].on, 1.0);
+        self.held(slope)
+    }
+
+    /// What a constraint of particles at rest makes of accelerations.
+    fn held(&self, mut slope: [f64; N]) -> [f64; N] {
+        if let Some((lines, pull)) = self.pull(&[0.0; N], &slope) {
+            self.push(&mut slope, &lines, pull);
+        }
+        slope
+    }
+
     /// How strong the forces are together, whatever their directions, at the strongest of a few moments between two times: what they come
     /// to is a difference of such sizes.
     pub(super) fn strongest(&self, [start, end]: [f64; 2]) -> f64 {

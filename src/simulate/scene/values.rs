@@ -8,6 +8,9 @@ use momentous_quantity::{Dimension, Quantity};
 use momentous_scene::stage::StageMass;
 use momentous_scene::{Axis, Plane, Scene, Term};
 
+use crate::force::HIGHEST_POWER;
+
+use super::in_time::{Integrals, Law, OfTime};
 use super::nothing::NothingToSimulate;
 
 /// The clock of a stage in the strength of a force.
@@ -19,9 +22,6 @@ pub(super) struct Values<'a> {
     pub value: &'a dyn Fn(&str) -> Option<f64>,
     pub index: usize,
 }
-
-/// A term in the time of a stage.
-pub(super) type OfTime = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 
 /// A term in several variables.
 pub(super) type OfSeveral = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
@@ -41,6 +41,28 @@ struct ReadTerm {
     expr: Expr,
     places: BTreeMap<Symbol, usize>,
     found: BTreeMap<Symbol, f64>,
+}
+
+impl ReadTerm {
+    /// It as a function of its one variable.
+    fn of_time(self) -> OfTime {
+        let Self { expr, places, found } = self;
+        Arc::new(move |time| {
+            expr.evaluate(&|symbol| match found.get(&symbol) {
+                Some(value) if !places.contains_key(&symbol) => *value,
+                _ => time,
+            })
+        })
+    }
+
+    /// An antiderivative in its one variable, and one of that, where both have a formula.
+    fn integrals(self) -> Option<[OfTime; 2]> {
+        let clock = *self.places.keys().next()?;
+        let once = self.expr.integrate(clock)?;
+        let twice = once.integrate(clock)?;
+        let of_time = |expr: Expr| Self { expr, places: self.places.clone(), found: self.found.clone() }.of_time();
+        Some([of_time(once), of_time(twice)])
+    }
 }
 
 impl Reader<'_> {
@@ -97,10 +119,14 @@ impl Values<'_> {
         term.map_or(Ok(0.0), |term| self.term(term))
     }
 
-    /// A term that may contain the clock.
-    pub(super) fn of_time(&self, term: &Term) -> Result<OfTime, NothingToSimulate> {
-        let read = self.of_several(&term.0, &[CLOCK.to_owned()])?;
-        Ok(Arc::new(move |time| read(&[time])))
+    /// A term that may contain the clock, as a law of the time.
+    pub(super) fn law(&self, term: &Term) -> Result<Law, NothingToSimulate> {
+        let clock = || -> Result<ReadTerm, NothingToSimulate> { self.read(&term.0, &[CLOCK.to_owned()]) };
+        let integrals = match self.polynomial(term, HIGHEST_POWER) {
+            Some(coefficients) => Integrals::Polynomial(coefficients),
+            None => clock()?.integrals().map_or(Integrals::Unknown, Integrals::Formula),
+        };
+        Ok(Law { at: clock()?.of_time(), integrals })
     }
 
     /// A term as the coefficients of 1, t, t², ... in the clock, up to a power; none where it is no such polynomial.

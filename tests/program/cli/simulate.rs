@@ -131,19 +131,25 @@ fn a_method_can_be_chosen_and_then_errs_as_it_does() {
     assert!(apart > 1e-9 && apart < 0.5 * after(&exact).abs().max(1.0), "{apart}");
 }
 
-/// A stage that is no world is integrated in time; nothing else follows it.
+/// A stage that is no world is followed by its formula, or integrated in time; nothing else follows it.
 #[test]
 fn a_rocket_is_followed() {
     let room = Room::empty();
     let film = json(&room, &["streams/heavy-rocket"])["stages"][0].clone();
-    assert_eq!((&film["method"], &film["class"]), (&"Runge-Kutta 5(4)".into(), &"ODE needed".into()));
+    assert_eq!((&film["method"], &film["class"]), (&"closed form".into(), &"closed form".into()));
+    let integrated = json(&room, &["streams/heavy-rocket", "--method", "runge-kutta"])["stages"][0].clone();
+    assert_eq!(integrated["method"], "Runge-Kutta 5(4)");
     let moments = film["moments"].as_array().unwrap();
     let mass = |moment: &Value| number(&moment["masses"][0]);
     assert!(mass(moments.last().unwrap()) < 0.5 * mass(&moments[0]));
     let drawing = room.fine(&["simulate", "streams/heavy-rocket", "--format", "svg"]);
     assert!(drawing.contains("height y") && drawing.contains("what the exhaust carries away"));
     let ran = room.run(&["simulate", "streams/heavy-rocket", "--method", "penalty"]);
-    assert!(ran.code == 2 && ran.err.contains("only Runge-Kutta 5(4) follows such a motion"), "{}", ran.err);
+    assert!(
+        ran.code == 2 && ran.err.contains("only closed form and Runge-Kutta 5(4) follow such a motion"),
+        "{}",
+        ran.err
+    );
 }
 
 #[test]

@@ -1,12 +1,9 @@
 //! A blow: some force for some short time, whose history nobody knows. Any history with the impulse does the same.
 
-use core::f64::consts::PI;
-
-use std::sync::Arc;
-
 use momentous_scene::stage::Blow;
 
 use crate::scene::course::Until;
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force, Particle, velocity};
 use crate::scene::stage_run::StageRun;
@@ -29,7 +26,7 @@ impl StageRun<'_> {
         let (integrator, until) = (self.integrator(end / 4.0), Until::Time(end));
         let values = self.values;
         let struck = |velocity: Vector, force: Vector| {
-            let wave = Force::in_time(vec![(0, force)], Arc::new(move |time| libm::sin(PI * time / end)));
+            let wave = Force::in_time(vec![(0, force)], InTime::waves(1.0, 1.0, end));
             let particle = Particle { velocity, ..particle };
             System { forces: vec![wave], ..System::<7>::new(values.frame(), vec![particle]) }
         };
@@ -74,8 +71,7 @@ impl StageRun<'_> {
         let (integrator, until) = (self.integrator(end / 4.0), Until::Time(end));
         let values = self.values;
         let struck = |speed: f64, strength: f64| {
-            let wave =
-                Force::in_time(vec![(0, [strength, 0.0, 0.0])], Arc::new(move |time| libm::sin(PI * time / end)));
+            let wave = Force::in_time(vec![(0, [strength, 0.0, 0.0])], InTime::waves(1.0, 1.0, end));
             let particle = Particle::free(body, mass, [speed, 0.0, 0.0]);
             System { forces: vec![wave], ..System::<7>::new(values.frame(), vec![particle]) }
         };

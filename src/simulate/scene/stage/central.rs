@@ -2,9 +2,11 @@
 
 use momentous_scene::stage::{Central, Orbit};
 
+use crate::exact::repeated_cosine;
 use crate::scene::component::Frame;
 use crate::scene::course::Goal;
 use crate::scene::filming::Motion;
+use crate::scene::formula::{CENTRAL, CONIC, Course, SINES};
 use crate::scene::integrate::Integrator;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::recorded_motion::{Look, SeenBody};
@@ -49,7 +51,11 @@ impl Law {
 struct Pull {
     law: Law,
     integrator: Integrator,
+    /// Whether the motion is taken from its formula, where it has one.
+    by_formulas: bool,
 }
+
+type Plane = nalgebra::Vector2<f64>;
 
 fn distance(state: &State) -> f64 {
     libm::hypot(state[0], state[1])
@@ -102,7 +108,36 @@ impl Pull {
     }
 
     fn to(&self, from: (f64, State), stop: &dyn Fn(&State) -> f64) -> Result<(f64, State), NothingToSimulate> {
-        self.integrator.event(from.0, from.1, &|_, state| self.slope(state), &|_, state| stop(state))
+        let stop = |_: f64, state: &State| stop(state);
+        match self.course(from).known().filter(|_| self.by_formulas) {
+            Some(formula) => {
+                formula.run(from, f64::INFINITY, self.integrator.longest, &stop).map(|end| (end.time, end.state))
+            }
+            None => self.integrator.event(from.0, from.1, &|_, state| self.slope(state), &stop),
+        }
+    }
+
+    /// The course from a state on.
+    fn course(&self, (begun, start): (f64, State)) -> Course<5> {
+        let [x, y, u, v, area] = start;
+        let swept = (x * v - y * u) / 2.0;
+        match self.law {
+            Law::Gravity { parameter } => {
+                let (centre, position, velocity) = (Plane::zeros(), Plane::from([x, y]), Plane::from([u, v]));
+                let orbit = crate::exact::Orbit { centre, parameter, position, velocity };
+                Course::formula(CONIC, move |now| {
+                    let (place, moving) = orbit.at(now - begun);
+                    [place.x, place.y, moving.x, moving.y, area + swept * (now - begun)]
+                })
+            }
+            Law::Spring { rate, slack: 0.0 } => Course::formula(SINES, move |now| {
+                let [cosine, sine] = [0, 1].map(|order| repeated_cosine(order, now - begun, libm::sqrt(rate)));
+                let [[x, u], [y, v]] = [[x, u], [y, v]]
+                    .map(|[place, speed]| [place * cosine + speed * sine, speed * cosine - rate * place * sine]);
+                [x, y, u, v, area + swept * (now - begun)]
+            }),
+            Law::Spring { .. } => Course::Equations(CENTRAL),
+        }
     }
 }
 
@@ -137,7 +172,8 @@ impl StageRun<'_> {
                 Law::Gravity { parameter: share * (1.0 + part) * length * across * across }
             }
         };
-        let pull = Pull { law, integrator: self.integrator(0.1 * length / across.abs()) };
+        let pull =
+            Pull { law, integrator: self.integrator(0.1 * length / across.abs()), by_formulas: self.by_formulas };
         let start = (0.0, [length, 0.0, radial, across, 0.0]);
         let mut shown = 0.0;
         self.note_there(body, first, &start.1);
@@ -217,7 +253,8 @@ impl StageRun<'_> {
             }
         };
         let components = Frame::plane(false).components;
-        self.film(&Motion { names: &[body], components, start, end, slope: &slope, look: &look })?;
+        let (names, course) = (&[body], &self.course(|| pull.course(start)));
+        self.film(&Motion { names, components, start, end, slope: &slope, course, look: &look })?;
         self.about(vec![0.0; 2], false);
         Ok(())
     }

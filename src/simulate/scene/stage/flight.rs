@@ -6,6 +6,7 @@ use momentous_scene::stage::{Drift, Flight};
 use momentous_scene::{Axis, Stage, Term};
 
 use crate::scene::filming::Motion;
+use crate::scene::formula::{Course, POLYNOMIAL};
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::Particle;
 use crate::scene::rate::rate;
@@ -143,7 +144,9 @@ impl StageRun<'_> {
             |time: f64, _: &[f64; 0]| frame.look(bodies.iter().map(|body| (body.or_nought().after(time), ZERO, 0.0)));
         let names: Vec<&str> = bodies.iter().map(|body| body.name).collect();
         let (start, components) = ((0.0, []), frame.components.clone());
-        self.film(&Motion { names: &names, components, start, end, slope: &|_, _| [], look: &look })
+        // All of it is in how it is looked at.
+        let course = &self.course(|| Course::formula(POLYNOMIAL, |_| []));
+        self.film(&Motion { names: &names, components, start, end, slope: &|_, _| [], course, look: &look })
     }
 
     /// The two sides of an equation in places as a function of the places that is zero where they are equal.

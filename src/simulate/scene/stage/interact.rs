@@ -1,12 +1,10 @@
 //! Bodies that act on each other only: springs between them, which stand for whatever the forces are.
 
-use core::f64::consts::PI;
-use std::sync::Arc;
-
 use momentous_scene::Axis;
 use momentous_scene::stage::Interact;
 
 use crate::scene::course::Until;
+use crate::scene::in_time::InTime;
 use crate::scene::measure::{self, Asked, centre, turning};
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force, Particle, place, velocity};
@@ -120,7 +118,7 @@ impl StageRun<'_> {
             let lines = vec![(first, unit(axis)), (first - 1, times(-1.0, unit(axis)))];
             #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
             let strength = lightest * first as f64 / (time * time);
-            system.forces.push(Force::in_time(lines, Arc::new(move |now| strength * libm::sin(PI * now / time))));
+            system.forces.push(Force::in_time(lines, InTime::waves(strength, 1.0, time)));
         }
         let integrator = self.integrator(time / 8.0);
         let end = self.try_out(&system, integrator, &Until::Time(time))?.state;

@@ -1,17 +1,15 @@
 //! A moment about a point: a couple pushes two particles, which stand for all that turns, along tracks on both sides of it.
 
-use std::sync::Arc;
-
 use momentous_scene::stage::{During, Moment};
 use momentous_scene::{Axis, Strength};
 
 use crate::scene::component::Frame;
 use crate::scene::course::Until;
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force, Particle, velocity};
 use crate::scene::stage_run::StageRun;
 use crate::scene::system::System;
-use crate::scene::values::OfTime;
 use crate::scene::vector::{ZERO, part, times, unit};
 
 /// Half the distance of the tracks, in m.
@@ -23,12 +21,12 @@ const MASS: f64 = 1.0;
 impl StageRun<'_> {
     pub(super) fn moment(&mut self, stage: &Moment) -> Result<(), NothingToSimulate> {
         let [start, end] = self.during(Some(&stage.during))?;
-        let turnings: Vec<(String, OfTime, Vec<f64>)> = match &stage.value {
+        let turnings: Vec<(String, InTime, Vec<f64>)> = match &stage.value {
             Strength::Components(components) => {
                 let each = [Axis::X, Axis::Y, Axis::Z].into_iter().map(|axis| {
                     let moment = match components.get(axis) {
-                        Some(term) => self.values.of_time(term)?,
-                        None => Arc::new(|_| 0.0),
+                        Some(term) => InTime::always(self.values.law(term)?),
+                        None => InTime::steady(0.0),
                     };
                     Ok((format!(".{}", axis.letter()), moment, Vec::new()))
                 });

@@ -1,9 +1,13 @@
 //! A motion that is given: walked along as the author wrote it, with what acts on the body read off how its velocity changes.
 
+use std::sync::Arc;
+
 use momentous_scene::Axis;
 use momentous_scene::stage::Motion;
 
 use crate::scene::filming::Motion as Watched;
+use crate::scene::formula::{BY_PLACE, Course, GIVEN, STRENGTH};
+use crate::scene::in_time::{Law, OfTime};
 use crate::scene::measure::place;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::rate::{Rate, rate};
@@ -23,6 +27,8 @@ const STEPS: f64 = 64.0;
 struct GivenMotion {
     /// Along each axis, as a function of the clock and the place along the only axis.
     courses: Vec<(Axis, OfSeveral)>,
+    /// The same as laws of the time, where no place matters.
+    laws: Vec<(Axis, Option<Law>)>,
     /// Whether it is the position that is given, and not the velocity.
     places: bool,
     start: f64,
@@ -41,13 +47,31 @@ impl GivenMotion {
             Ok((*axis, values.of_several(&term.0, known)?))
         };
         let courses = axes.iter().map(course).collect::<Result<_, _>>()?;
-        Ok(Self { courses, places: stage.velocity.is_none(), start, end })
+        let law = |axis: &Axis| (*axis, told.along(*axis, axes.len()).and_then(|term| values.law(term).ok()));
+        let laws = axes.iter().map(law).collect();
+        Ok(Self { courses, laws, places: stage.velocity.is_none(), start, end })
     }
 
     /// The given vector, at a time and a place.
     fn at(&self, time: f64, at: Vector) -> Vector {
         let along = |(axis, course): &(Axis, OfSeveral)| times(course(&[time, part(at, *axis)]), unit(*axis));
         self.courses.iter().map(along).fold(ZERO, add)
+    }
+
+    /// The places from a first one on.
+    fn course(&self, first: Vector) -> Course<3> {
+        let mut along: Vec<(Axis, OfTime)> = Vec::new();
+        for (axis, told) in &self.laws {
+            let (start, from) = (self.start, part(first, *axis));
+            let Some(law) = told else { return Course::Equations(BY_PLACE) };
+            if self.places {
+                along.push((*axis, Arc::clone(&law.at)));
+            } else {
+                let Some(sums) = law.integrals_since(start) else { return Course::Equations(STRENGTH) };
+                along.push((*axis, Arc::new(move |now| from + sums(now - start)[0])));
+            }
+        }
+        Course::formula(GIVEN, move |now| along.iter().map(|(axis, law)| times(law(now), unit(*axis))).fold(ZERO, add))
     }
 
     /// Over how much time a rate of change is looked at: never beyond the ends of the motion.
@@ -151,6 +175,7 @@ impl StageRun<'_> {
             }
         };
         let (names, components, start) = (&[body], values.frame().components, (told.start, first));
-        self.film(&Watched { names, components, start, end: told.end, slope: &slope, look: &look })
+        let course = &self.course(|| told.course(first));
+        self.film(&Watched { names, components, start, end: told.end, slope: &slope, course, look: &look })
     }
 }

@@ -1,21 +1,19 @@
 //! Forces of known law on bodies: for a time, over a distance, until it is at rest; against dry friction where there is any.
 
-use std::sync::Arc;
-
 use momentous_scene::stage::{During, Push, Resistance};
 use momentous_scene::{Axis, Force, Friction, Pull, Strength};
 
 use crate::scene::course::Until;
 use crate::scene::floor::Finish;
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force as Acting, Particle, place, velocity};
 use crate::scene::stage_run::StageRun;
 use crate::scene::system::System;
-use crate::scene::values::OfTime;
 use crate::scene::vector::{Vector, ZERO, across, add, dot, less, part, size, times, unit};
 
 /// Pushes and pulls in the time of the stage, each with its direction; and when one of them changes its law.
-type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
+type Pulls = (Vec<(Vector, InTime)>, Vec<f64>);
 
 /// How many times the mass by the coefficient of a resistance leave next to nothing of a velocity.
 const LONG: f64 = 40.0;
@@ -175,7 +173,7 @@ impl StageRun<'_> {
             let Force::Pull(Pull { value, direction, .. }) = force else { continue };
             if let Strength::Components(components) = value {
                 for (axis, term) in components.axes().filter_map(|axis| Some((axis, components.get(axis)?))) {
-                    all.push((unit(axis), self.values.of_time(term)?));
+                    all.push((unit(axis), InTime::always(self.values.law(term)?)));
                 }
                 continue;
             }
@@ -240,9 +238,8 @@ impl StageRun<'_> {
         system.particles[0].falls = add(system.particles[0].falls, times(gravity * slope.along, along));
         let (lifts, _) = self.pulls(stage, body)?;
         let pressed = mass * gravity * slope.across;
-        let lifted =
-            move |(towards, strength): &(Vector, OfTime), time: f64| dot(*towards, across(along)) * strength(time);
-        let normal: OfTime = Arc::new(move |time| pressed - lifts.iter().map(|lift| lifted(lift, time)).sum::<f64>());
+        let lifted = lifts.into_iter().map(|(towards, strength)| (-dot(towards, across(along)), strength));
+        let normal = InTime::sum(&[(1.0, InTime::steady(pressed))].into_iter().chain(lifted).collect::<Vec<_>>());
         let span = self.during(stage.during.as_ref());
         let finish = match (stage.until, &span, self.values.known(stage.over.as_ref())) {
             (Some(_), ..) => self.fading(stage, body, &system)?.map_or(Finish::Rest, Finish::Time),
@@ -262,7 +259,7 @@ impl StageRun<'_> {
             };
             let still = system.state();
             let driven = |time: f64| mass * part(velocity(&system.slope(time, &still), 0), axis);
-            let holds = |time: f64| threshold * normal(time) - driven(time).abs();
+            let holds = |time: f64| threshold * normal.at(time) - driven(time).abs();
             if part(moves, axis) != 0.0 {
                 begins = begun;
             } else if holds(begun) > 0.0 {
@@ -286,7 +283,7 @@ impl StageRun<'_> {
         system.start = begins;
         if let Some(friction) = friction {
             let grip = times(-self.values.term(&friction.kinetic)?, ahead);
-            system.forces.push(Acting::in_time(vec![(0, grip)], Arc::clone(&normal)));
+            system.forces.push(Acting::in_time(vec![(0, grip)], normal.clone()));
         }
         if let Some(resistance) = &stage.resistance {
             self.note_terminal(&system, resistance)?;
@@ -307,7 +304,7 @@ impl StageRun<'_> {
             self.note_duration(stage.duration(), time);
         }
         if needs_weight {
-            self.note_here(&format!("N_{body}"), normal(begins), 0.0);
+            self.note_here(&format!("N_{body}"), normal.at(begins), 0.0);
         }
         Ok(())
     }

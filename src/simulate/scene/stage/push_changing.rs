@@ -2,7 +2,10 @@
 
 use momentous_scene::stage::{MassChange, Push, Until};
 
+use crate::scene::changing::Changing;
 use crate::scene::filming::Motion;
+use crate::scene::formula::{BURNING, Course, LOGARITHMS};
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::Particle;
 use crate::scene::pushed::Pushed;
@@ -21,6 +24,17 @@ struct Span {
     told: bool,
 }
 
+/// Mass, speed, way, impulse and lost energy of a body after a time, as a formula has them.
+fn changed(body: Changing, gains: bool, [before, arrives]: [f64; 2], gone: f64) -> [f64; 5] {
+    let impulse = body.force * gone;
+    if gains {
+        let [mass, speed, way, lost] = body.joined(before - arrives, gone);
+        return [mass, arrives + speed, arrives * gone + way, impulse, lost];
+    }
+    let [mass, gained, way] = body.after(gone);
+    [mass, before + gained, before * gone + way, impulse, 0.0]
+}
+
 impl StageRun<'_> {
     pub(super) fn push_changing(
         &mut self,
@@ -30,9 +44,10 @@ impl StageRun<'_> {
     ) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (first, before) = (self.values.mass(body)?, self.values.velocity_before(body, axis)?);
-        let (pulls, _) = self.pulls(stage, body)?;
+        let (pulls, changes) = self.pulls(stage, body)?;
         let along: Vec<_> = pulls.into_iter().map(|(towards, strength)| (part(towards, axis), strength)).collect();
-        let force = |time: f64| along.iter().map(|(towards, strength)| towards * strength(time)).sum::<f64>();
+        let all = InTime::sum(&along);
+        let force = |time: f64| all.at(time);
         let begun = self.during(stage.during.as_ref()).map_or(0.0, |[start, _]| start);
         let Span { flow, time, told } = self.span(stage, change, body, first)?;
         let (grows, drags) = if change.gains { (flow, self.dragged(flow, first)?) } else { (-flow, 0.0) };
@@ -66,7 +81,18 @@ impl StageRun<'_> {
             }
         };
         let (names, components, from) = (&[body], self.values.frame().components, (begun, start));
-        self.film(&Motion { names, components, start: from, end, slope: &slope, look: &look })?;
+        let gains = change.gains;
+        let steady = all.law(begun).and_then(|law| law.polynomial_since(begun)).filter(|_| changes.is_empty());
+        let course = &self.course(|| {
+            let force = match steady.as_deref() {
+                Some([]) => 0.0,
+                Some([force]) => *force,
+                _ => return Course::Equations(BURNING),
+            };
+            let changing = Changing { mass: first, grows, force };
+            Course::formula(LOGARITHMS, move |now| changed(changing, gains, [before, arrives], now - begun))
+        });
+        self.film(&Motion { names, components, start: from, end, slope: &slope, course, look: &look })?;
         self.remark(
             "Momentum and energy are those of the body with its load; what joins or leaves counts as external.",
         );

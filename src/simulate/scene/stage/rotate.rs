@@ -1,17 +1,16 @@
 //! Particles on an arm: their motion along circles while the arm keeps its lengths, or while some are drawn in.
 
-use std::sync::Arc;
-
 use core::f64::consts::{PI, TAU};
 
 use momentous_scene::stage::Rotate;
 
 use crate::scene::component::Frame;
 use crate::scene::filming::Motion;
+use crate::scene::formula::{ARM, Course};
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::recorded_motion::{Look, SeenBody};
 use crate::scene::stage_run::StageRun;
-use crate::scene::values::OfTime;
 use crate::scene::vector::{times, unit};
 
 /// A particle on the arm, with its distances at both ends.
@@ -48,10 +47,23 @@ fn seen(held: &[Held<'_>], state: &[f64; 3], [rate, gain, power]: [f64; 3], [tim
     Look { bodies, outside, power, ..Look::default() }
 }
 
+/// The course of an arm from a state on: by its moment, where it keeps its lengths.
+fn turned(held: &[Held<'_>], moment: &InTime, (begun, start): (f64, [f64; 3])) -> Course<3> {
+    if held.iter().any(|held| held.ends[0].total_cmp(&held.ends[1]).is_ne()) {
+        return Course::Equations(ARM);
+    }
+    let resists: f64 = held.iter().map(|held| held.mass * held.ends[0] * held.ends[0]).sum();
+    moment.course(begun).map(move |now, [given, turned]| {
+        let rate = start[1] + given / resists;
+        let angle = start[0] + start[1] * (now - begun) + turned / resists;
+        [angle, rate, start[2] + given * f64::midpoint(start[1], rate)]
+    })
+}
+
 impl StageRun<'_> {
     /// The moment of all that turns the arm, and when something in it changes its law.
-    fn turned_by(&self, stage: &Rotate) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
-        let (mut all, mut changes): (Vec<(f64, OfTime)>, Vec<f64>) = (Vec::new(), Vec::new());
+    fn turned_by(&self, stage: &Rotate) -> Result<(InTime, Vec<f64>), NothingToSimulate> {
+        let (mut all, mut changes): (Vec<(f64, InTime)>, Vec<f64>) = (Vec::new(), Vec::new());
         if let Some(moment) = &stage.moment {
             let (strength, jumps) = self.values.strength(moment)?;
             all.push((1.0, strength));
@@ -64,7 +76,7 @@ impl StageRun<'_> {
             changes.extend(jumps);
         }
         changes.sort_by(f64::total_cmp);
-        Ok((Arc::new(move |time| all.iter().map(|(arm, strength)| arm * strength(time)).sum()), changes))
+        Ok((InTime::sum(&all), changes))
     }
 
     pub(super) fn rotate(&mut self, stage: &Rotate) -> Result<(), NothingToSimulate> {
@@ -101,7 +113,7 @@ impl StageRun<'_> {
         // The angle, its rate, and the work of what holds and drives the particles: across the arm they share the moment, and
         // the arm's change turns them; along it each is held or drawn.
         let slope = |time: f64, state: &[f64; 3]| {
-            let (mut resisting, mut driving, mut drawing) = (0.0, moment(time), 0.0);
+            let (mut resisting, mut driving, mut drawing) = (0.0, moment.at(time), 0.0);
             let rate = state[1];
             for each in &held {
                 let [radius, speed, gained] = each.radius((time - start) / span);
@@ -110,7 +122,7 @@ impl StageRun<'_> {
                 driving -= 2.0 * each.mass * radius * speed * rate;
                 drawing += each.mass * (gained - radius * rate * rate) * speed;
             }
-            [rate, driving / resisting, drawing + moment(time) * rate]
+            [rate, driving / resisting, drawing + moment.at(time) * rate]
         };
         let integrator = self.integrator(span / 32.0);
         let names: Vec<&str> = held.iter().map(|held| held.body).collect();
@@ -119,7 +131,9 @@ impl StageRun<'_> {
             let within = |at: f64, state: &[f64; 3]| slope(if at >= next { next.next_down() } else { at }, state);
             let look = |at: f64, state: &[f64; 3]| seen(&held, state, within(at, state), [at - start, span]);
             let (components, begun) = (Frame::plane(false).components, (time, state));
-            self.film(&Motion { names: &names, components, start: begun, end: next, slope: &within, look: &look })?;
+            let course = &self.course(|| turned(&held, &moment, begun));
+            let start = begun;
+            self.film(&Motion { names: &names, components, start, end: next, slope: &within, course, look: &look })?;
             self.about(vec![0.0; 2], false);
             let reached = integrator.run(time, state, next, &within, &|_, _| 1.0)?;
             (state, time, fastest) = (reached.state, next, fastest.max(reached.largest[1]));

@@ -2,8 +2,6 @@
 //! afterwards say.
 
 use core::f64::consts::PI;
-use std::sync::Arc;
-
 use nalgebra::Matrix3;
 use nalgebra::Vector3;
 
@@ -11,12 +9,12 @@ use momentous_scene::stage::{Relative, Separate, When};
 
 use crate::scene::course::Until;
 use crate::scene::filming::Motion;
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force, Particle, place, velocity};
 use crate::scene::pushed::Pushed;
 use crate::scene::stage_run::{StageRun, kinetic};
 use crate::scene::system::System;
-use crate::scene::values::OfTime;
 use crate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
 
 /// The longest step beside the second that a force between parts takes.
@@ -123,7 +121,7 @@ impl StageRun<'_> {
     /// A force on the first part, and its opposite on the second, that rises and falls within a second.
     fn forced<'a>(&mut self, pair: &Pair<'a>, force: Vector) -> Result<Pair<'a>, NothingToSimulate> {
         let lines = vec![(0, force), (1, times(-1.0, force))];
-        let wave = Force::in_time(lines, Arc::new(|time| libm::sin(PI * time)));
+        let wave = Force::in_time(lines, InTime::waves(1.0, 1.0, 1.0));
         self.pushed_apart(pair, wave, force, &Until::Time(1.0))
     }
 
@@ -155,25 +153,25 @@ impl StageRun<'_> {
         let (end, rate) = match (told, &stage.force, pieces) {
             (Some(end), Some(force), [piece, ..]) => {
                 let ((strength, _), whole) = (self.values.strength(force)?, size(piece.impulse));
-                let rate: OfTime = Arc::new(move |time| strength(time) / whole);
-                (end, rate)
+                (end, InTime::sum(&[(1.0 / whole, strength)]))
             }
             (Some(end), ..) => (end, half_wave(end)),
             (None, ..) => (1.0, half_wave(1.0)),
         };
-        let slope = |time: f64, state: &[f64; 2]| [rate(time), state[0]];
+        let slope = |time: f64, state: &[f64; 2]| [rate.at(time), state[0]];
         let look = |time: f64, &[gained, gone]: &[f64; 2]| {
             frame.look(pieces.iter().map(|Pushed { body, impulse, .. }| {
                 let (change, _) = body.yields(*impulse);
                 let place = add(times(time, body.velocity), times(gone, change));
                 let velocity = add(body.velocity, times(gained, change));
-                let force = times(rate(time), *impulse);
+                let force = times(rate.at(time), *impulse);
                 (Particle { place, velocity, ..*body }, body.yields(force).1, dot(force, velocity))
             }))
         };
         let names: Vec<&str> = pieces.iter().map(|piece| piece.body.name).collect();
         let (start, components) = ((0.0, [0.0; 2]), frame.components.clone());
-        self.film(&Motion { names: &names, components, start, end, slope: &slope, look: &look })?;
+        let course = self.course(|| rate.course(0.0));
+        self.film(&Motion { names: &names, components, start, end, slope: &slope, course: &course, look: &look })?;
         if told.is_none() {
             self.remark("How long the parts push each other is not given: one second is assumed.");
         }
@@ -199,6 +197,6 @@ impl StageRun<'_> {
 }
 
 /// A half wave of so many seconds that makes up one in all.
-fn half_wave(end: f64) -> OfTime {
-    Arc::new(move |time| libm::sin(PI * time / end) * PI / (2.0 * end))
+fn half_wave(end: f64) -> InTime {
+    InTime::waves(PI / (2.0 * end), 1.0, end)
 }

@@ -2,7 +2,9 @@
 
 use momentous_scene::stage::{BurningMass, Exhaust, Thrust};
 
+use crate::scene::changing::Changing;
 use crate::scene::filming::Motion;
+use crate::scene::formula::{BURNING, Course, LOGARITHMS, POLYNOMIAL};
 use crate::scene::integrate::Integrator;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::Particle;
@@ -22,6 +24,21 @@ struct Burn {
     weight: f64,
     resistance: f64,
     along: f64,
+}
+
+impl Burn {
+    /// Mass, speed and way from a state on.
+    fn course(&self, (begun, [mass, speed, way]): (f64, [f64; 3])) -> Course<3> {
+        if self.resistance != 0.0 {
+            return Course::Equations(BURNING);
+        }
+        let (weight, changing) = (self.weight, Changing { mass, grows: -self.flow, force: self.along * self.force });
+        Course::formula(LOGARITHMS, move |now| {
+            let gone = now - begun;
+            let [left, gained, shifted] = changing.after(gone);
+            [left, speed + weight * gone + gained, way + speed * gone + weight * gone * gone / 2.0 + shifted]
+        })
+    }
 }
 
 impl StageRun<'_> {
@@ -118,7 +135,9 @@ impl StageRun<'_> {
                 ..Look::default()
             };
             let (names, components, start) = (&[body], self.values.frame().components, (0.0, [burn.start]));
-            self.film(&Motion { names, components, start, end: held.time, slope: &burning, look: &still })?;
+            let (full, flow) = (burn.start, burn.flow);
+            let course = &self.course(|| Course::formula(POLYNOMIAL, move |now| [full - flow * now]));
+            self.film(&Motion { names, components, start, end: held.time, slope: &burning, course, look: &still })?;
             (begun, state[0]) = (held.time, held.state[0]);
         }
         if stage.on_ground {
@@ -141,7 +160,8 @@ impl StageRun<'_> {
             }
         };
         let (names, components, start) = (&[body], self.values.frame().components, (begun, state));
-        self.film(&Motion { names, components, start, end: time, slope: &slope, look: &look })?;
+        let course = &self.course(|| burn.course(start));
+        self.film(&Motion { names, components, start, end: time, slope: &slope, course, look: &look })?;
         self.remark(
             "Momentum and energy are those of the remaining mass; what the exhaust carries away counts as external.",
         );

@@ -1,11 +1,9 @@
 //! A walk on something that is free to move: the feet push the body forwards and what it walks on backwards, then the reverse.
 
-use core::f64::consts::TAU;
-use std::sync::Arc;
-
 use momentous_scene::stage::Walk;
 
 use crate::scene::course::Until;
+use crate::scene::in_time::InTime;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force, Particle, place};
 use crate::scene::stage_run::StageRun;
@@ -24,7 +22,7 @@ impl StageRun<'_> {
         // One step a second.
         let steps = |strength: f64| {
             let lines = vec![(0, along), (1, times(-1.0, along))];
-            let push = Force::in_time(lines, Arc::new(move |time| strength * libm::sin(TAU * time)));
+            let push = Force::in_time(lines, InTime::waves(strength, 2.0, 1.0));
             System::<12> { forces: vec![push], ..System::new(self.values.frame(), particles.clone()) }
         };
         let (once, with_a_newton) = (&Until::Time(1.0), steps(1.0));
