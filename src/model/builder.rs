@@ -45,6 +45,7 @@ use super::alternative::Alternative;
 use super::frame::Frame;
 use super::left_alone::LeftAlone;
 use super::name::Meaning;
+use super::stage::Course;
 use super::stored::Stored;
 use super::taut_string::TautString;
 use super::timeline::Timeline;
@@ -75,6 +76,7 @@ pub struct Builder<'s> {
     pub(super) system: System,
     pub(super) choices: Vec<Vec<Alternative>>,
     pub(super) distances: Vec<Equation>,
+    pub(super) courses: Vec<Course>,
     pub(super) omissions: Vec<Omission>,
     pub(super) impulses: Vec<Impulse>,
     pub(super) weights: Vec<ContactWeight>,
@@ -144,6 +146,7 @@ impl<'s> Builder<'s> {
             system: System::default(),
             choices: Vec::new(),
             distances: Vec::new(),
+            courses: Vec::new(),
             omissions: Vec::new(),
             impulses: Vec::new(),
             weights: Vec::new(),

@@ -40,7 +40,11 @@ impl Builder<'_> {
                     to - from
                 });
                 let reason = Reason::RunsThrough(self.called(one), self.called(other));
-                self.require(before * after, Relation::AtLeast, Expr::zero(), reason);
+                self.require(before.clone() * after, Relation::AtLeast, Expr::zero(), reason.clone());
+                let meanwhile = [one, other].map(|body| self.place_during(body, index, axis));
+                if let [Some(from), Some(to)] = meanwhile {
+                    self.stays_so(index, before * (to - from), reason);
+                }
             }
         }
     }
@@ -56,6 +60,12 @@ impl Builder<'_> {
             Some(way) => self.place_by_way(&body, since - 1, axis) + way,
             None => self.place(&body, since, axis),
         }
+    }
+
+    /// The place of a body at each time of a push.
+    fn place_during(&mut self, body: &str, index: usize, axis: Axis) -> Option<Expr> {
+        let way = self.way_during(body, index, axis)?;
+        Some(self.place_by_way(body, index + 1, axis) + way)
     }
 
     /// How far a body moves in a stage; none where that does not follow from its velocities alone.
@@ -79,6 +89,9 @@ impl Builder<'_> {
             let is_simple = push.resistance.is_none() && push.mass_change().is_none();
             let is_even = is_simple && !push.depends_on_place(axis.letter()) && !self.forces.iter().any(changes);
             return if push.pushed().any(|pushed| pushed == body) {
+                if !is_even {
+                    return self.whole_course(index, body);
+                }
                 Some(evenly * lasting.filter(|_| is_even)?)
             } else {
                 Some(before * lasting.filter(|_| goes_on)?)

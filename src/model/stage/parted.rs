@@ -41,17 +41,32 @@ impl Builder<'_> {
                             continue;
                         };
                         let [one, other] = both.each_ref().map(|body| self.called(body));
-                        self.require(ahead, Relation::AtLeast, behind, Reason::RunsThrough(one, other));
+                        let reason = Reason::RunsThrough(one, other);
+                        self.require(ahead, Relation::AtLeast, behind, reason.clone());
+                        let meanwhile = both.each_ref().map(|body| self.way_at_each_time(body, contact, index, axis));
+                        if let [Some(behind), Some(ahead)] = meanwhile {
+                            self.stays_so(index, ahead - behind, reason);
+                        }
                     }
                     Parted::Wall(body, wall, side) if with_walls => {
                         let Some(way) = self.way_since(&body, contact, index, axis) else { continue };
                         let reason = Reason::PassesThrough(self.called(&body), wall);
-                        self.require(Expr::integer(side) * way, Relation::AtLeast, Expr::zero(), reason);
+                        self.require(Expr::integer(side) * way, Relation::AtLeast, Expr::zero(), reason.clone());
+                        if let Some(way) = self.way_at_each_time(&body, contact, index, axis) {
+                            self.stays_so(index, Expr::integer(side) * way, reason);
+                        }
                     }
                     Parted::Bodies(_) | Parted::Wall(..) => {}
                 }
             }
         }
+    }
+
+    /// How far a body has moved since a contact at each time of a push.
+    fn way_at_each_time(&mut self, body: &str, contact: usize, index: usize, axis: Axis) -> Option<Expr> {
+        let now = self.way_during(body, index, axis)?;
+        let earlier = if contact + 1 < index { self.way_since(body, contact, index - 1, axis)? } else { Expr::zero() };
+        Some(earlier + now)
     }
 
     /// How far a body has moved since a contact; none where it does not follow, or where it has been in another contact since.

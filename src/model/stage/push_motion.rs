@@ -23,10 +23,17 @@ impl Builder<'_> {
         if !net.contains(pushed.clock) {
             let after = if pushed.stops { Expr::zero() } else { after };
             let time = pushed.end.clone() - pushed.start.clone();
+            if self.axes.len() == 1 {
+                let since = Expr::from(pushed.clock) - pushed.start.clone();
+                self.notes_course(pushed, &(before.clone() + net / mass * since));
+            }
             return self.moves_evenly((index, body), axis, [&before, &after], &time);
         }
         let Some(gained) = net.definite(pushed.clock, &pushed.start, &pushed.clock.into()) else { return };
         let velocity = before + gained.simplify() / mass;
+        if self.axes.len() == 1 {
+            self.notes_course(pushed, &velocity);
+        }
         let Some(value) = velocity.definite(pushed.clock, &pushed.start, &pushed.end) else { return };
         let because = format!("the impulse up to each time gives the velocity of {name} at that time");
         let (low, high) = (pushed.start.clone(), pushed.end.clone());

@@ -36,6 +36,9 @@ struct Member {
     after: Expr,
 }
 
+/// What joins bodies and cannot push, by the last word of its name.
+const PULLS_ONLY: &[&str] = &["string", "rope", "cord", "cable", "chain", "thread", "wire"];
+
 impl Builder<'_> {
     pub(crate) fn tow(&mut self, index: usize, stage: &Tow, path: &Path) {
         let joint = stage.joint();
@@ -93,6 +96,9 @@ impl Builder<'_> {
         for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
             let reason = Reason::MovesBack(front.name.clone()).against(opposing);
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+        }
+        if PULLS_ONLY.iter().any(|what| joint.ends_with(what)) {
+            self.require(tension, Relation::AtLeast, Expr::zero(), Reason::Slack(joint.to_owned()));
         }
         self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");
         self.neglect("air resistance", "the problem gives none");

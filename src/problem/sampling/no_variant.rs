@@ -75,6 +75,9 @@ pub enum Rejection {
          along an axis; give the component that is zero instead of the direction (`v_A2.y: 0 m/s`), or choose other numbers"
     )]
     Undefined(String),
+    /// They leave nothing of a mass that is asked.
+    #[error("`{0}` would be zero, and no mass is: the other values hold for any mass, and do not determine it")]
+    Vanishing(String),
     /// They leave a quantity without a value that a text of the form prints; the quantity's name.
     #[error("`{0}` has no value with these numbers, and a text prints it")]
     Unprinted(String),

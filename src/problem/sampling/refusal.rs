@@ -2,6 +2,7 @@
 
 use momentous_expr::Symbol;
 use momentous_model::Reason;
+use momentous_quantity::Dimension;
 use momentous_scene::Stage;
 use momentous_solve::Bounded;
 use momentous_solve::Cause;
@@ -155,10 +156,17 @@ impl Sampler<'_> {
         let zero_unit = || self.zero_unit().map(|unit| Rejection::ZeroUnit(name(unit)));
         let lost = || self.lost_direction().map(|direction| self.no_direction(direction));
         let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
+        let vanishing = || self.vanishing().map(|asked| Rejection::Vanishing(name(asked)));
         let unprinted = || self.unprinted().map(|printed| Rejection::Unprinted(name(printed)));
         let misfit = || self.misfit().map(Rejection::Options);
         let turned = || self.turned_back().map(|reason| self.broken(reason.clone(), None));
-        zero_unit().or_else(lost).or_else(undefined).or_else(unprinted).or_else(turned).or_else(misfit)
+        zero_unit()
+            .or_else(lost)
+            .or_else(undefined)
+            .or_else(vanishing)
+            .or_else(unprinted)
+            .or_else(turned)
+            .or_else(misfit)
     }
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.
@@ -199,6 +207,16 @@ impl Sampler<'_> {
     fn undefined(&self) -> Option<Symbol> {
         let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
         asked.find(|symbol| self.answer(*symbol).is_some_and(|value| !value.error.is_finite()))
+    }
+
+    /// A mass that is asked and comes out as nothing: its equations then hold for any mass.
+    fn vanishing(&self) -> Option<Symbol> {
+        let (model, positive) = (self.problem.model(), &self.form.solver.leaf(self.scratch.leaf()).system.positive);
+        let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
+        asked.find(|symbol| {
+            let is_mass = model.symbols.entry(*symbol).dimension == Dimension::MASS && positive.contains(symbol);
+            is_mass && self.answer(*symbol).is_some_and(Bounded::is_zero)
+        })
     }
 
     /// A quantity whose value a text prints, and which has none.
