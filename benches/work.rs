@@ -1,5 +1,6 @@
 //! Judging lines of work: `cargo bench --bench work`. It prints how long a line takes, the first of a form and any later one, right and wrong,
-//! over every form of the bank on one core; with the variable `SLOWEST` set, the slowest lines of each kind, too.
+//! over every form of the bank on one core. With a name, `cargo bench --bench work -- two-carts`, the forms of problems with that in their
+//! names alone, and each line by itself.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -46,9 +47,11 @@ fn spoilt(line: &str) -> Option<String> {
 }
 
 fn main() {
+    let name = std::env::args().skip(1).find(|argument| !argument.starts_with("--"));
     let (mut first, mut right, mut first_wrong, mut wrong) =
         (Times::default(), Times::default(), Times::default(), Times::default());
-    for source in Bank::built_in().sources() {
+    let bank = Bank::built_in();
+    for source in bank.sources().filter(|source| name.as_ref().is_none_or(|name| source.name.contains(name))) {
         let compiled = load(source.clone()).and_then(|loaded| compile(loaded, None));
         let Ok(problem) = compiled.map(Arc::<Problem>::new) else { continue };
         for form in 0..problem.forms().len() {
@@ -67,6 +70,9 @@ fn main() {
                     times.add(|| {
                         Judge::new(worked, DecimalMark::Point).line(line);
                     });
+                    if let (Some(_), Some(time)) = (&name, times.0.last()) {
+                        println!("{:>10.3} ms  {line}", time.as_secs_f64() * 1e3);
+                    }
                 }
             }
         }

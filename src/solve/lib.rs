@@ -46,7 +46,7 @@ pub use number::real::{Real, Sign};
 pub use planning::audit::{Audit, audit};
 pub use planning::pending::Verify;
 pub use planning::plan::{Closed, Move, Plan, Root, Step, Tactic, quadratic_formula};
-pub use planning::planner::{Planner, plan};
+pub use planning::planner::{Planner, has_enough, plan};
 pub use planning::stuck::{Reason, Stuck};
 pub use replay::batch::{Batch, BatchValues, BatchWriter};
 pub use replay::outcome::Outcome;

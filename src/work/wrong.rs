@@ -20,6 +20,7 @@ use momentous_solve::Real;
 use momentous_solve::Statement;
 use momentous_solve::System;
 use momentous_solve::evaluate;
+use momentous_solve::has_enough;
 
 use super::ground::{Ground, Place};
 use super::holds::{At, Difference, Holds};
@@ -42,6 +43,8 @@ struct WrongSystem {
     mistaken: Mistaken,
     /// The quantities in its equations.
     quantities: BTreeSet<Symbol>,
+    /// The steps of the right plan that stand on an equation that is none of its own.
+    shaken: BTreeSet<usize>,
     /// The way to all that the answers need.
     whole: OnceLock<Option<Arc<Way>>>,
     /// The ways to other quantities, as far as a line has asked.
@@ -61,6 +64,8 @@ struct Planning {
     planner: Mutex<Planner>,
     /// The right equations that the answers need, and the plan of all quantities in them.
     right: Option<(System, Plan)>,
+    /// For each quantity the steps of that plan on which it rests.
+    rests_on: BTreeMap<Symbol, BTreeSet<usize>>,
 }
 
 /// A mistake from which a line follows.
@@ -95,7 +100,8 @@ impl WrongSystem {
         if let Some(known) = self.parts.read().ok().and_then(|parts| parts.get(wanted).cloned()) {
             return known;
         }
-        let way = planning.part(&self.mistaken.system, ground, wanted).map(Arc::new);
+        let all: Vec<Symbol> = wanted.iter().copied().collect();
+        let way = planning.searched(&self.mistaken.system, ground, &all).map(Arc::new);
         if let Ok(mut parts) = self.parts.write() {
             parts.insert(wanted.clone(), way.clone());
         }
@@ -131,24 +137,55 @@ impl Planning {
         let right = System { conditions: Vec::new(), ..ground.system.with(used.collect()) };
         let mut planner = Planner::default();
         let plan = planner.plan(&right, &ground.told, &ground.sought()).ok();
-        Self { planner: Mutex::new(planner), right: plan.map(|plan| (right, plan)) }
+        let mut rests_on: BTreeMap<Symbol, BTreeSet<usize>> = BTreeMap::new();
+        for (place, step) in plan.iter().flat_map(|plan| plan.steps.iter().enumerate()) {
+            let equations = step.equations.iter().filter_map(|equation| right.equations.get(*equation));
+            let earlier = equations.flat_map(Equation::symbols).filter_map(|symbol| rests_on.get(&symbol)).flatten();
+            let steps: BTreeSet<usize> = earlier.copied().chain([place]).collect();
+            rests_on.extend(step.unknowns.iter().map(|unknown| (*unknown, steps.clone())));
+        }
+        Self { planner: Mutex::new(planner), right: plan.map(|plan| (right, plan)), rests_on }
+    }
+
+    /// The steps of the right plan that do not stand in a system as they are.
+    fn shaken(&self, system: &System) -> BTreeSet<usize> {
+        let Some((right, plan)) = &self.right else { return BTreeSet::new() };
+        let stands = |place: &usize| {
+            let stated = right.equations.get(*place).map(|equation| &equation.statement);
+            system.equations.iter().any(|equation| Some(&equation.statement) == stated)
+        };
+        let steps = plan.steps.iter().enumerate();
+        steps.filter(|(_, step)| !step.equations.iter().all(stands)).map(|(place, _)| place).collect()
+    }
+
+    /// Whether some of these quantities may be other ones in a wrong system: those that rest on right steps alone are as in the scene.
+    fn touches(&self, system: &WrongSystem, wanted: &BTreeSet<Symbol>) -> bool {
+        let is_touched =
+            |symbol: &Symbol| self.rests_on.get(symbol).is_none_or(|steps| !steps.is_disjoint(&system.shaken));
+        wanted.iter().any(is_touched)
     }
 
     /// The way to all that the answers need.
     fn whole(&self, system: &System, ground: &Ground) -> Option<Way> {
-        let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
-        let example = self.right.as_ref();
-        let like = example.and_then(|(right, plan)| planner.plan_like((right, plan), system, &ground.told));
-        let plan = like.or_else(|| planner.plan(system, &ground.told, &ground.sought()).ok())?;
-        Way::of(system, plan, &ground.told, &ground.sought())
+        let sought = ground.sought();
+        let like = self.right.as_ref().and_then(|(right, plan)| {
+            let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
+            planner.plan_like((right, plan), system, &ground.told)
+        });
+        match like {
+            Some(plan) => Way::of(system, plan, &ground.told, &sought),
+            None => self.searched(system, ground, &sought),
+        }
     }
 
     /// The way to some quantities.
-    fn part(&self, system: &System, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Way> {
-        let wanted: Vec<Symbol> = wanted.iter().copied().collect();
+    fn searched(&self, system: &System, ground: &Ground, wanted: &[Symbol]) -> Option<Way> {
+        if !has_enough(system, &ground.told, wanted) {
+            return None;
+        }
         let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
-        let plan = planner.plan(system, &ground.told, &wanted).ok()?;
-        Way::of(system, plan, &ground.told, &wanted)
+        let plan = planner.plan(system, &ground.told, wanted).ok()?;
+        Way::of(system, plan, &ground.told, wanted)
     }
 }
 
@@ -158,13 +195,15 @@ impl WrongSystems {
         let used = ground.used();
         let laws = model.mistaken(&ground.system, &used, &ground.told, worked.problem.units());
         let data = model.altered(&ground.system, &used, &ground.told, worked.problem.units());
+        let planning = Planning::new(ground);
         let system = |mut mistaken: Mistaken| {
             // A wrong value need not be a possible one: conditions do not judge it.
             mistaken.system.conditions.clear();
             let quantities = mistaken.system.equations.iter().flat_map(Equation::symbols).collect();
-            WrongSystem { mistaken, quantities, whole: OnceLock::new(), parts: RwLock::default() }
+            let shaken = planning.shaken(&mistaken.system);
+            WrongSystem { mistaken, quantities, shaken, whole: OnceLock::new(), parts: RwLock::default() }
         };
-        Self { systems: laws.into_iter().chain(data).map(system).collect(), planning: Planning::new(ground) }
+        Self { systems: laws.into_iter().chain(data).map(system).collect(), planning }
     }
 
     /// The mistakes from which a line follows that does not follow from the scene: those made in the fewest places, of laws before
@@ -200,7 +239,7 @@ impl WrongSystems {
             return likeliest(direct.into_iter().map(|(_, follows)| follows).collect());
         }
         let mut follows: Vec<Follows> = Vec::new();
-        for system in systems {
+        for system in systems.iter().filter(|system| planning.touches(system, &wanted)) {
             let way = system.way(planning, ground, &wanted);
             let Some(way) = way.filter(|way| way.uses(&system.mistaken.wrong)) else { continue };
             let holds = meanings.iter().any(|set| {

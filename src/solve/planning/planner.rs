@@ -69,7 +69,7 @@ impl Planner {
         let first = planned(system, known, wanted, self);
         let is_open = |plan: &Result<Plan, Stuck>| {
             matches!(plan, Err(Stuck { reason: Reason::Underdetermined { .. }, .. }))
-                && is_counted(system, known, wanted)
+                && has_enough(system, known, wanted)
         };
         if !is_open(&first) {
             return first;
@@ -138,8 +138,10 @@ impl Planner {
     }
 }
 
-/// Whether there are equations enough for what is wanted, by counting alone.
-fn is_counted(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> bool {
+/// Whether there are equations enough for what is wanted, by counting alone: where there are not, no plan is found, and finding out why
+/// takes much longer.
+#[must_use]
+pub fn has_enough(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> bool {
     let structure = Structure::new(system, known);
     let determined = structure.determined(&Bits::empty(structure.unknowns.len()));
     let is_known = |symbol: &Symbol| known.contains(symbol);
