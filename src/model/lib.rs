@@ -9,6 +9,7 @@ mod builder;
 mod check;
 mod collision;
 mod contact_weight;
+mod course;
 mod define;
 mod directions;
 mod expression;

@@ -3,21 +3,11 @@
 use crate::Builder;
 use crate::Passage;
 use crate::Reason;
+use crate::course::Course;
 use momentous_expr::Expr;
 use momentous_scene::Axis;
 
 use super::push::Pushed;
-
-/// How far a body has come at each time of a push along the only axis.
-#[derive(Clone, Debug)]
-pub(crate) struct Course {
-    pub stage: usize,
-    pub body: String,
-    /// When the push begins and ends, on its own clock.
-    pub during: [Expr; 2],
-    /// The way up to the running time.
-    pub way: Expr,
-}
 
 impl Builder<'_> {
     /// Notes the course of a body with that velocity at each time.
