@@ -73,6 +73,8 @@ pub struct Flowing {
     pub normal: Option<Direction>,
     /// Its speed relative to the body.
     pub relative: Expr,
+    /// Its velocity after the body along each axis, seen from there, as shares of that speed.
+    pub after: Vec<Expr>,
     /// The mass that the body has caught of a stream that stays, where that is told.
     pub caught: Option<Expr>,
 }

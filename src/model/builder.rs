@@ -42,7 +42,7 @@ use super::QuantityKind;
 use super::Reason;
 use super::Slope;
 use super::alternative::Alternative;
-use super::course::Course;
+use super::displacement::Displacement;
 use super::frame::Frame;
 use super::left_alone::LeftAlone;
 use super::name::Meaning;
@@ -76,7 +76,7 @@ pub struct Builder<'s> {
     pub(super) system: System,
     pub(super) choices: Vec<Vec<Alternative>>,
     pub(super) distances: Vec<Equation>,
-    pub(super) courses: Vec<Course>,
+    pub(super) displacements: Vec<Displacement>,
     pub(super) omissions: Vec<Omission>,
     pub(super) impulses: Vec<Impulse>,
     pub(super) weights: Vec<ContactWeight>,
@@ -146,7 +146,7 @@ impl<'s> Builder<'s> {
             system: System::default(),
             choices: Vec::new(),
             distances: Vec::new(),
-            courses: Vec::new(),
+            displacements: Vec::new(),
             omissions: Vec::new(),
             impulses: Vec::new(),
             weights: Vec::new(),

@@ -206,7 +206,7 @@ impl Ground {
     }
 
     /// The quantities that the used equations give.
-    pub(crate) fn sought(&self) -> Vec<Symbol> {
+    pub(crate) fn sought(&self) -> BTreeSet<Symbol> {
         self.used_symbols().difference(&self.told).copied().collect()
     }
 

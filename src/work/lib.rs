@@ -24,6 +24,7 @@ mod meaning;
 mod message;
 mod naming;
 mod own_letters;
+mod planning;
 mod progress;
 mod prose;
 mod rates;

@@ -1,9 +1,6 @@
 //! Letters that the problem does not have: those that a student introduces, and those that can stand for one quantity only.
 
-use std::collections::BTreeSet;
-
 use momentous_expr::Expr;
-use momentous_expr::Symbol;
 use momentous_grade::Unreadable;
 use momentous_grade::UnreadableKind;
 use momentous_quantity::Rational;
@@ -129,7 +126,7 @@ impl Judge<'_> {
         let known = self.alphabet.clone();
         let mut holding: Vec<(Alphabet, LineFinding, Written)> = Vec::new();
         let told = self.ground.told.clone();
-        let sought: BTreeSet<Symbol> = self.ground.used_symbols().difference(&told).copied().collect();
+        let sought = self.ground.sought();
         for symbol in told.iter().chain(&sought) {
             self.alphabet.introduce(&unknown, (*symbol).into());
             let tried = self.tried_as(text, &[], Search::Truth);

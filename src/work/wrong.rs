@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::sync::Mutex;
 use std::sync::OnceLock;
-use std::sync::PoisonError;
 use std::sync::RwLock;
 
 use momentous_expr::Symbol;
@@ -14,17 +12,14 @@ use momentous_model::Mistaken;
 use momentous_problem::Worked;
 use momentous_solve::Bounded;
 use momentous_solve::Equation;
-use momentous_solve::Plan;
-use momentous_solve::Planner;
 use momentous_solve::Real;
 use momentous_solve::Statement;
-use momentous_solve::System;
 use momentous_solve::evaluate;
-use momentous_solve::has_enough;
 
 use super::ground::{Ground, Place};
 use super::holds::{At, Difference, Holds};
 use super::meaning::Meanings;
+use super::planning::Planning;
 use super::way::{Values, Way};
 use super::written::Written;
 
@@ -58,16 +53,6 @@ pub(crate) struct WrongSystems {
     planning: Planning,
 }
 
-/// What serves the plans of all of them, since each differs from the right equations in few places.
-#[derive(Debug)]
-struct Planning {
-    planner: Mutex<Planner>,
-    /// The right equations that the answers need, and the plan of all quantities in them.
-    right: Option<(System, Plan)>,
-    /// For each quantity the steps of that plan on which it rests.
-    rests_on: BTreeMap<Symbol, BTreeSet<usize>>,
-}
-
 /// A mistake from which a line follows.
 #[derive(Clone, Debug)]
 pub(crate) struct Follows {
@@ -87,11 +72,11 @@ impl WrongSystem {
         Follows { of, instance: *instance, places: *places, is_itself: false }
     }
 
-    fn way(&self, planning: &Planning, ground: &Ground, wanted: &BTreeSet<Symbol>) -> Option<Arc<Way>> {
+    fn way(&self, planning: &Planning, wanted: &BTreeSet<Symbol>) -> Option<Arc<Way>> {
         if !wanted.is_subset(&self.quantities) {
             return None;
         }
-        let whole = self.whole.get_or_init(|| planning.whole(&self.mistaken.system, ground).map(Arc::new));
+        let whole = self.whole.get_or_init(|| planning.whole(&self.mistaken.system).map(Arc::new));
         if let Some(whole) = whole
             && wanted.iter().all(|symbol| whole.finds(*symbol))
         {
@@ -100,8 +85,7 @@ impl WrongSystem {
         if let Some(known) = self.parts.read().ok().and_then(|parts| parts.get(wanted).cloned()) {
             return known;
         }
-        let all: Vec<Symbol> = wanted.iter().copied().collect();
-        let way = planning.searched(&self.mistaken.system, ground, &all).map(Arc::new);
+        let way = planning.searched(&self.mistaken.system, wanted).map(Arc::new);
         if let Ok(mut parts) = self.parts.write() {
             parts.insert(wanted.clone(), way.clone());
         }
@@ -128,64 +112,6 @@ impl WrongSystem {
             let is_same = ratios.iter().all(|ratio| (ratio - first).abs() <= SAME * first.abs());
             (ratios.len() >= ENOUGH && is_same).then_some(first)
         })
-    }
-}
-
-impl Planning {
-    fn new(ground: &Ground) -> Self {
-        let used = ground.used().into_iter().filter_map(|place| ground.system.equations.get(place).cloned());
-        let right = System { conditions: Vec::new(), ..ground.system.with(used.collect()) };
-        let mut planner = Planner::default();
-        let plan = planner.plan(&right, &ground.told, &ground.sought()).ok();
-        let mut rests_on: BTreeMap<Symbol, BTreeSet<usize>> = BTreeMap::new();
-        for (place, step) in plan.iter().flat_map(|plan| plan.steps.iter().enumerate()) {
-            let equations = step.equations.iter().filter_map(|equation| right.equations.get(*equation));
-            let earlier = equations.flat_map(Equation::symbols).filter_map(|symbol| rests_on.get(&symbol)).flatten();
-            let steps: BTreeSet<usize> = earlier.copied().chain([place]).collect();
-            rests_on.extend(step.unknowns.iter().map(|unknown| (*unknown, steps.clone())));
-        }
-        Self { planner: Mutex::new(planner), right: plan.map(|plan| (right, plan)), rests_on }
-    }
-
-    /// The steps of the right plan that do not stand in a system as they are.
-    fn shaken(&self, system: &System) -> BTreeSet<usize> {
-        let Some((right, plan)) = &self.right else { return BTreeSet::new() };
-        let stands = |place: &usize| {
-            let stated = right.equations.get(*place).map(|equation| &equation.statement);
-            system.equations.iter().any(|equation| Some(&equation.statement) == stated)
-        };
-        let steps = plan.steps.iter().enumerate();
-        steps.filter(|(_, step)| !step.equations.iter().all(stands)).map(|(place, _)| place).collect()
-    }
-
-    /// Whether some of these quantities may be other ones in a wrong system: those that rest on right steps alone are as in the scene.
-    fn touches(&self, system: &WrongSystem, wanted: &BTreeSet<Symbol>) -> bool {
-        let is_touched =
-            |symbol: &Symbol| self.rests_on.get(symbol).is_none_or(|steps| !steps.is_disjoint(&system.shaken));
-        wanted.iter().any(is_touched)
-    }
-
-    /// The way to all that the answers need.
-    fn whole(&self, system: &System, ground: &Ground) -> Option<Way> {
-        let sought = ground.sought();
-        let like = self.right.as_ref().and_then(|(right, plan)| {
-            let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
-            planner.plan_like((right, plan), system, &ground.told)
-        });
-        match like {
-            Some(plan) => Way::of(system, plan, &ground.told, &sought),
-            None => self.searched(system, ground, &sought),
-        }
-    }
-
-    /// The way to some quantities.
-    fn searched(&self, system: &System, ground: &Ground, wanted: &[Symbol]) -> Option<Way> {
-        if !has_enough(system, &ground.told, wanted) {
-            return None;
-        }
-        let mut planner = self.planner.lock().unwrap_or_else(PoisonError::into_inner);
-        let plan = planner.plan(system, &ground.told, wanted).ok()?;
-        Way::of(system, plan, &ground.told, wanted)
     }
 }
 
@@ -228,8 +154,7 @@ impl WrongSystems {
             way.uses(&system.mistaken.wrong)
                 && meanings.iter().all(|set| holds(way, place, (line, set, at)) == Holds::No)
         };
-        let stands =
-            |system: &WrongSystem| !system.way(planning, ground, &wanted).is_some_and(|way| fails(system, &way));
+        let stands = |system: &WrongSystem| !system.way(planning, &wanted).is_some_and(|way| fails(system, &way));
         let standing = direct.iter().filter(|(system, _)| stands(system)).map(|(_, follows)| follows.clone());
         let standing: Vec<Follows> = standing.collect();
         if !standing.is_empty() {
@@ -239,8 +164,8 @@ impl WrongSystems {
             return likeliest(direct.into_iter().map(|(_, follows)| follows).collect());
         }
         let mut follows: Vec<Follows> = Vec::new();
-        for system in systems.iter().filter(|system| planning.touches(system, &wanted)) {
-            let way = system.way(planning, ground, &wanted);
+        for system in systems.iter().filter(|system| planning.touches(&system.shaken, &wanted)) {
+            let way = system.way(planning, &wanted);
             let Some(way) = way.filter(|way| way.uses(&system.mistaken.wrong)) else { continue };
             let holds = meanings.iter().any(|set| {
                 let here = holds(&way, place, (line, set, at));

@@ -49,12 +49,8 @@ pub(super) fn arriving(
     let along = quantities.direction(&flowing.direction)?;
     let after = match (&flowing.leaving, &stage.restitution) {
         (None, _) if flowing.normal.is_some() => {
-            let normal = quantities.direction(flowing.normal.as_ref()?)?;
-            let share = stage.restitution.as_ref().and_then(|term| quantities.term(term));
-            let back = share.map_or(Some(0.0), |share| quantities.evaluate(&share))?;
-            let taken = (1.0 + back) * (along[0] * normal[0] + along[1] * normal[1]);
-            let left = [0, 1].map(|axis| speed * (along[axis] - taken * normal[axis]));
-            (Math::subscripted("v", "after"), left)
+            let shares = flowing.after.iter().map(|share| quantities.evaluate(share)).collect::<Option<Vec<f64>>>()?;
+            (Math::subscripted("v", "after"), times(quantities.along_axes(&shares)?, speed))
         }
         (Some(leaving), _) => (label(), times(quantities.direction(leaving)?, speed)),
         (None, Some(term)) => {

@@ -64,8 +64,8 @@ impl Builder<'_> {
 
     /// The place of a body at each time of a push.
     fn place_during(&mut self, body: &str, index: usize, axis: Axis) -> Option<Expr> {
-        let way = self.way_during(body, index, axis)?;
-        Some(self.place_by_way(body, index + 1, axis) + way)
+        let gone = self.displacement_during(body, index, axis)?;
+        Some(self.place_by_way(body, index + 1, axis) + gone)
     }
 
     /// How far a body moves in a stage; none where that does not follow from its velocities alone.
@@ -90,7 +90,7 @@ impl Builder<'_> {
             let is_even = is_simple && !push.depends_on_place(axis.letter()) && !self.forces.iter().any(changes);
             return if push.pushed().any(|pushed| pushed == body) {
                 if !is_even {
-                    return self.whole_course(index, body);
+                    return self.whole_displacement(index, body);
                 }
                 Some(evenly * lasting.filter(|_| is_even)?)
             } else {

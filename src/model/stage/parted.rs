@@ -64,7 +64,7 @@ impl Builder<'_> {
 
     /// How far a body has moved since a contact at each time of a push.
     fn way_at_each_time(&mut self, body: &str, contact: usize, index: usize, axis: Axis) -> Option<Expr> {
-        let now = self.way_during(body, index, axis)?;
+        let now = self.displacement_during(body, index, axis)?;
         let earlier = if contact + 1 < index { self.way_since(body, contact, index - 1, axis)? } else { Expr::zero() };
         Some(earlier + now)
     }

@@ -1,7 +1,6 @@
 //! Where a body that static friction may hold is in the end, and the net force on it at both ends, for each way in which it can go.
 
 use crate::Builder;
-use crate::Integral;
 use crate::builder::LAW_COST;
 use momentous_expr::Expr;
 use momentous_laws::kinematics;
@@ -75,23 +74,17 @@ impl Builder<'_> {
         }
         let gained = sliding.net.definite(pushed.clock, begins, &pushed.clock.into())?;
         let velocity = before.clone() + gained.simplify() / self.mass(body);
-        let value = velocity.definite(pushed.clock, begins, &pushed.end)?;
-        let because = format!("the impulse up to each time gives the velocity of {name} at that time");
-        let (low, high) = (begins.clone(), pushed.end.clone());
-        let integral = Integral { integrand: velocity, variable: pushed.clock, low, high };
-        let sides = (to - from, value.simplify());
-        Some(self.stated(LAW_COST, &motion::DISPLACEMENT, Some(index), because, sides, Some(integral)))
+        let (because, gone, integral) = self.displaced_by(pushed, velocity, begins)?;
+        Some(self.stated(LAW_COST, &motion::DISPLACEMENT, Some(index), because, (to - from, gone), Some(integral)))
     }
 
     /// Newton's second law at both ends, which holds in every way.
     pub(crate) fn accelerated_at_both_ends(&mut self, pushed: &Pushed<'_>, axis: Axis) {
-        let (name, mass) = (self.called(pushed.body), self.mass(pushed.body));
+        let mass = self.mass(pushed.body);
         let first = usize::from(self.scene.follows_a_force(pushed.index, pushed.body));
         for instant in [pushed.index + 1, pushed.index + 2].into_iter().skip(first) {
             let [force, acceleration] = self.net_force_and_acceleration(pushed.body, instant, axis);
-            let because = format!("the net force on {name} accelerates it");
-            let sides = motion::net_force(&mass, &acceleration, &force);
-            self.law(&motion::NET_FORCE, Some(pushed.index), because, sides);
+            self.net_force_accelerates(pushed, &mass, [&force, &acceleration]);
         }
     }
 }

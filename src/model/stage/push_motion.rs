@@ -17,28 +17,39 @@ impl Builder<'_> {
         let at = |time: &Expr| net.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         self.rates_along(pushed, axis, [at(&pushed.start), at(&pushed.end)]);
         let (index, body) = (pushed.index, pushed.body);
-        let (name, mass) = (self.called(body), self.mass(body));
+        let mass = self.mass(body);
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
         let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
         if !net.contains(pushed.clock) {
             let after = if pushed.stops { Expr::zero() } else { after };
             let time = pushed.end.clone() - pushed.start.clone();
-            if self.axes.len() == 1 {
+            if self.only_axis().is_some() {
                 let since = Expr::from(pushed.clock) - pushed.start.clone();
-                self.notes_course(pushed, &(before.clone() + net / mass * since));
+                self.notes_displacement(pushed, &(before.clone() + net / mass * since));
             }
             return self.moves_evenly((index, body), axis, [&before, &after], &time);
         }
         let Some(gained) = net.definite(pushed.clock, &pushed.start, &pushed.clock.into()) else { return };
         let velocity = before + gained.simplify() / mass;
-        if self.axes.len() == 1 {
-            self.notes_course(pushed, &velocity);
+        if self.only_axis().is_some() {
+            self.notes_displacement(pushed, &velocity);
         }
-        let Some(value) = velocity.definite(pushed.clock, &pushed.start, &pushed.end) else { return };
+        let Some((because, gone, integral)) = self.displaced_by(pushed, velocity, &pushed.start) else { return };
+        self.integral(&motion::DISPLACEMENT, index, because, (to - from, gone), integral);
+    }
+
+    /// The displacement of a body from a time of a push to its end, by its velocity at each time; why, and the integral that it is.
+    pub(super) fn displaced_by(
+        &self,
+        pushed: &Pushed<'_>,
+        velocity: Expr,
+        since: &Expr,
+    ) -> Option<(String, Expr, Integral)> {
+        let gone = velocity.definite(pushed.clock, since, &pushed.end)?.simplify();
+        let name = self.called(pushed.body);
         let because = format!("the impulse up to each time gives the velocity of {name} at that time");
-        let (low, high) = (pushed.start.clone(), pushed.end.clone());
-        let integral = Integral { integrand: velocity, variable: pushed.clock, low, high };
-        self.integral(&motion::DISPLACEMENT, index, because, (to - from, value.simplify()), integral);
+        let (low, high) = (since.clone(), pushed.end.clone());
+        Some((because, gone, Integral { integrand: velocity, variable: pushed.clock, low, high }))
     }
 
     /// Acceleration and net force at both ends, where all forces add up to these.
@@ -51,10 +62,20 @@ impl Builder<'_> {
             let [force, acceleration] = self.net_force_and_acceleration(pushed.body, instant, axis);
             let because = format!("these are all the forces on {name}{along}");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
-            let because = format!("the net force on {name} accelerates it");
-            let sides = motion::net_force(&mass, &acceleration, &force);
-            self.law(&motion::NET_FORCE, Some(pushed.index), because, sides);
+            self.net_force_accelerates(pushed, &mass, [&force, &acceleration]);
         }
+    }
+
+    /// Newton's second law for the net force on a body of a mass and its acceleration at one instant.
+    pub(super) fn net_force_accelerates(
+        &mut self,
+        pushed: &Pushed<'_>,
+        mass: &Expr,
+        [force, acceleration]: [&Expr; 2],
+    ) {
+        let because = format!("the net force on {} accelerates it", self.called(pushed.body));
+        let sides = motion::net_force(mass, acceleration, force);
+        self.law(&motion::NET_FORCE, Some(pushed.index), because, sides);
     }
 
     /// The net force on a body along an axis at an instant, and its acceleration there.

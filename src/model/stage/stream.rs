@@ -62,6 +62,7 @@ impl Builder<'_> {
         };
         let (cause, parts) = (why(stage, &name), self.parts(&direction, &way));
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let left = parts.iter().map(|[_, after, _]| after.clone()).collect();
         let mut forces = Vec::new();
         for (axis, [before, after, change]) in axes.iter().zip(parts) {
             let meaning = Meaning { noun: "the force", of: format!("of {by} on {name}") };
@@ -77,7 +78,7 @@ impl Builder<'_> {
         let caught = self.caught(stage, &flow, path);
         self.stream_support(index, stage, caught.as_ref(), &forces);
         let rests = speed.is_zero();
-        self.flowing.push(Flowing { stage: index, speed, direction, leaving, normal, relative, caught });
+        self.flowing.push(Flowing { stage: index, speed, direction, leaving, normal, relative, after: left, caught });
         self.acts(Influence::outside(index, body, by).force(forces.clone()));
         // The body keeps its velocity, so something holds it.
         let held = forces.iter().map(|force| -force.clone()).collect();

@@ -69,7 +69,6 @@ impl Builder<'_> {
         let ends = [0, 1].map(|side| self.swing_end(index, side, stage, path));
         let height = self.swing_height(index, stage, length.as_ref(), &ends, path);
         // From one angle to another the height counts downwards, unless it is said to go up.
-        let rises = ends[0].is_lowest || stage.goes_between_angles() && stage.way == Some(UpOrDown::Up);
         let difference = match (&length, stage.goes_between_angles(), stage.way) {
             (Some(length), true, None) => below(length, &ends[1]) - below(length, &ends[0]),
             _ => height.clone(),
@@ -78,10 +77,10 @@ impl Builder<'_> {
         let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
         if !stage.stops() {
             // Only then does it come to the end of its way, asked how fast or not.
-            let worked = if rises { -raised.clone() } else { raised.clone() };
+            let worked = if stage.goes_up() { -raised.clone() } else { raised.clone() };
             self.goes_the_whole_way(&name, start.clone(), [worked]);
         }
-        let sides = if rises { (start, end + raised) } else { (start + raised, end) };
+        let sides = if stage.goes_up() { (start, end + raised) } else { (start + raised, end) };
         let holds = stage.held_by();
         let force = if stage.radius.is_some() { "the push of the track" } else { "the pull of the cord" };
         let because = format!("{force} is at right angles to the motion of {name} and does no work; the mass cancels");
@@ -192,7 +191,7 @@ impl Builder<'_> {
         ends: &[End; 2],
         path: &Path,
     ) -> Expr {
-        let between = ends.iter().all(|end| !end.is_lowest);
+        let between = stage.goes_between_angles();
         let on_track = usize::from(stage.radius.is_some());
         let goes = self.does(&stage.body, [["swings", "swing"], ["slides", "slide"]][on_track]);
         let meaning = match (between, ends[0].is_lowest) {
@@ -219,8 +218,7 @@ impl Builder<'_> {
         }
         if let Some(length) = length {
             // The lower end stands first; at the lowest place the whole cord hangs down.
-            let goes_up = ends[0].is_lowest || between && stage.way == Some(UpOrDown::Up);
-            let [lower, upper] = if goes_up { [0, 1] } else { [1, 0] };
+            let [lower, upper] = if stage.goes_up() { [0, 1] } else { [1, 0] };
             let difference = below(length, &ends[lower]) - below(length, &ends[upper]);
             let sides = match (between, stage.way) {
                 (true, None) => (height.clone(), Expr::apply(Function::Abs, difference)),

@@ -192,6 +192,7 @@ impl FormDraft {
             known,
             parts: self.parts,
             meant: self.allowed.meant,
+            allowed: self.allowed.warnings,
             told,
             printed,
             on_sheet: sheet,

@@ -14,6 +14,7 @@ use momentous_model::Instant;
 use momentous_model::Model;
 use momentous_model::Name;
 use momentous_model::QuantityKind;
+use momentous_model::Warning;
 use momentous_quantity::Dimension;
 use momentous_quantity::Unit;
 use momentous_quantity::UnitSystem;
@@ -73,6 +74,8 @@ pub struct Form {
     pub parts: Vec<Part>,
     /// The findings of `momentous check` that the author means.
     pub meant: Vec<Meant>,
+    /// What the author allows of what is unphysical.
+    pub(crate) allowed: Vec<Warning>,
     /// The symbols that the student is told, and the solver takes as known.
     pub told: BTreeSet<Symbol>,
     /// The quantities whose values the sheet prints, given or derived.

@@ -30,18 +30,12 @@ const NARROWED: usize = 40;
 impl Sampler<'_> {
     /// Why a body does not get to the end of its way with the numbers solved last.
     pub(super) fn turned_back(&self) -> Option<&Reason> {
-        let leaf = self.form.solver.leaf(self.scratch.leaf());
-        let words = &leaf.words;
-        // What an author allows is no condition of the way.
-        let reasons = &self.problem.model().reasons;
-        let is_condition = |reason: &Reason| {
-            reason.warning().is_none()
-                || leaf.system.conditions.iter().any(|condition| reasons.get(condition.tag) == Some(reason))
-        };
+        let words = &self.form.solver.leaf(self.scratch.leaf()).words;
+        let is_allowed = |reason: &Reason| reason.warning().is_some_and(|warning| self.form.allowed.contains(&warning));
         let is_taken =
             |passage: &&Passage| passage.way.as_ref().is_none_or(|(choice, what)| words.get(*choice) == Some(what));
         let passages = self.problem.model().passages.iter().filter(is_taken);
-        let passages = passages.filter(|passage| is_condition(&passage.reason));
+        let passages = passages.filter(|passage| !is_allowed(&passage.reason));
         passages.filter(|passage| self.turns_back(passage)).map(|passage| &passage.reason).next()
     }
 

@@ -102,6 +102,13 @@ impl Swing {
         self.places().iter().all(|place| matches!(place, Place::Angle(_)))
     }
 
+    /// Whether it goes up, as far as that is said: a swing between two angles may go either way.
+    #[must_use]
+    pub fn goes_up(&self) -> bool {
+        let [from, _] = self.places();
+        from == Place::Lowest || self.goes_between_angles() && self.way == Some(UpOrDown::Up)
+    }
+
     /// Whether the body is at rest at the end.
     #[must_use]
     pub fn stops(&self) -> bool {

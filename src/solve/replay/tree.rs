@@ -51,7 +51,8 @@ impl Tree {
     ) -> Option<usize> {
         self.first(workspace, &|leaf, memory| {
             let outcome = leaf.solve_from(inputs, exact, memory);
-            let is_certain = outcome.values().all(|(_, value)| value.error.is_finite());
+            // Where there is one leaf alone, nothing is to be chosen.
+            let is_certain = self.leaves.len() < 2 || outcome.values().all(|(_, value)| value.error.is_finite());
             Solved { solutions: outcome.survivors(), is_certain }
         })
     }
