@@ -55,11 +55,13 @@ fn faults(exercise: &Exercise, page: &Page) -> Vec<String> {
     let mut faults = Vec::new();
     let printed: Vec<String> = poppler::pages(&pdf).iter().map(|text| without_foot(text, exercise)).collect();
     let (printed, shown) = (printed.concat(), text_of(&html));
-    if signs(&printed) != signs(&shown) {
-        faults.push(format!(
-            "letters and digits differ: {:?}\n{printed}\n{shown}",
-            difference(&signs(&printed), &signs(&shown))
-        ));
+    let broken = html.matches("<mtext>[</mtext>").count();
+    let differences: Vec<_> = difference(&signs(&printed), &signs(&shown))
+        .into_iter()
+        .filter(|difference| !comes_of_breaking(*difference, broken))
+        .collect();
+    if !differences.is_empty() {
+        faults.push(format!("letters and digits differ: {differences:?}\n{printed}\n{shown}"));
     }
     let mut written = words(&printed).into_iter();
     let in_lines = match page {
@@ -79,6 +81,12 @@ fn faults(exercise: &Exercise, page: &Page) -> Vec<String> {
     }
     faults.extend(lonely_headings(&poppler::pages(&pdf), page));
     faults
+}
+
+/// Whether a sign stands more often in HTML because it breaks rows for a telephone, so many of them: a wide fraction is written there as
+/// one over its denominator times a bracket, and a wide root as the power 1/2 of a bracket.
+fn comes_of_breaking((sign, printed, shown): (char, usize, usize), broken: usize) -> bool {
+    matches!(sign, '1' | '2') && (printed..=printed + broken).contains(&shown)
 }
 
 /// Headings that are the last of a page.
