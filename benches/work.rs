@@ -26,6 +26,11 @@ impl Times {
         self.0.push(start.elapsed());
     }
 
+    fn with(mut self, other: &Self) -> Self {
+        self.0.extend(&other.0);
+        self
+    }
+
     fn report(mut self, name: &str) {
         self.0.sort_unstable();
         let at = |percent: usize| self.0.get((self.0.len() * percent / 100).min(self.0.len().saturating_sub(1)));
@@ -77,8 +82,10 @@ fn main() {
             }
         }
     }
+    let all = Times::default().with(&right).with(&wrong);
     first.report("right, the first of a form");
     right.report("right");
     first_wrong.report("wrong, the first of a form");
     wrong.report("wrong");
+    all.report("right or wrong, any later one");
 }
