@@ -278,13 +278,20 @@ fn collision(scene: &Scene, impact: &Impact, at: &Path) -> Vec<Fault> {
 fn names_of_instants(scene: &Scene) -> Vec<Fault> {
     let at = Path::root().key("scene").key("instants");
     let mut faults = Vec::new();
-    for (index, name) in scene.instants.iter().enumerate() {
-        let fault = if index > scene.stages.len() {
+    for (index, instant) in scene.instants.iter().enumerate() {
+        let (name, words) = (instant.name(), instant.words());
+        let fault = if !instant.is_one() {
+            Fault::new(Code::Value, "an instant has one name, and words behind it if you like")
+                .help("write `top: at the top`")
+        } else if words.is_some_and(|words| words.contains("{{")) {
+            Fault::new(Code::Value, format!("the words for the instant `{name}` hold no values"))
+                .help("say it without a number: `top: at the top`")
+        } else if index > scene.stages.len() {
             Fault::new(Code::Value, format!("there is no instant for the name `{name}`")).help(format!(
                 "the instants are before, between and after the stages: {} in all",
                 scene.stages.len() + 1
             ))
-        } else if scene.instants[..index].contains(name) {
+        } else if scene.instants[..index].iter().any(|other| other.name() == name) {
             Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
         } else {
             continue;

@@ -27,7 +27,7 @@ impl Timeline {
         Self {
             changed: scene.stages.iter().map(|stage| changed(scene, stage)).collect(),
             lives,
-            names: scene.instants.clone(),
+            names: scene.instants.iter().map(|instant| instant.name().to_owned()).collect(),
             stage_names: scene.stages.iter().map(|stage| stage.name().map(str::to_owned)).collect(),
         }
     }

@@ -57,8 +57,11 @@ pub(super) fn stage(scene: &Scene, index: usize) -> String {
     counted(before + 1, noun)
 }
 
-/// When an instant is, as an adverbial phrase.
+/// When an instant is, as an adverbial phrase: in the author's words where there are some.
 pub(super) fn when(scene: &Scene, instant: usize) -> String {
+    if let Some(words) = instant.checked_sub(1).and_then(|index| scene.instants.get(index)?.words()) {
+        return words.to_owned();
+    }
     let after = instant.checked_sub(2).and_then(|index| Some((index, scene.stages.get(index)?)));
     let before = instant.checked_sub(1).and_then(|index| Some((index, scene.stages.get(index)?)));
     let (side, index, entry) = match (after, before) {

@@ -4,6 +4,7 @@ mod axes;
 mod body;
 mod components;
 mod force;
+mod instant;
 mod pulley;
 pub mod stage;
 mod term;
@@ -12,6 +13,7 @@ pub use axes::{Axes, Axis, Sense, Senses};
 pub use body::{Body, Guide, Plane, Point, Surface};
 pub use components::Components;
 pub use force::{Force, Friction, Graph, Piece, Pull, Strength};
+pub use instant::Instant;
 pub use stage::Stage;
 pub use term::Term;
 
@@ -43,9 +45,10 @@ pub struct Scene {
     /// What happens, in order. Instants 1, 2, 3, ... lie before, between and after the stages. None: a single instant.
     #[serde(default)]
     pub stages: Vec<Stage>,
-    /// Names for the instants, in order, to be used after `@`: `[before, after]` lets `v_A@after` be written.
+    /// The instants by name, in order: `[before, after]` lets `v_A@after` be written; with words that say when they are,
+    /// `[before, top: at the top]`.
     #[serde(default)]
-    pub instants: Vec<String>,
+    pub instants: Vec<Instant>,
 }
 
 impl Scene {

@@ -58,6 +58,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "unit_that_is_zero",
     "unknown_unit_asked",
     "instants_too_many",
+    "instant_with_",
     "union_with_a_digit",
     "empty_ask",
     "holds_",
