@@ -236,13 +236,16 @@ impl Builder<'_> {
             moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
             let held = -at(threshold, start);
             moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
-            self.passages.push(Passage {
-                place: pushed.clock,
-                ends: [start.clone(), begins.clone()],
-                kinetic: threshold.clone() + along.clone(),
-                reason: backwards.clone(),
-                way: Some((self.choices.len(), moves.what.clone())),
-            });
+            let ahead = Reason::Beyond(name.clone());
+            for (push, reason) in [(along.clone(), ahead), (-along.clone(), backwards.clone())] {
+                self.passages.push(Passage {
+                    place: pushed.clock,
+                    ends: [start.clone(), begins.clone()],
+                    kinetic: threshold.clone() - push,
+                    reason,
+                    way: Some((self.choices.len(), moves.what.clone())),
+                });
+            }
             let late = Reason::NeverBeyond(name.clone());
             moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
             ways.push(moves);

@@ -77,11 +77,17 @@ pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Opti
     };
     let meaning = format!("the time of a revolution {}", builder.when(instant));
     let period = builder.positive(builder.canonical(name), meaning);
-    // Clockwise, an angular velocity is negative; one that is told by its period is counter-clockwise.
-    let is_told = builder.given.contains(&builder.symbols.entry(period).name);
-    let rate = if is_told { turning } else { Expr::apply(Function::Abs, turning) };
+    // Clockwise, an angular velocity is negative, which a velocity may tell, but a period does not.
+    let is_given = |symbol: Symbol| builder.given.contains(&builder.symbols.entry(symbol).name);
+    let tells_sense = |symbol: &Symbol| is_given(*symbol) && !builder.system.positive.contains(symbol);
+    let is_assumed = is_given(period) && !turning.symbols().iter().any(tells_sense);
+    let (rate, because) = if is_assumed {
+        (turning, "a revolution is an angle of two pi; the period tells no sense, and the positive one is taken")
+    } else {
+        (Expr::apply(Function::Abs, turning), "a revolution is an angle of two pi")
+    };
     let sides = (rate * Expr::from(period), Expr::integer(2) * Expr::Pi);
-    builder.law(&angular::REVOLUTION, None, "a revolution is an angle of two pi", sides);
+    builder.law(&angular::REVOLUTION, None, because, sides);
     Some(period)
 }
 

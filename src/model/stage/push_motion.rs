@@ -4,6 +4,7 @@ use crate::Builder;
 use crate::Integral;
 use crate::Name;
 use crate::QuantityKind;
+use crate::Reason;
 use momentous_expr::Expr;
 use momentous_laws::motion;
 use momentous_scene::Axis;
@@ -33,6 +34,9 @@ impl Builder<'_> {
         let velocity = before + gained.simplify() / mass;
         if self.only_axis().is_some() {
             self.notes_displacement(pushed, &velocity);
+            if pushed.stops {
+                self.stays_so(index, velocity.clone().powi(2), Reason::TurnsBack(self.called(body)));
+            }
         }
         let Some((because, gone, integral)) = self.displaced_by(pushed, velocity, &pushed.start) else { return };
         self.integral(&motion::DISPLACEMENT, index, because, (to - from, gone), integral);

@@ -258,6 +258,18 @@ impl Scratch {
         self.outcome(regimes)?.value(symbol).copied().filter(Real::is_real)
     }
 
+    /// A quantity in the solution at that position.
+    pub(crate) fn value_in(&self, regimes: &Regimes, position: usize, symbol: Symbol) -> Option<Bounded> {
+        self.outcome(regimes)?.value_in(position, symbol).copied().filter(Real::is_real)
+    }
+
+    /// Rules out the solutions that have a reason, unless all have one.
+    pub(crate) fn rule_out(&mut self, regimes: &Regimes, reasons: &[Option<usize>]) {
+        if let Some(taken) = self.taken {
+            regimes.tree.rule_out(taken, reasons, &mut self.workspace);
+        }
+    }
+
     /// All quantities, by symbol, in SI units; `count` symbols in all.
     pub(crate) fn values(&self, regimes: &Regimes, count: usize) -> Vec<Option<Bounded>> {
         let mut values = vec![None; count];

@@ -11,6 +11,7 @@ use momentous_solve::Cause;
 use momentous_solve::Closed;
 use momentous_solve::Real;
 use momentous_solve::Step;
+use momentous_solve::Tactic;
 use momentous_solve::evaluate;
 
 use super::super::compiling::planned::Form;
@@ -56,6 +57,12 @@ impl Worked<'_> {
         let mut answers: Vec<Bounded> = taken.into_iter().collect();
         let Some((position, step)) = step_of(self.leaf(), symbol) else { return answers };
         let chosen = self.variant.roots().get(position).copied().unwrap_or(0);
+        if step.tactic == Tactic::BracketedRoot {
+            let unknown = step.unknowns.iter().position(|unknown| *unknown == symbol);
+            let dead = self.variant.dead().iter().filter(|dead| dead.step == Some(position));
+            answers.extend(dead.filter_map(|dead| dead.values.get(unknown?).copied()));
+            answers.extend(self.variant.others_of(symbol));
+        }
         for (_, root) in step.roots.iter().enumerate().filter(|(index, _)| *index != chosen) {
             let mut values: BTreeMap<Symbol, Bounded> = BTreeMap::new();
             for (unknown, closed) in &root.values {
@@ -90,6 +97,9 @@ impl Worked<'_> {
                 )
             }
             Cause::NotPositive => self.not_positive(dead),
+            Cause::RuledOut(passage) => {
+                model.passages.get(passage).map_or_else(String::new, |passage| passage.reason.to_string())
+            }
             Cause::NotReal => "it is not a real number".to_owned(),
         }
     }

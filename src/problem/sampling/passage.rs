@@ -30,21 +30,37 @@ const NARROWED: usize = 40;
 impl Sampler<'_> {
     /// Why a body does not get to the end of its way with the numbers solved last.
     pub(super) fn turned_back(&self) -> Option<&Reason> {
+        self.problem.model().passages.get(self.way_back(0)?).map(|passage| &passage.reason)
+    }
+
+    /// Of several solutions, rules out those in which a body does not get to the end of its way, unless it does in none.
+    pub(super) fn rule_out_ways_back(&mut self) {
+        let solutions = self.scratch.survivors(&self.form.solver);
+        if solutions > 1 {
+            let reasons: Vec<Option<usize>> = (0..solutions).map(|solution| self.way_back(solution)).collect();
+            self.scratch.rule_out(&self.form.solver, &reasons);
+        }
+    }
+
+    /// The position of the first way to whose end a body does not get in a solution.
+    fn way_back(&self, solution: usize) -> Option<usize> {
         let words = &self.form.solver.leaf(self.scratch.leaf()).words;
         let is_allowed = |reason: &Reason| reason.warning().is_some_and(|warning| self.form.allowed.contains(&warning));
         let is_taken =
             |passage: &&Passage| passage.way.as_ref().is_none_or(|(choice, what)| words.get(*choice) == Some(what));
-        let passages = self.problem.model().passages.iter().filter(is_taken);
-        let passages = passages.filter(|passage| !is_allowed(&passage.reason));
-        passages.filter(|passage| self.turns_back(passage)).map(|passage| &passage.reason).next()
+        let turns_back = |passage: &Passage| {
+            is_taken(&passage) && !is_allowed(&passage.reason) && self.turns_back(passage, solution)
+        };
+        self.problem.model().passages.iter().position(turns_back)
     }
 
     /// Whether there is none of the kinetic energy left before the end; not where what it follows from is not solved.
-    fn turns_back(&self, passage: &Passage) -> bool {
+    fn turns_back(&self, passage: &Passage, solution: usize) -> bool {
         let mut symbols = passage.kinetic.symbols();
         symbols.extend(passage.ends.iter().flat_map(Expr::symbols));
         symbols.remove(&passage.place);
-        let solved = symbols.into_iter().map(|symbol| self.answer(symbol).map(|answer| (symbol, answer.value)));
+        let solved =
+            symbols.into_iter().map(|symbol| self.answer_in(solution, symbol).map(|answer| (symbol, answer.value)));
         let Some(solved) = solved.collect::<Option<BTreeMap<Symbol, f64>>>() else { return false };
         let value = |symbol: Symbol| solved.get(&symbol).copied().unwrap_or(f64::NAN);
         let [start, end] = passage.ends.each_ref().map(|end| end.evaluate(&value));

@@ -84,6 +84,7 @@ impl Sampler<'_> {
                 let law = model.instances.get(equation.tag)?.law.name;
                 Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
             }
+            Cause::RuledOut(position) => self.broken(model.passages.get(position)?.reason.clone(), None),
             Cause::NotReal => Rejection::NotReal(self.named(step, |_| true)),
             Cause::NotPositive => {
                 Rejection::NotPositive(self.named(step, |symbol| leaf.system.positive.contains(&symbol)))

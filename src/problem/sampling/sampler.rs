@@ -124,7 +124,9 @@ impl<'p> Sampler<'p> {
     }
 
     fn draw_by(&mut self, seed: u64, scheme: Scheme) -> Result<(), NoVariant> {
-        for attempt in 0..MOST_ATTEMPTS {
+        // Where nothing is drawn, every attempt has the same numbers.
+        let attempts = if self.is_drawn { MOST_ATTEMPTS } else { 1 };
+        for attempt in 0..attempts {
             self.draw_attempt(seed, attempt);
             let count = self.solve();
             if self.is_admissible(count) && self.discriminates() && self.is_markable(scheme) {
@@ -138,8 +140,13 @@ impl<'p> Sampler<'p> {
     /// A quantity of the variant drawn last, in SI units, with a bound on its error.
     #[must_use]
     pub fn answer(&self, symbol: Symbol) -> Option<Bounded> {
+        self.answer_in(0, symbol)
+    }
+
+    /// The same in the solution at that position.
+    pub(super) fn answer_in(&self, solution: usize, symbol: Symbol) -> Option<Bounded> {
         self.scratch
-            .value(&self.form.solver, symbol)
+            .value_in(&self.form.solver, solution, symbol)
             .or_else(|| self.inputs.get(symbol.index()).and_then(Input::bounded))
     }
 
@@ -262,7 +269,9 @@ impl<'p> Sampler<'p> {
 
     /// Solves what is asked, from what the sheet tells.
     fn solve_sheet(&mut self) -> usize {
-        let count = self.scratch.run(&self.form.solver, &self.inputs, &self.domains);
+        self.scratch.run(&self.form.solver, &self.inputs, &self.domains);
+        self.rule_out_ways_back();
+        let count = self.scratch.survivors(&self.form.solver);
         match &self.form.weighed {
             Some(weighed) if count > 0 && self.weighing.run(weighed, &self.inputs, &self.domains) == 0 => 0,
             _ => count,

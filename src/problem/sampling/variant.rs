@@ -99,6 +99,11 @@ impl Variant {
         !self.others.is_empty()
     }
 
+    /// A quantity that is asked in each further solution.
+    pub(crate) fn others_of(&self, symbol: Symbol) -> impl Iterator<Item = Bounded> {
+        self.others.iter().filter(move |(other, _)| *other == symbol).flat_map(|(_, values)| values).copied()
+    }
+
     /// Which regime it belongs to.
     #[must_use]
     pub fn leaf(&self) -> usize {
@@ -180,9 +185,8 @@ impl<'a> Worked<'a> {
             return roots.map(|value| self.in_unit(value, number)).collect();
         }
         let first = self.answer(number);
-        let others =
-            self.variant.others.iter().filter(|(symbol, _)| *symbol == number.symbol).flat_map(|(_, values)| values);
-        std::iter::once(first).chain(others.map(|value| self.in_unit(*value, number))).collect()
+        let others = self.variant.others_of(number.symbol);
+        std::iter::once(first).chain(others.map(|value| self.in_unit(value, number))).collect()
     }
 
     fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {

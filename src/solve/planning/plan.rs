@@ -76,6 +76,8 @@ pub enum Closed {
         residual: Expr,
         /// Which root, counted from zero upwards.
         index: usize,
+        /// Whether it repeats after a turn, so that there are no others beyond.
+        repeats: bool,
     },
 }
 

@@ -11,14 +11,20 @@ const NARROWINGS: usize = 400;
 /// Every so many narrowings the bracket is halved, whatever the secant says.
 const HALVING: usize = 8;
 
-/// The root number `index` above zero of a function, the first being 0; zero itself is not counted. The bound of the
-/// result covers an interval at whose ends the function surely has opposite signs.
+/// Behind a root, the next one is sought up to so many times its size.
+const FARTHEST: f64 = 1024.0;
+
+/// The first root of a function between two limits, zero itself not counted. The bound of the result covers an interval at whose
+/// ends the function surely has opposite signs.
 /// `None` where the scan meets no such root. Two roots closer together than a scan's step may both be missed.
-pub(super) fn root_above_zero<R: Real>(index: usize, mut function: impl FnMut(&R) -> R) -> Option<R> {
-    let mut earlier: Option<Point<R>> = Some(Point::at(R::point(0.0), &mut function));
-    let mut passed = 0;
-    for (octave, part) in OCTAVES.flat_map(|octave| (0..POINTS).map(move |part| (octave, part))) {
-        let x = libm::exp2(f64::from(octave)) * (1.0 + f64::from(part) / f64::from(POINTS));
+pub(super) fn next_root<R: Real>([least, most]: [f64; 2], mut function: impl FnMut(&R) -> R) -> Option<R> {
+    let is_first = least <= 0.0;
+    let most = if is_first { most } else { most.min(FARTHEST * least) };
+    let mut earlier: Option<Point<R>> = is_first.then(|| Point::at(R::point(0.0), &mut function));
+    let places = OCTAVES.flat_map(|octave| (0..POINTS).map(move |part| (octave, part)));
+    let places =
+        places.map(|(octave, part)| libm::exp2(f64::from(octave)) * (1.0 + f64::from(part) / f64::from(POINTS)));
+    for x in places.filter(|x| *x > least) {
         let here = Point::at(R::point(x), &mut function);
         let root_here = match (earlier.as_ref().map(Point::sign), here.sign()) {
             (_, Sign::Zero) => Some(here.x.clone()),
@@ -28,10 +34,10 @@ pub(super) fn root_above_zero<R: Real>(index: usize, mut function: impl FnMut(&R
             _ => None,
         };
         if let Some(root) = root_here {
-            if passed == index {
-                return Some(root);
-            }
-            passed += 1;
+            return Some(root).filter(|root| root.rough() <= most);
+        }
+        if x > most {
+            return None;
         }
         earlier = match here.sign() {
             Sign::Negative | Sign::Positive => Some(here),

@@ -7,6 +7,7 @@ pub(super) mod counting;
 pub(super) mod outcome;
 pub(super) mod program;
 pub(super) mod roots;
+mod ruled_out;
 pub(super) mod sensitivity;
 pub(super) mod symbol_registers;
 pub(super) mod tape;

@@ -39,6 +39,13 @@ impl<'a, R> Outcome<'a, R> {
         if self.workspace.survivors == 0 { None } else { self.workspace.chosen.get(register as usize) }
     }
 
+    /// The value of a symbol in the solution at that position, the first being 0.
+    #[must_use]
+    pub fn value_in(&self, position: usize, symbol: Symbol) -> Option<&'a R> {
+        let Some(other) = position.checked_sub(1) else { return self.value(symbol) };
+        self.workspace.others.get(other)?.get(self.program.register(symbol)? as usize)
+    }
+
     /// The values of all symbols in the (first) solution.
     pub fn values(&self) -> impl Iterator<Item = (Symbol, &'a R)> {
         let chosen = self.workspace.chosen.as_slice();

@@ -65,8 +65,8 @@ pub(super) enum Work {
     Run(Stretch),
     /// Find the first integer for which the difference compares with zero as it should.
     Count { variable: Register, from: i64, code: Stretch, difference: Register, relation: Relation },
-    /// Find where the residual is zero.
-    Bracket { variable: Register, code: Stretch, residual: Register, index: usize },
+    /// Find where the residual is zero; behind the root before, which the variable still holds, where it is not the first.
+    Bracket { variable: Register, code: Stretch, residual: Register, is_first: bool, repeats: bool },
 }
 
 impl Program {
@@ -212,13 +212,14 @@ fn write_root(writer: &mut Writer, root: &Root, registers: Option<&[(Symbol, Reg
                 writer.forget(mark);
                 work.push(Work::Count { variable, from: *from, code, difference: difference?, relation: *relation });
             }
-            Closed::BracketedRoot { residual, index } => {
+            Closed::BracketedRoot { residual, index, repeats } => {
                 let variable = wanted.unwrap_or_else(|| writer.register());
                 writer.symbols.insert(*symbol, variable);
                 let mark = writer.mark();
                 let (code, residual) = writer.stretch(|writer| writer.expr(residual));
                 writer.forget(mark);
-                work.push(Work::Bracket { variable, code, residual: residual?, index: *index });
+                let (is_first, repeats) = (*index == 0, *repeats);
+                work.push(Work::Bracket { variable, code, residual: residual?, is_first, repeats });
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Replaying a program: every root is followed until it breaks something.
 
+use std::f64::consts::TAU;
+
 use momentous_expr::Symbol;
 
 use super::super::number::bounded::Bounded;
@@ -7,7 +9,7 @@ use super::super::number::precise::Precise;
 use super::super::number::real::{Real, Sign};
 use super::super::planning::pending::Tested;
 use super::super::{Exact, Outcome, Relation};
-use super::bracketing::root_above_zero;
+use super::bracketing::next_root;
 use super::counting::first_integer;
 use super::program::{Program, Stage, Work};
 use super::tape::{Register, run};
@@ -111,6 +113,7 @@ fn round<R: Real>(symbols: &[(Symbol, Register)], precise: &Workspace<R>, fast: 
     fast.death_values.clear();
     fast.death_values.extend(precise.death_values.iter().map(R::to_bounded));
     fast.choices.clone_from(&precise.choices);
+    fast.other_choices.clone_from(&precise.other_choices);
     fast.deaths.clone_from(&precise.deaths);
     fast.death_paths.clone_from(&precise.death_paths);
     (fast.survivors, fast.decided) = (precise.survivors, precise.decided);
@@ -169,7 +172,10 @@ impl<R: Real> Replay<'_, R> {
             self.workspace.branches += 1;
             self.workspace.path.truncate(index);
             self.workspace.path.push(root);
-            branch.work.iter().for_each(|work| self.work(work));
+            let is_there = branch.work.iter().all(|work| self.work(work));
+            if !is_there && root > 0 {
+                break;
+            }
             run(&program.tape, &stage.tests_code, &mut self.workspace.registers);
             match self.judge(stage) {
                 None => self.stage(index + 1),
@@ -178,11 +184,15 @@ impl<R: Real> Replay<'_, R> {
         }
     }
 
-    fn work(&mut self, work: &Work) {
+    /// Does a piece of work; whether there is what it searches for. Where one root of several is not there, the next are not either.
+    fn work(&mut self, work: &Work) -> bool {
         let program = self.program;
         let registers = &mut self.workspace.registers;
         match work {
-            Work::Run(stretch) => run(&program.tape, stretch, registers),
+            Work::Run(stretch) => {
+                run(&program.tape, stretch, registers);
+                true
+            }
             Work::Count { variable, from, code, difference, relation } => {
                 let mut decided = true;
                 let integer = first_integer(*from, |candidate| {
@@ -194,14 +204,19 @@ impl<R: Real> Replay<'_, R> {
                 });
                 self.workspace.decided &= decided;
                 self.workspace.registers[*variable as usize] = integer.map_or_else(R::not_real, R::integer);
+                integer.is_some()
             }
-            Work::Bracket { variable, code, residual, index } => {
-                let root = root_above_zero(*index, |candidate: &R| {
+            Work::Bracket { variable, code, residual, is_first, repeats } => {
+                let least = if *is_first { 0.0 } else { registers[*variable as usize].rough() };
+                let most = if *repeats { TAU } else { f64::INFINITY };
+                let root = next_root([least, most], |candidate: &R| {
                     registers[*variable as usize] = candidate.clone();
                     run(&program.tape, code, registers);
                     registers[*residual as usize].clone()
                 });
+                let is_there = root.is_some();
                 registers[*variable as usize] = root.unwrap_or_else(R::not_real);
+                is_there
             }
         }
     }
@@ -287,6 +302,7 @@ impl<R: Real> Replay<'_, R> {
         if !is_known {
             let registers = workspace.registers.clone();
             workspace.others.push(registers);
+            workspace.other_choices.push(workspace.path.clone());
             workspace.survivors += 1;
         }
         workspace.decided &= !unsure || self.last;

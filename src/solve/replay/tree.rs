@@ -85,6 +85,13 @@ impl Tree {
         uncertain
     }
 
+    /// Rules out those solutions of a leaf that have a reason, unless all have one: in the order of [`Outcome::value_in`].
+    pub fn rule_out(&self, leaf: usize, reasons: &[Option<usize>], workspace: &mut TreeWorkspace) {
+        if let (Some(program), Some(memory)) = (self.leaves.get(leaf), workspace.leaves.get_mut(leaf)) {
+            memory.fast.rule_out(program, reasons);
+        }
+    }
+
     /// The result of the last [`Tree::solve`] for a leaf; `None` of one that it did not try.
     #[must_use]
     pub fn outcome<'a>(&'a self, leaf: usize, workspace: &'a TreeWorkspace) -> Option<Outcome<'a, Bounded>> {

@@ -26,6 +26,8 @@ pub struct Workspace<R> {
     pub(crate) chosen: Vec<R>,
     /// The registers of the surviving branches that differ from it and from each other.
     pub(crate) others: Vec<Vec<R>>,
+    /// The root of each stage on each of these.
+    pub(crate) other_choices: Vec<Vec<usize>>,
     /// The root of each stage on the branch that is being followed.
     pub(crate) path: Vec<usize>,
     /// The root of each stage on the first surviving branch.
@@ -46,6 +48,7 @@ impl<R> Default for Workspace<R> {
             registers: Vec::new(),
             chosen: Vec::new(),
             others: Vec::new(),
+            other_choices: Vec::new(),
             path: Vec::new(),
             choices: Vec::new(),
             deaths: Vec::new(),
@@ -88,6 +91,7 @@ impl<R: Real> Workspace<R> {
         self.death_paths.clear();
         (self.survivors, self.decided, self.branches) = (0, true, 0);
         self.others.clear();
+        self.other_choices.clear();
     }
 }
 
@@ -103,6 +107,8 @@ pub enum Cause {
     NotReal,
     /// An unknown that is positive in every admissible solution comes out negative.
     NotPositive,
+    /// The caller ruled it out, for that reason of its own.
+    RuledOut(usize),
 }
 
 /// A branch that died, and where.

@@ -58,8 +58,16 @@ impl StageRun<'_> {
                 let soon = self.go(&system, integrator, &Until::Time(SOON))?;
                 system.go_on_from(&soon);
             }
-            let side = signed(&system.state()).signum();
-            self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?
+            let mut side = signed(&system.state()).signum();
+            let mut end = self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?;
+            for _ in 0..self.crossing {
+                system.go_on_from(&end);
+                let soon = self.go(&system, integrator, &Until::Time(end.time + SOON))?;
+                system.go_on_from(&soon);
+                side = -side;
+                end = self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?;
+            }
+            end
         };
         let moved = displaced(&end.state, &starts);
         self.note_velocity(body.name, velocity(&end.state, 0), size(body.velocity));
