@@ -69,7 +69,7 @@ fn the_step_that_is_named_is_shown() {
 fn only_bodies_that_do_something_belong_to_the_system() {
     // The impact comes after the slide of which alone the normal force is asked.
     let said = short("chains/crate-on-a-track", 0);
-    assert!(said.contains("The crate, at the start of the slide (1)"), "{said}");
+    assert!(said.contains("The crate, at the upper end (1)"), "{said}");
     assert!(short("chains/crate-on-a-track", 1).contains("The crate and the trolley."));
 }
 
@@ -223,10 +223,13 @@ fn a_brake_does_not_push() {
 #[test]
 fn what_only_another_form_asks_is_not_looked_at() {
     let [start, inwards] = [0, 1].map(|number| form("angular-momentum/playground-carousel", number));
-    assert!(start.contains("at the end of the first motion (2).") && !start.contains("second motion"), "{start}");
+    assert!(start.contains("when it has been sped up (2).") && !start.contains("second motion"), "{start}");
     assert!(inwards.contains("From (2) to (3)"), "{inwards}");
     let orbit = form("central-force/comet-visit", 0);
-    assert!(orbit.contains("The comet, at the first position.") && !orbit.contains("second position"), "{orbit}");
+    assert!(
+        orbit.contains("The comet, at the nearest point.") && !orbit.contains("at the orbit of the Earth"),
+        "{orbit}"
+    );
 }
 
 #[test]
