@@ -31,6 +31,8 @@ const PARTS: [f64; 5] = [0.5, 0.7, 0.35, 0.9, 0.15];
 const EIGHTHS: [f64; 8] = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0];
 /// How far beyond the arc of an angle its label is tried.
 const OPENINGS: [f64; 6] = [0.0, 6.0, 12.0, 18.0, 24.0, 30.0];
+/// The number of those where the sides are short.
+const NEAR_OPENINGS: usize = 3;
 /// Step from ring to ring, number of rings, places on a ring.
 const RING_STEP: f64 = 5.0;
 const RINGS: u32 = 80;
@@ -43,8 +45,9 @@ pub(super) enum Anchor {
     Along { from: Point, to: Point },
     /// A point with a radius about it: in the preferred direction (radians), then in others.
     Around { at: Point, radius: f64, prefer: f64 },
-    /// The opening of an angle: beyond its arc, where the sides leave room, then as around its vertex.
-    Opening { at: Point, radius: f64, prefer: f64 },
+    /// The opening of an angle between two directions: beyond its arc, far beyond it only where its sides are long, then
+    /// beside the arc on either side, then as around its vertex.
+    Opening { at: Point, radius: f64, prefer: f64, sides: [f64; 2], is_long: bool },
 }
 
 /// A drawing in the making: shapes that are fixed, and labels that still look for their places.
@@ -230,10 +233,19 @@ fn near_place(anchor: Anchor, size: Point, index: usize) -> Option<Point> {
             let eighths = EIGHTHS.get(index)?;
             Some(clear_of(at, Point::polar(1.0, prefer + eighths * TAU / 8.0), radius + GAP, size))
         }
-        Anchor::Opening { at, radius, prefer } => match OPENINGS.get(index) {
-            Some(more) => Some(clear_of(at, Point::polar(1.0, prefer), radius + GAP + more, size)),
-            None => near_place(Anchor::Around { at, radius, prefer }, size, index - OPENINGS.len()),
-        },
+        Anchor::Opening { at, radius, prefer, sides, is_long } => {
+            let openings = if is_long { &OPENINGS[..] } else { &OPENINGS[..NEAR_OPENINGS] };
+            let beside = |angle: f64| {
+                let side = Point::polar(1.0, angle);
+                let inwards = side.turned().dot(Point::polar(1.0, prefer)) > 0.0;
+                clear_of(at + side * radius, if inwards { -side.turned() } else { side.turned() }, GAP, size)
+            };
+            match (openings.get(index), index.wrapping_sub(openings.len())) {
+                (Some(more), _) => Some(clear_of(at, Point::polar(1.0, prefer), radius + GAP + more, size)),
+                (None, side @ (0 | 1)) => Some(beside(sides[side])),
+                (None, around) => near_place(Anchor::Around { at, radius, prefer }, size, around - 2),
+            }
+        }
     }
 }
 

@@ -214,8 +214,10 @@ impl Builder<'_> {
         self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
         let reactions: Vec<Expr> = guided.iter().map(|guided| self.guide_impulse(guided, stage, &across)).collect();
         let line = match &guided[..] {
-            [_] => format!("at right angles to that line, {name} receives an external impulse from {}", guide.by),
-            _ => "at right angles to that line, the guides exert external impulses".to_owned(),
+            [_] => {
+                format!("across the line on which {name} can move, it receives an external impulse from {}", guide.by)
+            }
+            _ => "across their lines, the guides exert external impulses".to_owned(),
         };
         let [from, to] = [&start, &end].map(|carriers| projected(carriers, &across));
         self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &Expr::sum(reactions), &to));

@@ -233,7 +233,7 @@ impl<'s> Builder<'s> {
 
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
-        let because = "the boundary is where both sides are equal";
+        let because = "the condition just ceases to hold where its two sides are equal";
         self.stated(builder::LAW_COST, &geometry::BOUNDARY, None, because, (left, right), None)
     }
 

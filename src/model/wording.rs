@@ -90,3 +90,8 @@ pub(super) fn of_several_stages(names: impl IntoIterator<Item = String>) -> Stri
 pub(super) fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str) -> String {
     names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(conjunction)
 }
+
+/// The reason why only the impulse of a contact counts for one of its bodies.
+pub(crate) fn only_contact(name: &str) -> String {
+    format!("in the short impact, any impulse on {name} alone but that of the contact is negligible")
+}

@@ -1,10 +1,13 @@
 //! Displayed equations: where they align, and where long ones break.
 
 use std::borrow::Cow;
-use std::sync::Arc;
 
 use momentous_expr::Math;
-use momentous_expr::Operator;
+
+use super::breaking::{Item, USUAL_LENGTH};
+use super::breaking::{
+    continues, fill, flattened, indent, is_relation, is_sum, opened, relates, split_before, unfolded, width,
+};
 
 /// The parts of a row one by one, for a writer that would put a row within it into an element of its own.
 pub(super) fn spread(items: &[Math]) -> Vec<&Math> {
@@ -13,21 +16,6 @@ pub(super) fn spread(items: &[Math]) -> Vec<&Math> {
         item.spread(&mut |part| parts.push(part));
     }
     parts
-}
-
-/// A part of an equation as it was laid out, or one that breaking made.
-#[derive(Clone, Debug, PartialEq)]
-struct Item<'a> {
-    math: Cow<'a, Math>,
-    /// In widths of a digit, roughly.
-    width: f64,
-}
-
-impl<'a> Item<'a> {
-    fn new(math: Cow<'a, Math>) -> Self {
-        let width = math.width();
-        Self { math, width }
-    }
 }
 
 /// One row of a displayed equation; rows are aligned where the right side begins.
@@ -66,41 +54,81 @@ impl<'a> Row<'a> {
 /// How many times too wide rows are that could not be broken, from which on each smaller size is needed.
 const TOO_WIDE: [f64; 3] = [1.0, 1.15, 1.35];
 
-/// The size of type for rows that could not be broken, of three that grow smaller; none for those that fit.
-pub(super) fn smaller<'s>(rows: &[Row<'_>], sizes: [&'s str; 3]) -> Option<&'s str> {
-    let [left, right] = [0, 1].map(|side| rows.iter().map(|row| row.widths[side]).fold(0.0, f64::max));
-    let excess = (left + right) / PAPER;
+/// The size of type for rows that could not be broken to that width, of three that grow smaller; none for those that fit.
+pub(super) fn smaller<'s>(rows: &[Row<'_>], widest: f64, sizes: [&'s str; 3]) -> Option<&'s str> {
+    let excess = table_width(rows) / widest;
     TOO_WIDE.iter().zip(sizes).rev().find(|(least, _)| excess > **least).map(|(_, size)| size)
+}
+
+/// The width of rows that are aligned with each other.
+fn table_width(rows: &[Row<'_>]) -> f64 {
+    let side = |side: usize| rows.iter().map(|row| row.widths[side]).fold(0.0, f64::max);
+    side(0) + side(1)
 }
 
 /// The widest row on paper, in widths of a digit: what fits the text of a page at 11 pt.
 pub(super) const PAPER: f64 = 62.0;
 
 /// The widest row on a screen that may be that of a telephone, 390 pixels wide.
-pub(super) const SCREEN: f64 = 40.0;
+pub(super) const SCREEN: f64 = 39.5;
 
 /// The room for the number beside an equation on such a screen.
 pub(super) const NUMBER: f64 = 4.0;
 
-/// How many items most lines have, or fewer.
-const USUAL_LENGTH: usize = 16;
-
 /// The rows of an equation of those lines, each aligned at its first relation and broken where it is wider than that.
 pub(super) fn rows(lines: &[Math], widest: f64) -> Vec<Row<'_>> {
-    lines.iter().flat_map(|line| line_rows(line, widest)).collect()
+    let whole = lines.iter().map(|line| unbroken(line, widest)).collect::<Option<Vec<Row>>>();
+    if let Some(rows) = whole
+        && (!scrolls(widest) || table_width(&rows) <= widest)
+    {
+        return rows;
+    }
+    let items: Vec<Vec<Item>> = lines.iter().map(flattened).collect();
+    let aligned: Vec<usize> = items.iter().map(|items| alignment(items, widest)).collect();
+    let lefts: Vec<f64> = items.iter().zip(&aligned).map(|(items, aligned)| width(&items[..*aligned])).collect();
+    let common = lefts.iter().copied().fold(0.0, f64::max);
+    let rows: Vec<Row> = lines
+        .iter()
+        .zip(&items)
+        .zip(aligned.iter().zip(&lefts))
+        .flat_map(|((line, items), (aligned, left))| {
+            let room = widest - if scrolls(widest) { common } else { *left };
+            unbroken(line, left + room).map_or_else(|| broken(items.clone(), *aligned, room, widest), |row| vec![row])
+        })
+        .collect();
+    if common == 0.0 || !scrolls(widest) || table_width(&rows) <= widest {
+        return rows;
+    }
+    // A left side on a row of its own leaves more room for the right one.
+    let below: Vec<Row> = items.into_iter().flat_map(|items| broken(items, 0, widest, widest)).collect();
+    if table_width(&below) < table_width(&rows) { below } else { rows }
 }
 
-fn line_rows(line: &Math, widest: f64) -> Vec<Row<'_>> {
-    if let Some(row) = unbroken(line, widest) {
-        return vec![row];
-    }
-    let mut items = flattened(line);
+/// How many items stand before the first relation; none where they leave too little room behind it.
+fn alignment(items: &[Item<'_>], widest: f64) -> usize {
     let relation = items.iter().position(is_relation);
-    let aligned = relation.filter(|at| width(&items[..*at]) <= widest / 2.0).unwrap_or(0);
+    relation.filter(|at| width(&items[..*at]) <= widest / 2.0).unwrap_or(0)
+}
+
+/// Mathematics within a line in pieces between which the line may be broken: before relations, where it is too wide.
+pub(super) fn pieces(math: &Math, widest: f64) -> Vec<Cow<'_, Math>> {
+    if math.width() <= widest / 2.0 {
+        return vec![Cow::Borrowed(math)];
+    }
+    let piece =
+        |items: Vec<Item<'_>>| Cow::Owned(Math::Row(items.into_iter().map(|item| item.math.into_owned()).collect()));
+    split_before(flattened(math), is_relation).into_iter().map(piece).collect()
+}
+
+/// Whether what is too wide has to be scrolled, as on a telephone. Paper sets it in smaller type where it is a little too wide.
+fn scrolls(widest: f64) -> bool {
+    widest < PAPER
+}
+
+/// The rows of a line whose first items stand before the alignment, with that room behind it.
+fn broken(mut items: Vec<Item<'_>>, aligned: usize, room: f64, widest: f64) -> Vec<Row<'_>> {
     let rest = items.split_off(aligned);
-    let room = widest - width(&items);
-    // Paper sets in smaller type what is a little too wide; a telephone would have to scroll.
-    let scrolls = widest < PAPER;
+    let scrolls = scrolls(widest);
     let opens = |item: &Item<'_>| scrolls || !matches!(&*item.math, Math::Root(_));
     let rest = rest.into_iter().flat_map(|item| if opens(&item) { unfolded(item, room) } else { vec![item] }).collect();
     let rest = if scrolls {
@@ -112,10 +140,10 @@ fn line_rows(line: &Math, widest: f64) -> Vec<Row<'_>> {
     let mut left = Some(items);
     let row = |right: Vec<_>| match left.take() {
         Some(items) => Row::new(items, right),
-        None if right.first().is_some_and(is_sum) => Row::new(Vec::new(), [indent(), right].concat()),
+        None if continues(&right) => Row::new(Vec::new(), [indent(), right].concat()),
         None => Row::new(Vec::new(), right),
     };
-    fill(rest, room).into_iter().map(row).collect()
+    fill(rest, room, scrolls).into_iter().map(row).collect()
 }
 
 /// The only row of a line that fits, rows within it left as they are; none where it must be broken, or where a row within
@@ -146,146 +174,17 @@ fn stand_apart(parts: &[Math]) -> bool {
     })
 }
 
-/// The width of parts as it adds up when rows within them are opened.
+/// The width of parts when rows within them are opened.
 fn spread_width(parts: &[Math]) -> f64 {
-    fn add(math: &Math, total: &mut f64) {
-        match math {
-            Math::Row(parts) => parts.iter().for_each(|part| add(part, total)),
-            other => *total += other.width(),
-        }
-    }
-    let mut total = 0.0;
-    for part in parts {
-        add(part, &mut total);
-    }
-    total
-}
-
-/// What is too wide for a row in a form that can be broken: a fraction as one over its denominator times the sum above it, a root as
-/// the power of a bracket, and brackets opened.
-fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
-    if inside(&item.math).width() <= room { vec![item] } else { open(item, room) }
-}
-
-/// A piece that has no place to break and is too wide all the same: its widest part that can be opened is.
-fn opened(piece: Vec<Item<'_>>, room: f64) -> Vec<Item<'_>> {
-    let can_open = |item: &Item<'_>| {
-        matches!(&*item.math, Math::Fraction(..) | Math::Root(_) | Math::Bracketed(_) | Math::Squared(_))
-            && flattened(inside(&item.math)).iter().skip(1).any(is_sum)
-    };
-    let widest = piece.iter().filter(|item| can_open(item)).map(|item| item.width).fold(0.0, f64::max);
-    if width(&piece) <= room || widest == 0.0 {
-        return piece;
-    }
-    piece
-        .into_iter()
-        .flat_map(|item| if item.width >= widest && can_open(&item) { open(item, room) } else { vec![item] })
-        .collect()
-}
-
-/// The sum or product that a fraction, a root or a bracket holds.
-fn inside(math: &Math) -> &Math {
-    match math {
-        Math::Fraction(inner, _) | Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) => inner,
-        other => other,
-    }
-}
-
-/// The same, however wide it is; nothing else where it cannot be opened.
-fn open(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
-    let one = || Arc::new(Math::Number("1".to_owned()));
-    let sign = |text: &str| Math::Text(text.to_owned());
-    let (before, inner, [open, close]) = match &*item.math {
-        Math::Fraction(over, under) if under.width() <= room => {
-            (Some(Math::Fraction(one(), under.clone())), over, [sign("["), sign("]")])
-        }
-        Math::Root(inner) => {
-            let half = Math::Fraction(one(), Arc::new(Math::Number("2".to_owned())));
-            (None, inner, [sign("["), Math::Sup(Arc::new(sign("]")), Arc::new(half))])
-        }
-        Math::Bracketed(inner) => (None, inner, [sign("("), sign(")")]),
-        Math::Squared(inner) => (None, inner, [sign("["), sign("]")]),
-        _ => return vec![item],
-    };
-    let new_item = |math: Math| Item::new(Cow::Owned(math));
-    let mut items: Vec<Item> = before.into_iter().chain([open]).map(new_item).collect();
-    for item in flattened(inner) {
-        items.extend(unfolded(item, room).into_iter().map(|part| new_item(part.math.into_owned())));
-    }
-    items.push(new_item(close));
-    items
-}
-
-/// The beginning of a continued sum: a gap, and an empty operand, so that its sign is spaced as one between two.
-fn indent() -> Vec<Item<'static>> {
-    [Math::Text("\u{2003}".to_owned()), Math::Identifier(String::new())]
-        .map(|math| Item::new(Cow::Owned(math)))
-        .to_vec()
-}
-
-/// Breaks before relations first, and before plus and minus only within a part that is still too long.
-fn fill(items: Vec<Item<'_>>, room: f64) -> Vec<Vec<Item<'_>>> {
-    if width(&items) <= room {
-        return vec![items];
-    }
-    let mut pieces = Vec::new();
-    for part in split_before(items, is_relation) {
-        if width(&part) <= room {
-            pieces.push(part);
-        } else {
-            pieces.extend(split_before(part, is_sum));
-        }
-    }
-    let mut rows: Vec<Vec<Item>> = Vec::new();
-    for piece in pieces {
-        match rows.last_mut() {
-            Some(row) if width(row) + width(&piece) <= room => row.extend(piece),
-            _ => rows.push(piece),
-        }
-    }
-    rows
-}
-
-/// Splits before each marked item, but never right after the start or another operator: a sign is no place to break.
-fn split_before(items: Vec<Item<'_>>, marked: fn(&Item<'_>) -> bool) -> Vec<Vec<Item<'_>>> {
-    let mut parts: Vec<Vec<Item>> = vec![Vec::new()];
-    for item in items {
-        let after_operand =
-            parts.last().and_then(|part| part.last()).is_some_and(|last| !matches!(*last.math, Math::Operator(_)));
-        match parts.last_mut() {
-            Some(part) if !(marked(&item) && after_operand) => part.push(item),
-            _ => parts.push(vec![item]),
-        }
-    }
-    parts
-}
-
-fn is_relation(item: &Item<'_>) -> bool {
-    relates(&item.math)
-}
-
-fn relates(math: &Math) -> bool {
-    use Operator::{Approximately, AtLeast, AtMost, Differs, Equals, Greater, Implies, Less};
-    matches!(math, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
-}
-
-fn is_sum(item: &Item<'_>) -> bool {
-    matches!(*item.math, Math::Operator(Operator::Plus | Operator::Minus | Operator::PlusMinus))
-}
-
-/// The items of a row, with rows inside rows opened.
-fn flattened(math: &Math) -> Vec<Item<'_>> {
-    let mut items = Vec::with_capacity(USUAL_LENGTH);
-    math.spread(&mut |part| items.push(Item::new(Cow::Borrowed(part))));
-    items
-}
-
-fn width(items: &[Item<'_>]) -> f64 {
-    items.iter().map(|item| item.width).sum()
+    Math::row_width(spread(parts))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use momentous_expr::Operator;
+
     use super::*;
 
     #[test]
@@ -353,7 +252,7 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!(rows[0].right().last(), Some(&term));
         assert_eq!(rows[1].right().last(), Some(&Math::Text("]".into())));
-        assert!(smaller(&rows, ["s", "m", "l"]).is_none());
+        assert!(smaller(&rows, PAPER, ["s", "m", "l"]).is_none());
     }
 
     #[test]

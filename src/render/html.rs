@@ -17,6 +17,9 @@ use super::equation::Row;
 use super::equation::SCREEN;
 use super::writer::Writer;
 
+/// The classes of equations that a telephone shows in smaller type, since they could not be broken.
+const SMALLER: [&str; 3] = ["tight", "tighter", "tightest"];
+
 /// The writer of HTML.
 pub(super) struct Html;
 
@@ -38,11 +41,15 @@ impl Writer for Html {
     }
 
     fn math(&self, math: &Math) -> String {
-        math.mathml(false)
+        equation::pieces(math, SCREEN).iter().map(|piece| piece.mathml(false)).collect()
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
-        let mut out = format!("<div class=\"equation\">{}", display(rows, ["<mtd>"; 2]));
+        let class = match equation::smaller(rows, self.widest(number.is_some()), SMALLER) {
+            Some(size) => format!("equation {size}"),
+            None => "equation".to_owned(),
+        };
+        let mut out = format!("<div class=\"{class}\">{}", display(rows, ["<mtd>"; 2]));
         if let Some(number) = number {
             let _ = write!(out, "<span class=\"number\">({number})</span>");
         }

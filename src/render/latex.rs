@@ -10,6 +10,7 @@ use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::Piece;
+use super::equation::PAPER;
 use super::equation::Row;
 use super::equation::smaller;
 use super::latex_text;
@@ -41,7 +42,7 @@ impl Writer for Latex {
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         let equation = format!("\\[\n{}\n\\]", latex_text::math(&latex_text::equation(rows, number)));
-        match smaller(rows, SMALLER) {
+        match smaller(rows, PAPER, SMALLER) {
             Some(size) => format!("{{{size}\n{equation}\n}}"),
             None => equation,
         }

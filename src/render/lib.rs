@@ -4,6 +4,7 @@
 //! What reaches them is already in the tongue of the format: escaped text, typeset mathematics, drawn figures.
 
 mod authored;
+mod breaking;
 mod built_in;
 mod depth;
 mod document;

@@ -13,6 +13,7 @@ use momentous_figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::Piece;
+use super::equation::PAPER;
 use super::equation::Row;
 use super::equation::smaller;
 use super::mathml_typst;
@@ -58,7 +59,7 @@ impl Writer for Typst {
         }
         let plain: Vec<String> = rows.iter().map(|row| Math::row_plain(row.whole())).collect();
         let written = displayed(&plain.join(" "), &code.into_code(), number);
-        match smaller(rows, SMALLER) {
+        match smaller(rows, PAPER, SMALLER) {
             Some(size) => format!("#[#set text(size: {size})\n{written}];"),
             None => written,
         }

@@ -338,7 +338,22 @@ fn a_sheet_shows_nothing_that_only_another_form_prints() {
     // The other components of the moment are drawn for both forms and printed for one.
     let [all, one] = [0, 1].map(|form| sheet_of("angular-momentum/telescope-in-orbit", form).description);
     assert!(all.contains("M_z") && all.contains("M_0"), "{all}");
-    assert!(one.contains("M_x") && !one.contains("M_z") && !one.contains("M_0"), "{one}");
+    assert!(one.contains("the moment M_x") && !one.contains("M_z") && !one.contains("M_0"), "{one}");
+}
+
+#[test]
+fn an_impulse_that_is_negligible_is_not_denied() {
+    for (name, form) in [("chains/locked-bumpers", 1), ("chains/parcel-on-scale", 1), ("concepts/egg-drop", 1)] {
+        let said = short(name, form);
+        let denies = said.contains("no other impulse") || said.contains("only impulse");
+        assert!(said.contains("is negligible") && !denies, "{said}");
+    }
+}
+
+#[test]
+fn what_climbs_inwards_is_not_said_to_move_round_as_before() {
+    let said = short("angular-momentum/roundabout", 1);
+    assert!(said.contains("the distance of Amina and Bj\u{f6}rn from the axle changes"), "{said}");
 }
 
 #[test]

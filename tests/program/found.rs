@@ -124,7 +124,7 @@ const MARKED: &[(&str, &[&str], &str)] = &[
 
 /// What stands on the sheet of a file or in its solution, and what does not.
 const PRINTED: &[(&str, &str, &str)] = &[
-    ("falls_on_a_string", "is not a solution: particle A moves downwards", "downwards."),
+    ("falls_on_a_string", "is not the answer: particle A moves downwards", "downwards."),
     ("height_in_terms_of_r", "at the height $5\\,R$", "5.00 m"),
     ("letters_behind_values", "where $m_{A}$ is the mass of the cart, and $v_{A1}$ is", "where $m_{B}$"),
     ("mass_in_terms_of_m", "Particle A (mass $3\\,m$)", "3.00 kg"),

@@ -20,6 +20,7 @@ use momentous_scene::stage::Bowl;
 use momentous_scene::stage::Central;
 use momentous_scene::stage::Conical;
 use momentous_scene::stage::During;
+use momentous_scene::stage::Orbit;
 use momentous_scene::stage::Rotate;
 use momentous_scene::stage::UpOrDown;
 use momentous_solve::Statement;
@@ -73,7 +74,17 @@ pub(super) fn central(quantities: &Quantities<'_>, stage: usize, central: &Centr
     let [before, after] = [place(0), place(1)];
     let angle = turn(quantities, stage, central, [&before, &after]).unwrap_or(after.angle);
     let after = Place { angle, ..after };
-    drawing(quantities, [&central.body, &central.about], stage, [before, after], impulse)
+    let drawing = drawing(quantities, [&central.body, &central.about], stage, [before, after], impulse);
+    // A radial momentum that the solution does not find is there all the same.
+    let is_found = |side: usize| {
+        let name = format!("{}.r", quantities.since(QuantityKind::Velocity, &central.body, stage + side));
+        quantities.named(&name).is_some()
+    };
+    if central.orbit == Some(Orbit::Circle) || [1, 2].into_iter().all(is_found) {
+        return drawing;
+    }
+    let caption = format!("{} Of the momentum, only the transverse part is drawn.", drawing.caption);
+    Drawing { caption, ..drawing }
 }
 
 /// The angle from the first radius to the second in an orbit under gravity: between the nearest and the farthest point half a

@@ -33,8 +33,8 @@ use super::labels::body_math;
 use super::quantities::Quantities;
 use super::sense::given_moment;
 use super::words::OBLIQUE;
-use super::words::arrows;
 use super::words::sentences;
+use super::words::turning_arrows;
 
 /// The bodies that turn, all at once.
 fn turning(quantities: &Quantities<'_>, index: usize) -> (String, Math) {
@@ -68,7 +68,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Mome
     let words = format!("{names} with the angular momentum and the moment about {centre}");
     let wording = Wording {
         title: capitalised(&names),
-        description: sentences([words.clone(), list(&arrows(&body, false))]),
+        description: sentences([words.clone(), list(&turning_arrows(&body))]),
         caption: sentences([words, OBLIQUE.to_owned()]),
     };
     let line = Line { bodies: vec![body], ..Line::default() };

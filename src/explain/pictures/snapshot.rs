@@ -122,6 +122,7 @@ fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place
         legs,
         body: MovingBody { vectors, ..MovingBody::new(body_math(body)) },
         path: None,
+        other_end: None,
         moment: None,
     };
     let wording = Wording {

@@ -180,8 +180,17 @@ pub(super) fn situation_wording(quantities: &Quantities<'_>, bodies: &[(String, 
 
 /// The arrows of a body in words: `v_A1 to the right`.
 pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
+    arrows_called(moving, flat, KINDS)
+}
+
+/// The arrows of what turns in space: angular momentum, and moments.
+pub(super) fn turning_arrows(moving: &MovingBody) -> Vec<String> {
+    arrows_called(moving, false, TURNING_KINDS)
+}
+
+fn arrows_called(moving: &MovingBody, flat: bool, kinds: &[(Role, &str)]) -> Vec<String> {
     let arrow = |moving: &Moving| {
-        let kind = KINDS.iter().find(|(role, _)| *role == moving.role).map_or("", |(_, kind)| kind);
+        let kind = kinds.iter().find(|(role, _)| *role == moving.role).map_or("", |(_, kind)| kind);
         let label = moving.vector.label.plain();
         let direction = match moving.vector.value {
             Some([0.0, 0.0]) => ", which is zero".to_owned(),
@@ -200,6 +209,9 @@ pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
 /// The plural nouns for the arrows of a role.
 const KINDS: &[(Role, &str)] =
     &[(Role::Velocity, "velocity"), (Role::Force, "force"), (Role::Impulse, "impulse"), (Role::Momentum, "momentum")];
+
+/// The same for what turns.
+const TURNING_KINDS: &[(Role, &str)] = &[(Role::Force, "moment"), (Role::Momentum, "angular momentum")];
 
 /// The direction of an arrow on the drawing, in words.
 fn on_paper([x, y]: [f64; 2]) -> String {

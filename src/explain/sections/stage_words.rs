@@ -118,6 +118,11 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     }
 }
 
+/// The name of a fixed point.
+fn point<'s>(scene: &'s Scene, point: &'s str) -> &'s str {
+    scene.points.get(point).map_or(point, |entry| entry.name.as_str())
+}
+
 /// The words for what turns on an arm or on a rotor.
 fn turning(scene: &Scene, rotate: &Rotate) -> String {
     let called = |is_meant: fn(&Arm) -> bool| {
@@ -126,8 +131,9 @@ fn turning(scene: &Scene, rotate: &Rotate) -> String {
     };
     let (held, moved) = (called(|_| true), called(|arm| matches!(arm, Arm::Changing(_))));
     match (&rotate.rotor, &held[..], &moved[..]) {
-        (None, [only], _) => format!("{only} moves round on the arm"),
-        (None, ..) => format!("{} move round on the arm", list(&held)),
+        (None, [only], []) => format!("{only} moves round {}", point(scene, &rotate.about)),
+        (None, _, []) => format!("{} move round {}", list(&held), point(scene, &rotate.about)),
+        (None, ..) => format!("the distance of {} from {} changes", list(&moved), point(scene, &rotate.about)),
         (Some(rotor), [], _) => format!("{} turns", scene.called(rotor)),
         (Some(rotor), _, []) => format!("{} turns, with {} on it", scene.called(rotor), list(&held)),
         (Some(rotor), ..) => {

@@ -5,6 +5,7 @@ use momentous_expr::Function;
 use momentous_expr::Math;
 use momentous_expr::Operator;
 use momentous_expr::Symbol;
+use momentous_model::Shown;
 use momentous_solve::Statement;
 
 use super::super::Block;
@@ -70,11 +71,18 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
         }
         Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
         Origin::Integrate { of, ends } => {
-            let number = derivation.lines.get(*of).and_then(|line| line.number);
+            let source = derivation.lines.get(*of);
+            let number = source.and_then(|line| line.number);
             let mut words = said(format!(
                 "Evaluating the integral{}",
                 number.map_or_else(String::new, |equation| format!(" in ({equation})"))
             ));
+            let shown = source.and_then(|source| source.shown.as_ref());
+            if let (Some(Shown::Integral { of: quantity, .. }), Expr::Symbol(result)) = (shown, &line.left)
+                && *quantity != line.left
+            {
+                words.extend([Inline::Text(" and solving for ".into()), Inline::Math(display.name(*result))]);
+            }
             let ends: Vec<_> = ends.iter().filter_map(|(place, number)| end(display, *place, *number)).collect();
             if !ends.is_empty() {
                 words.push(Inline::Text(", with ".into()));

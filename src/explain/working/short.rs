@@ -144,7 +144,7 @@ impl<'a> ShortSteps<'a> {
             let is_mirrored =
                 values().zip(&taken).all(|(other, mirrored)| (other + mirrored).abs() <= MIRRORED * mirrored.abs());
             if is_mirrored && is_negative {
-                blocks.push(Block::text(&format!("The positive root is not a solution: {}.", worked.why_dead(dead))));
+                blocks.push(Block::text(&format!("The positive root is not the answer: {}.", worked.why_dead(dead))));
             } else if !is_mirrored && values().all(f64::is_finite) {
                 blocks.extend(self.in_symbols.rejected(step, std::iter::once(dead)));
             }

@@ -304,12 +304,12 @@ impl<'a> Steps<'a> {
                 .collect();
             let in_symbols = step.unknowns.iter().any(|unknown| self.display.is_free(*unknown));
             if in_symbols {
-                blocks.push(Block::text(&format!("The other root is not a solution: {reason}.")));
+                blocks.push(Block::text(&format!("The other root is not the answer: {reason}.")));
                 continue;
             }
             let mut words = vec![Inline::Text("The other root, ".into())];
             words.extend(join(values));
-            words.push(Inline::Text(format!(", is not a solution: {reason}.")));
+            words.push(Inline::Text(format!(", is not the answer: {reason}.")));
             blocks.push(Block::Paragraph(words));
         }
         blocks

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::extent::{Contact, Extent};
+use crate::extent::{Contact, Extent, Measure};
 use crate::geometry::arc_points;
 use crate::place::{Anchor, Canvas};
 use crate::{Point, Role, Shape};
@@ -20,6 +20,11 @@ const SMALLEST_ANGLE: f64 = 0.02;
 /// How high the wedge of a slope must be for a label, and how far from its foot it may be so.
 const WEDGE_HEIGHT: f64 = 15.0;
 const WEDGE: (f64, f64) = (30.0, 92.0);
+/// The room that a label takes up between the sides of an angle, beside its height, and how far the sides go on beyond it.
+const LABEL_ROOM: f64 = 4.0;
+const BEYOND_LABEL: f64 = 8.0;
+/// Farther away than this a label stands beside its angle rather than in it.
+const FARTHEST_LABEL: f64 = 80.0;
 /// Strokes keep this far from bodies.
 const CLEARANCE: f64 = 1.0;
 
@@ -57,8 +62,11 @@ impl Vertex {
     }
 
     fn reference(self, angle: f64) -> [Point; 2] {
-        let end = self.inner + REFERENCE.min(REFERENCE_SHARE * self.room);
-        [self.inner, end].map(|distance| self.at + Point::polar(distance, angle))
+        self.line(angle, [self.inner, self.inner + REFERENCE.min(REFERENCE_SHARE * self.room)])
+    }
+
+    fn line(self, angle: f64, distances: [f64; 2]) -> [Point; 2] {
+        distances.map(|distance| self.at + Point::polar(distance, angle))
     }
 
     fn radius(self) -> f64 {
@@ -97,8 +105,43 @@ pub(super) fn draw_angle(canvas: &mut Canvas, vertices: &[Vertex], direction: Po
     let (centre, radius) = (vertex.at, free_radius(canvas, *vertex));
     let (from, to) = if turn > 0.0 { (mark.from, mark.from + turn) } else { (mark.from + turn, mark.from) };
     canvas.draw(Shape::Arc { centre, radius, from, to, arrow: false, role: Role::Guide });
+    let is_long = draw_sides(canvas, *vertex, [mark.from, direction.angle()], &mark.label);
     let prefer = mark.from + f64::midpoint(turn, vertex.taken.copysign(turn));
-    canvas.label(&mark.label, Role::Body, Anchor::Opening { at: centre, radius, prefer });
+    canvas.label(
+        &mark.label,
+        Role::Body,
+        Anchor::Opening { at: centre, radius, prefer, sides: [mark.from, mark.from + turn], is_long },
+    );
+}
+
+/// Goes on with both sides of a small angle, dashed, as far as to the place where there is room for its label between them;
+/// whether it does.
+fn draw_sides(canvas: &mut Canvas, vertex: Vertex, sides: [f64; 2], label: &Math) -> bool {
+    let size = Measure::of(label);
+    let opening = signed_turn(sides[0], sides[1]).abs() - vertex.taken;
+    let end = (size.above + size.below + LABEL_ROOM) / (2.0 * libm::tan(opening / 2.0)) + BEYOND_LABEL;
+    let [_, drawn] = vertex.reference(sides[0]);
+    let reference = (drawn - vertex.at).length();
+    if !(end > reference && end <= FARTHEST_LABEL && end + size.width <= vertex.room) {
+        return false;
+    }
+    for (angle, start) in [(sides[0], reference), (sides[1], farthest(canvas, vertex, sides[1]))] {
+        if start < end + size.width {
+            canvas.line(vertex.line(angle, [start, end + size.width]), Role::Guide, true);
+        }
+    }
+    true
+}
+
+/// How far an arrow from the vertex, or towards it, goes in that direction.
+fn farthest(canvas: &Canvas, vertex: Vertex, angle: f64) -> f64 {
+    let unit = Point::polar(1.0, angle);
+    let ends = canvas.shapes().iter().filter_map(|shape| match shape {
+        Shape::Arrow { from, to, .. } => Some([*from, *to]),
+        _ => None,
+    });
+    let along = ends.flatten().map(|end| end - vertex.at).filter(|way| (*way - unit * way.dot(unit)).length() < 1.0);
+    along.map(|way| way.dot(unit)).fold(vertex.inner, f64::max)
 }
 
 /// The radius of the next arc about a vertex: outside the arcs that are there.

@@ -1,6 +1,6 @@
 //! A body about a fixed centre: a satellite, a ball on a cord, a collar on an arm.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::place::{Anchor, Canvas};
 use crate::{Point, Role, Shape};
@@ -19,6 +19,9 @@ const PATH: f64 = 0.9;
 /// The sketch of an orbit: its eccentricity, which is nobody's, and how far it goes on either side of its nearest point.
 const ECCENTRICITY: f64 = 0.45;
 const ORBIT: f64 = 1.9;
+/// How much smaller a whole orbit is drawn, and its parts.
+const WHOLE: f64 = 0.62;
+const PARTS: u8 = 60;
 
 /// A body about a fixed centre.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +38,8 @@ pub struct Central {
     pub body: MovingBody,
     /// The path through the body, dashed.
     pub path: Option<CentralPath>,
+    /// The label of the distance of the other end of a closed orbit, of which the whole is drawn then.
+    pub other_end: Option<Math>,
     /// A moment about the centre.
     pub moment: Option<Moment>,
 }
@@ -84,18 +89,22 @@ impl Central {
         let angle = if self.angle.is_finite() { self.angle } else { 0.0 };
         let outward = Point::polar(1.0, angle);
         let scales = Scales::of([&self.body], LONGEST);
-        let mut body = self.body.outline().moved(outward * RADIUS);
+        let size = if self.other_end.is_some() && self.path == Some(CentralPath::Nearest) { WHOLE } else { 1.0 };
+        let distance = size * RADIUS;
+        let mut body = self.body.outline().moved(outward * distance);
         body.draw(canvas);
-        draw_centre(canvas, Point::ORIGIN, &self.centre, angle);
-        let end = outward * (RADIUS - body.reach(-outward));
+        // Where the line to the other end of the orbit leaves on the far side, the name stands below.
+        let free = if self.other_end.is_some() { FRAC_PI_2 } else { angle };
+        draw_centre(canvas, Point::ORIGIN, &self.centre, free);
+        let end = outward * (distance - body.reach(-outward));
         canvas.line([outward * CENTRE_DOT, end], Role::Length, false);
         if let Some(label) = &self.radius {
             canvas.label(label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: end });
         }
         if let Some([horizontal, vertical]) = &self.legs {
-            let corner = Point::new(outward.x * RADIUS, 0.0);
+            let corner = Point::new(outward.x * distance, 0.0);
             let upright = Point::new(0.0, if outward.y < 0.0 { -1.0 } else { 1.0 });
-            let height = (outward.y * RADIUS).abs() - body.reach(-upright);
+            let height = (outward.y * distance).abs() - body.reach(-upright);
             for (from, to, label) in
                 [(Point::ORIGIN, corner, horizontal), (corner, corner + upright * height.max(0.0), vertical)]
             {
@@ -104,10 +113,19 @@ impl Central {
             }
         }
         if let Some(path) = self.path {
-            let hidden = 1.1 * body.support(outward.turned()) / RADIUS;
-            for (from, to) in [(-path.reach(), -hidden), (hidden, path.reach())] {
-                let parts = (0..=12).map(|part| from + (to - from) * f64::from(part) / 12.0);
-                canvas.line(parts.map(|part| Point::polar(path.radius(part), angle + part)), Role::Path, true);
+            let hidden = 1.1 * body.support(outward.turned()) / distance;
+            let at = |part: f64| Point::polar(size * path.radius(part), angle + part);
+            let parts = |from: f64, to: f64, parts: u8| {
+                (0..=parts).map(move |part| at(from + (to - from) * f64::from(part) / f64::from(parts)))
+            };
+            if let Some(label) = &self.other_end {
+                canvas.line(parts(hidden, TAU - hidden, PARTS), Role::Path, true);
+                canvas.line([-outward * CENTRE_DOT, at(PI)], Role::Length, false);
+                canvas.label(label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: at(PI) });
+            } else {
+                for [from, to] in [[-path.reach(), -hidden], [hidden, path.reach()]] {
+                    canvas.line(parts(from, to, 12), Role::Path, true);
+                }
             }
         }
         for moving in &self.body.vectors {

@@ -20,7 +20,8 @@ const PIVOT: f64 = 1.8;
 const STEEPEST_UNDER_CEILING: f64 = 1.2;
 /// Angles less far from the vertical, or from each other, are drawn so, to keep the places apart.
 const SMALLEST: f64 = 0.4;
-const LARGEST: f64 = 2.6;
+/// The largest angle that has a side on which its arc lies: a half turn but for what nobody sees.
+const LARGEST: f64 = PI - 0.025;
 /// From the pivot to the arc of the first angle; the second lies further out.
 const ARC_ROOM: f64 = 12.0;
 const NEXT_ARC: f64 = 18.0;
@@ -129,8 +130,9 @@ impl Swing {
         }
         if let (Some(height), [first, second]) = (&self.height, &outlines[..]) {
             let gap = if self.ends.iter().any(|end| !end.vectors.is_empty()) { LONGEST } else { 0.0 };
-            // Beside the whole of a track.
-            let least = if self.on_track() { CORD + DIMENSION_GAP } else { 0.0 };
+            // Beside the whole of a track, and of a path that leads round its side.
+            let is_wide = self.on_track() || angles.iter().any(|angle| angle.abs() > FRAC_PI_2);
+            let least = if is_wide { CORD + DIMENSION_GAP } else { 0.0 };
             draw_height(canvas, [first, second], [gap, least], height);
         }
     }

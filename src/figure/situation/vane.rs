@@ -95,9 +95,15 @@ impl Vane {
         canvas.label(&self.name, Role::Body, Anchor::Around { at, radius: 2.0, prefer: back.angle() + PI / 3.0 });
         for (number, moving) in (0_u8..).zip(&self.vectors) {
             let Some(arrow) = scales.arrow(moving) else { continue };
-            let from = at + back * 2.0 - back.turned() * (LANE * f64::from(number));
-            canvas.arrow(from, from + arrow, moving.role);
-            label_arrow(canvas, [from, from + arrow], Attach::Leaving, &moving.vector.label, moving.role);
+            let place = at + back * 2.0 - back.turned() * (LANE * f64::from(number));
+            // An arrow into the jet ends at the vane instead.
+            let (ends, attach) = if arrow.dot(back) < 0.0 {
+                ([place - arrow, place], Attach::Arriving)
+            } else {
+                ([place, place + arrow], Attach::Leaving)
+            };
+            canvas.arrow(ends[0], ends[1], moving.role);
+            label_arrow(canvas, ends, attach, &moving.vector.label, moving.role);
         }
     }
 

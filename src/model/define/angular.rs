@@ -105,7 +105,10 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
     let whose = format!("about {centre} {}", builder.when(instant));
     let meaning = Meaning { noun: "the moment of the forces", of: whose };
     let symbol = builder.component(builder.canonical(name), meaning);
-    let because = "each force is multiplied by its arm";
+    let because = match builder.axes.len() {
+        3 => "the moment of a force is the vector product of its position and the force",
+        _ => "each force is multiplied by its arm",
+    };
     builder.law(&angular::MOMENT, None, because, (symbol.into(), Expr::sum(terms)));
     Some(symbol)
 }

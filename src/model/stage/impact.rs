@@ -9,6 +9,7 @@ use crate::Reason;
 use crate::directions::Split;
 use crate::frame::Frame;
 use crate::weight_in_contact::Lasting;
+use crate::wording;
 use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -128,7 +129,7 @@ impl Builder<'_> {
         let along = |split: &Split| split.along.clone();
         self.internal_impulse(contact, [first, second], &frame, [&mass_a, &mass_b], [&a1, &b1], [&a2, &b2]);
         let because = format!(
-            "the impulses that {name_a} and {name_b} exert on each other cancel, and no other impulse acts{line}"
+            "the impulses that {name_a} and {name_b} exert on each other cancel, and in the short impact any other{line} is negligible"
         );
         let sides = momentum::conservation(
             &[(mass_a.clone(), along(&a1)), (mass_b.clone(), along(&b1))],
@@ -182,7 +183,7 @@ impl Builder<'_> {
             Expr::from(self.symbol(name, meaning))
         });
         for side in [0, 1] {
-            let because = format!("the only impulse on {} alone is that of the contact", names[side]);
+            let because = wording::only_contact(&names[side]);
             let start = self.changed(bodies[side], index + 1, before[side]);
             let end = self.changed(bodies[side], index + 2, after[side]);
             let sides = momentum::impulse_momentum(masses[side], &start, std::slice::from_ref(&impulses[side]), &end);
@@ -273,7 +274,7 @@ impl Builder<'_> {
             let end = after.map(|body| self.velocity(body, index + 2, *axis));
             let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
             let because = format!(
-                "the impulses that {} and {} exert on each other cancel, and no other impulse acts{along}",
+                "the impulses that {} and {} exert on each other cancel, and in the short impact any other{along} is negligible",
                 names[0], names[1]
             );
             let pair = |values: &[Expr; 2]| [0, 1].map(|index| (masses[index].clone(), values[index].clone()));
@@ -290,7 +291,7 @@ impl Builder<'_> {
                 let name = Name::of(QuantityKind::Impulse, before[side]).along(self.letter(*axis));
                 let impulse = name.during(self.stage_label(index));
                 let impulse = Expr::from(self.symbol(impulse, meaning));
-                let because = format!("the only impulse on {} alone is that of the contact", names[side]);
+                let because = wording::only_contact(&names[side]);
                 let sides =
                     momentum::impulse_momentum(&masses[side], &start[side], std::slice::from_ref(&impulse), &end[side]);
                 self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);

@@ -1,6 +1,7 @@
 //! Forces of known law over a time: their impulses, weight, and friction with its normal force.
 
 use crate::Agent;
+use crate::Because;
 use crate::Builder;
 use crate::Impulse;
 use crate::Integral;
@@ -203,11 +204,8 @@ impl Builder<'_> {
             let along: Vec<Expr> = along.into_iter().filter(|impulse| !impulse.is_zero()).collect();
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let after = if pushed.stops { Expr::zero() } else { after };
-            let because = if along.is_empty() {
-                format!("no impulse acts on {name} along {}", axis.letter())
-            } else {
-                format!("the impulse of the forces on {name} equals the change of momentum")
-            };
+            let still = || Because::Fact(format!("no impulse acts on {name} along {}", axis.letter()));
+            let because = if along.is_empty() { still() } else { Because::Definition };
             let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
             let weight = match (on_slope, self.downwards(position)) {

@@ -211,7 +211,10 @@ impl Builder<'_> {
             Expr::sum(self.components(direction).into_iter().zip(forces).map(|(part, force)| part * force.clone()));
         let meaning = format!("the power of the force of {} on {name}", stage.by);
         let power = Expr::from(self.symbol(power, meaning));
-        let because = format!("{name} moves along the line of the force of {}", stage.by);
+        let because = match forces.len() {
+            1 => format!("{name} moves along the line of the force of {}", stage.by),
+            _ => format!("only the part of the force of {} along the motion of {name} does work", stage.by),
+        };
         self.law(&variable_mass::POWER, Some(index), because, (power, along * moves.clone()));
     }
 

@@ -75,7 +75,10 @@ impl Builder<'_> {
             self.momentum_along_guide(guide, index, std::slice::from_ref(&components), &because);
         } else {
             let because = match fallen {
-                None => format!("along the normal, the only impulse on {name} is that of {wall}"),
+                None if start.across.is_none() => {
+                    format!("in the short impact, any impulse on {name} but that of {wall} is negligible")
+                }
+                None => format!("along the normal, any impulse on {name} but that of {wall} is negligible"),
                 Some(_) => format!("along the normal, {wall} and weight exert impulses on {name}"),
             };
             let acting: Vec<Expr> =

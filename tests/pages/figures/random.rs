@@ -145,6 +145,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             path: dice.chance(60).then(|| if dice.chance(50) { CentralPath::Circle } else { CentralPath::Nearest }),
             legs: dice.chance(40).then(|| [sub("r", "x"), sub("r", "y")]),
             moment: dice.chance(50).then(|| Moment { label: name("M"), value: dice.between(-1.0, 1.0) }),
+            other_end: dice.chance(40).then(|| sub("r", "max")),
         }),
         _ => Layout::Fall(Fall {
             end: None,

@@ -234,6 +234,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
             .with(velocity(Math::Sub(Arc::new(name("v")), Arc::new(name("\u{3b8}"))), [-1.7, 2.48])),
         path: Some(CentralPath::Circle),
         legs: None,
+        other_end: None,
         moment: Some(Moment { label: name("M"), value: 3.0 }),
     };
     let height = |label: &str, value| Height { label: Some(sub("h", label)), value };

@@ -21,6 +21,7 @@ use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::sense::given_moment;
 use super::super::words::about_wording;
+use super::super::words::sentences;
 
 /// The direction in which the body is drawn, seen from the centre, in radians.
 const PLACE: f64 = 0.5;
@@ -37,7 +38,9 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
     let name = quantities.velocity_name(body, 1);
     let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength, rotate.during.as_ref()));
     let forces = arm::along_path(quantities, rotate, body, PLACE);
-    draw(quantities, [body, &rotate.about], radius, &name, forces, Some(CentralPath::Circle), moment)
+    let vectors = velocity(quantities, &name).into_iter().chain(forces).collect();
+    let places = Places { radius, path: Some(CentralPath::Circle), other_end: None };
+    draw(quantities, [body, &rotate.about], places, vectors, moment)
 }
 
 /// A body under a central force at the first place.
@@ -46,7 +49,20 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
     let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
     let radius = quantities.named(&radius).map(|_| name_math(&radius)).or_else(|| quantities.asked_name(&radius));
     let path = orbit(quantities, central, &name);
-    draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), Vec::new(), path, None)
+    let vectors = velocity(quantities, &format!("{name}.theta")).into_iter().collect();
+    let other_end = other_end(quantities, central, path);
+    draw(quantities, [&central.body, &central.about], Places { radius, path, other_end }, vectors, None)
+}
+
+/// The label of the distance of the other end of an orbit that is told to be an ellipse: given or asked, or of a solution.
+fn other_end(quantities: &Quantities<'_>, central: &stage::Central, path: Option<CentralPath>) -> Option<Math> {
+    let end = match path? {
+        CentralPath::Nearest => "max",
+        CentralPath::Farthest => "min",
+        CentralPath::Circle => return None,
+    };
+    let name = format!("r_{}.{end}", central.body);
+    quantities.named(&name).map(|_| name_math(&name)).or_else(|| quantities.asked_name(&name))
 }
 
 /// The orbit, where what is printed tells that the body is at its nearest or its farthest point.
@@ -77,26 +93,38 @@ fn goes_out(quantities: &Quantities<'_>, central: &stage::Central, [radius, acro
     second.map(|second| second > radius).or_else(slower)
 }
 
+/// What is told of the way of a body about a centre: the label at its distance, its path, the label at its other end.
+struct Places {
+    radius: Option<Math>,
+    path: Option<CentralPath>,
+    other_end: Option<Math>,
+}
+
+/// The velocity across the radius, where it is given or asked.
+fn velocity(quantities: &Quantities<'_>, name: &str) -> Option<Moving> {
+    let (sine, cosine) = (libm::sin(PLACE), libm::cos(PLACE));
+    let across = |label, value: f64| Moving::velocity(LabelledVector::known(label, [-value * sine, value * cosine]));
+    let told = quantities.named(name).map(|value| across(name_math(name), value));
+    told.or_else(|| Some(across(quantities.asked_name(name)?, 1.0).asked()))
+}
+
 fn draw(
     quantities: &Quantities<'_>,
     [body, about]: [&str; 2],
-    radius: Option<Math>,
-    velocity: &str,
-    forces: Vec<Moving>,
-    path: Option<CentralPath>,
+    Places { radius, path, other_end }: Places,
+    vectors: Vec<Moving>,
     moment: Option<Moment>,
 ) -> Option<Drawing> {
-    let (sine, cosine) = (libm::sin(PLACE), libm::cos(PLACE));
-    let across = |label, value: f64| Moving::velocity(LabelledVector::known(label, [-value * sine, value * cosine]));
-    let told = quantities.named(velocity).map(|value| across(name_math(velocity), value));
-    let velocity = told.or_else(|| Some(across(quantities.asked_name(velocity)?, 1.0).asked()));
-    let vectors: Vec<Moving> = velocity.into_iter().chain(forces).collect();
     if radius.is_none() && vectors.is_empty() {
         return None;
     }
     let moving = MovingBody { vectors, ..MovingBody::new(body_math(body)) };
-    let wording = about_wording(quantities, [body, about], radius.as_ref(), &moving, moment.as_ref());
+    let mut wording = about_wording(quantities, [body, about], radius.as_ref(), &moving, moment.as_ref());
+    if let Some(distance) = &other_end {
+        let end = format!("the other end of the orbit lies {} from {}", distance.plain(), quantities.point(about));
+        wording.description = format!("{} {}", wording.description, sentences([end]));
+    }
     let centre = body_math(about);
-    let central = Central { centre, angle: PLACE, radius, legs: None, body: moving, path, moment };
+    let central = Central { centre, angle: PLACE, radius, legs: None, body: moving, path, other_end, moment };
     Some(Situation { wording, layout: Layout::Central(central), axes: Vec::new() }.drawing())
 }

@@ -186,8 +186,9 @@ fn at_lift_off(quantities: &Quantities<'_>, compass: &Compass, stage: &Thrust) -
         let vector = Labelled { label, value: Some(quantities.along_axes(&[size])?) };
         Some(Moving::force(vector.placed(compass)))
     };
+    // The exhaust is in the way of what points backwards from there.
     let weight = Math::Row(vec![name_math("m"), Math::Operator(Operator::Juxtapose), name_math("g")]);
-    [along(label, thrust), along(weight, -thrust)].into_iter().collect()
+    [along(label, thrust), along(weight, -thrust).map(Moving::arriving)].into_iter().collect()
 }
 
 fn body_wording(quantities: &Quantities<'_>, index: usize, name: &str, body: &MovingBody) -> Wording {
