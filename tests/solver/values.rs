@@ -232,7 +232,11 @@ fn bracketed_roots_have_true_bounds() {
 #[test]
 fn a_pole_is_no_root() {
     let mut solver = Solver::new(World::new(&["tan(t) - t*a = 0*t^2"]), "a=1", "t");
-    near(solver.value("t"), 4.493_409_457_909_064);
+    let symbol = solver.world.symbol("t");
+    let outcome = solver.solve();
+    assert_eq!(outcome.survivors(), 2);
+    near(*outcome.value(symbol).unwrap(), 4.493_409_457_909_064);
+    near(*outcome.value_in(1, symbol).unwrap(), 7.725_251_836_937_707);
 }
 
 #[test]

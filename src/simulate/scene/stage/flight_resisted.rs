@@ -48,7 +48,11 @@ impl StageRun<'_> {
                 })
             }
         };
-        let end = if stage.until.is_none() {
+        // A film shows the passage that the laws found, of several of one place.
+        let shown = self.motions.as_ref().and_then(|_| self.values.duration().ok());
+        let end = if let Some(time) = shown {
+            self.go(&system, integrator, &Until::Time(time))?
+        } else if stage.until.is_none() {
             let during = stage.during.as_ref();
             let time = during.map_or_else(|| self.values.duration(), |term| self.values.term(term))?;
             self.go(&system, integrator, &Until::Time(time))?
