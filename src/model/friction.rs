@@ -205,6 +205,22 @@ impl Builder<'_> {
         self.passages.push(Passage { place: clock, ends, kinetic: start + gained, reason, way: None });
     }
 
+    /// Notes that a changing push exceeds the greatest static friction neither ahead nor backwards before a time, where a body is
+    /// held until then.
+    fn watch_held(&mut self, pushed: &Pushed<'_>, [along, threshold]: [&Expr; 2], until: &Expr, what: &str) {
+        let name = self.called(pushed.body);
+        let (ahead, backwards) = (Reason::Beyond(name.clone()), Reason::BeyondBackwards(name));
+        for (push, reason) in [(along.clone(), ahead), (-along.clone(), backwards)] {
+            self.passages.push(Passage {
+                place: pushed.clock,
+                ends: [pushed.start.clone(), until.clone()],
+                kinetic: threshold.clone() - push,
+                reason,
+                way: Some((self.choices.len(), what.to_owned())),
+            });
+        }
+    }
+
     /// A body that starts from rest: it slides from the time at which the push reaches the threshold, at once, or not at all. One that
     /// may move already is held by kinetic friction only.
     fn start_from_rest(&mut self, pushed: &Pushed<'_>, contact: &Contact, threshold: &Expr) {
@@ -236,16 +252,7 @@ impl Builder<'_> {
             moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
             let held = -at(threshold, start);
             moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
-            let ahead = Reason::Beyond(name.clone());
-            for (push, reason) in [(along.clone(), ahead), (-along.clone(), backwards.clone())] {
-                self.passages.push(Passage {
-                    place: pushed.clock,
-                    ends: [start.clone(), begins.clone()],
-                    kinetic: threshold.clone() - push,
-                    reason,
-                    way: Some((self.choices.len(), moves.what.clone())),
-                });
-            }
+            self.watch_held(pushed, [along, threshold], &begins, &moves.what);
             let late = Reason::NeverBeyond(name.clone());
             moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
             ways.push(moves);
@@ -279,15 +286,9 @@ impl Builder<'_> {
                 let held = self.condition(at(&push, time), Relation::AtMost, at(threshold, time), reason.clone());
                 stays.conditions.push(held);
             }
-            if changes {
-                self.passages.push(Passage {
-                    place: pushed.clock,
-                    ends: [start.clone(), end.clone()],
-                    kinetic: threshold.clone() - push,
-                    reason,
-                    way: Some((self.choices.len(), stays.what.clone())),
-                });
-            }
+        }
+        if changes {
+            self.watch_held(pushed, [along, threshold], end, &stays.what);
         }
         ways.push(stays);
         if may_move {

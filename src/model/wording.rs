@@ -91,6 +91,13 @@ pub(super) fn quoted(names: impl IntoIterator<Item = String>, conjunction: &str)
     names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(conjunction)
 }
 
+/// The reason why momentum is conserved in a short impact of two bodies; `line` says along which, as in ` along x`.
+pub(crate) fn only_between([one, other]: [&str; 2], line: &str) -> String {
+    format!(
+        "the impulses that {one} and {other} exert on each other cancel, and in the short impact any other{line} is negligible"
+    )
+}
+
 /// The reason why only the impulse of a contact counts for one of its bodies.
 pub(crate) fn only_contact(name: &str) -> String {
     format!("in the short impact, any impulse on {name} alone but that of the contact is negligible")

@@ -93,7 +93,8 @@ pub(super) fn continues(row: &[Item<'_>]) -> bool {
 
 /// What a row takes with the gap at its beginning.
 fn row_width(row: &[Item<'_>]) -> f64 {
-    if continues(row) { width(&[indent(), row.to_vec()].concat()) } else { width(row) }
+    let gap = if continues(row) { indent() } else { Vec::new() };
+    Math::row_width(gap.iter().chain(row).map(|item| &*item.math))
 }
 
 /// Breaks before relations first, before plus and minus only within a part that is still too long, and before the factors of

@@ -29,13 +29,13 @@ impl Fragment {
     /// A run of text and mathematics.
     #[must_use]
     pub fn inline(run: &[Inline]) -> Self {
-        Self(Html.inline(run))
+        Self(Html::Narrow.inline(run))
     }
 
     /// Mathematics within a line.
     #[must_use]
     pub fn math(math: &Math) -> Self {
-        Self(Html.math(math))
+        Self(Html::Narrow.math(math))
     }
 
     /// A figure as SVG that takes the style of its page, without its caption.
@@ -64,7 +64,7 @@ impl Fragment {
     /// # Errors
     /// Where the text is not fit to print.
     pub fn authored(name: &str, text: &str, level: usize) -> Result<Self, Faults> {
-        Ok(Self(Html.authored(&Authored::check(name, text)?, level)))
+        Ok(Self(Html::Narrow.authored(&Authored::check(name, text)?, level)))
     }
 
     /// A whole page of a document, without the document around it.

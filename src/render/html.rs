@@ -13,6 +13,7 @@ use super::authored::Authored;
 use super::authored::Piece;
 use super::equation;
 use super::equation::NUMBER;
+use super::equation::PAPER;
 use super::equation::Row;
 use super::equation::SCREEN;
 use super::writer::Writer;
@@ -21,11 +22,20 @@ use super::writer::Writer;
 const SMALLER: [&str; 3] = ["tight", "tighter", "tightest"];
 
 /// The writer of HTML.
-pub(super) struct Html;
+pub(super) enum Html {
+    /// For a screen that may be that of a telephone.
+    Narrow,
+    /// For a page that is as wide as paper.
+    Wide,
+}
 
 impl Writer for Html {
     fn widest(&self, is_numbered: bool) -> f64 {
-        if is_numbered { SCREEN - NUMBER } else { SCREEN }
+        match self {
+            Self::Wide => PAPER,
+            Self::Narrow if is_numbered => SCREEN - NUMBER,
+            Self::Narrow => SCREEN,
+        }
     }
 
     fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
@@ -41,7 +51,7 @@ impl Writer for Html {
     }
 
     fn math(&self, math: &Math) -> String {
-        equation::pieces(math, SCREEN).iter().map(|piece| piece.mathml(false)).collect()
+        equation::pieces(math, self.widest(false)).iter().map(|piece| piece.mathml(false)).collect()
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {

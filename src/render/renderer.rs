@@ -37,6 +37,8 @@ pub struct Renderer {
     language: String,
     /// A rule with the font of mathematics; empty where documents do without.
     font: String,
+    /// Whether HTML is as wide as paper.
+    is_wide: bool,
 }
 
 impl Renderer {
@@ -56,7 +58,7 @@ impl Renderer {
                 kept.get_or_init(|| loaded);
             }
         }
-        Ok(Self { templates, figures: Figures::Inline, language: "en".to_owned(), font: String::new() })
+        Ok(Self { templates, figures: Figures::Inline, language: "en".to_owned(), font: String::new(), is_wide: false })
     }
 
     /// The same renderer, with the figures of Markdown documents elsewhere.
@@ -70,6 +72,13 @@ impl Renderer {
     #[must_use]
     pub fn language(mut self, tag: &str) -> Self {
         tag.clone_into(&mut self.language);
+        self
+    }
+
+    /// The same renderer, whose HTML documents are as wide as paper: their equations break as in print, and not for a telephone.
+    #[must_use]
+    pub fn wide(mut self) -> Self {
+        self.is_wide = true;
         self
     }
 
@@ -134,7 +143,7 @@ impl Renderer {
 
     /// A page alone, as HTML.
     pub(super) fn body(&self, page: &Page) -> Result<String, Faults> {
-        let mut view = View::new(Format::Html, &self.figures);
+        let mut view = View::new(Format::Html, &self.figures, self.is_wide);
         let context = view.document(&[PageView::from(page)])?;
         self.templates(Format::Html)?.render_from("body.tera", &context)
     }
@@ -152,7 +161,7 @@ impl Renderer {
 
     fn document(&self, pages: &[PageView], format: Format) -> Result<Document, Faults> {
         let templates = self.templates(format)?;
-        let mut view = View::new(format, &self.figures);
+        let mut view = View::new(format, &self.figures, self.is_wide);
         let mut context = view.document(pages)?;
         context.insert("language", &self.language);
         let (code, region) = typst_text::language(&self.language);

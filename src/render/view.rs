@@ -51,13 +51,13 @@ fn optional<T>(value: Option<T>, make: impl FnOnce(T) -> Value) -> Value {
 
 impl<'a> View<'a> {
     /// A view for one document.
-    pub fn new(format: Format, figures: &'a Figures) -> Self {
+    pub fn new(format: Format, figures: &'a Figures, is_wide: bool) -> Self {
         let beside_prefix = match (format, figures) {
             (Format::Markdown, Figures::Beside(prefix)) => Some(prefix.as_str()),
             _ => None,
         };
         let unstyled = format == Format::Html && *figures == Figures::Unstyled;
-        Self { writer: writer(format), format, beside_prefix, unstyled, level: 1, beside: Vec::new() }
+        Self { writer: writer(format, is_wide), format, beside_prefix, unstyled, level: 1, beside: Vec::new() }
     }
 
     /// The values of the whole document: `title`, `level` and `pages`.

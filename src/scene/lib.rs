@@ -157,6 +157,12 @@ impl Scene {
         }
     }
 
+    /// How a point is called in a sentence: `the pivot`.
+    #[must_use]
+    pub fn point<'s>(&'s self, point: &'s str) -> &'s str {
+        self.points.get(point).map_or(point, |entry| &entry.name)
+    }
+
     /// A body as it does something, the verb for one body and for several: `the boat moves`, `the arrow and the target
     /// together move`.
     #[must_use]

@@ -55,13 +55,11 @@ fn faults(exercise: &Exercise, page: &Page) -> Vec<String> {
     let mut faults = Vec::new();
     let printed: Vec<String> = poppler::pages(&pdf).iter().map(|text| without_foot(text, exercise)).collect();
     let (printed, shown) = (printed.concat(), text_of(&html));
-    let [brackets, rows] = ["<mtext>[</mtext>", "<mtr>"].map(|element| html.matches(element).count());
-    let differences: Vec<_> = difference(&signs(&printed), &signs(&shown))
-        .into_iter()
-        .filter(|difference| !comes_of_breaking(*difference, brackets, rows))
-        .collect();
-    if !differences.is_empty() {
-        faults.push(format!("letters and digits differ: {differences:?}\n{printed}\n{shown}"));
+    if signs(&printed) != signs(&shown) {
+        faults.push(format!(
+            "letters and digits differ: {:?}\n{printed}\n{shown}",
+            difference(&signs(&printed), &signs(&shown))
+        ));
     }
     let mut written = words(&printed).into_iter();
     let in_lines = match page {
@@ -81,17 +79,6 @@ fn faults(exercise: &Exercise, page: &Page) -> Vec<String> {
     }
     faults.extend(lonely_headings(&poppler::pages(&pdf), page));
     faults
-}
-
-/// Whether a sign stands more often in HTML because it breaks rows for a telephone: a wide fraction is written there as one over its
-/// denominator times a bracket, a wide root as the power 1/2 of a bracket, and a product that goes on in the next row with its sign.
-fn comes_of_breaking((sign, printed, shown): (char, usize, usize), brackets: usize, rows: usize) -> bool {
-    let more = match sign {
-        '1' | '2' => brackets,
-        '\u{d7}' => rows,
-        _ => return false,
-    };
-    (printed..=printed + more).contains(&shown)
 }
 
 /// Headings that are the last of a page.

@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 use momentous::render::{Format, Page, Press, Renderer};
 
 static PRESS: LazyLock<Press> = LazyLock::new(|| Press::new(None).unwrap());
-static RENDERER: LazyLock<Renderer> = LazyLock::new(|| Renderer::new(None).unwrap());
+static RENDERER: LazyLock<Renderer> = LazyLock::new(|| Renderer::new(None).unwrap().wide());
 
 /// The pages as PDF; a warning is a failure, too.
 fn print(pages: &[Page]) -> Vec<u8> {

@@ -269,6 +269,6 @@ fn drawing(
 impl Quantities<'_> {
     /// The name of a point in a sentence.
     pub(super) fn point(&self, point: &str) -> String {
-        self.scene().points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
+        self.scene().point(point).to_owned()
     }
 }

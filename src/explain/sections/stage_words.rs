@@ -118,11 +118,6 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     }
 }
 
-/// The name of a fixed point.
-fn point<'s>(scene: &'s Scene, point: &'s str) -> &'s str {
-    scene.points.get(point).map_or(point, |entry| entry.name.as_str())
-}
-
 /// The words for what turns on an arm or on a rotor.
 fn turning(scene: &Scene, rotate: &Rotate) -> String {
     let called = |is_meant: fn(&Arm) -> bool| {
@@ -131,9 +126,9 @@ fn turning(scene: &Scene, rotate: &Rotate) -> String {
     };
     let (held, moved) = (called(|_| true), called(|arm| matches!(arm, Arm::Changing(_))));
     match (&rotate.rotor, &held[..], &moved[..]) {
-        (None, [only], []) => format!("{only} moves round {}", point(scene, &rotate.about)),
-        (None, _, []) => format!("{} move round {}", list(&held), point(scene, &rotate.about)),
-        (None, ..) => format!("the distance of {} from {} changes", list(&moved), point(scene, &rotate.about)),
+        (None, [only], []) => format!("{only} moves round {}", scene.point(&rotate.about)),
+        (None, _, []) => format!("{} move round {}", list(&held), scene.point(&rotate.about)),
+        (None, ..) => format!("the distance of {} from {} changes", list(&moved), scene.point(&rotate.about)),
         (Some(rotor), [], _) => format!("{} turns", scene.called(rotor)),
         (Some(rotor), _, []) => format!("{} turns, with {} on it", scene.called(rotor), list(&held)),
         (Some(rotor), ..) => {

@@ -115,7 +115,7 @@ impl Builder<'_> {
 
     /// The name of a point in a sentence.
     pub(crate) fn point(&self, point: &str) -> String {
-        self.scene.points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
+        self.scene.point(point).to_owned()
     }
 
     /// Radius and transverse velocity of a body at an instant.

@@ -128,9 +128,7 @@ impl Builder<'_> {
 
         let along = |split: &Split| split.along.clone();
         self.internal_impulse(contact, [first, second], &frame, [&mass_a, &mass_b], [&a1, &b1], [&a2, &b2]);
-        let because = format!(
-            "the impulses that {name_a} and {name_b} exert on each other cancel, and in the short impact any other{line} is negligible"
-        );
+        let because = wording::only_between([&name_a, &name_b], line);
         let sides = momentum::conservation(
             &[(mass_a.clone(), along(&a1)), (mass_b.clone(), along(&b1))],
             &[(mass_a, along(&a2)), (mass_b, along(&b2))],
@@ -273,10 +271,7 @@ impl Builder<'_> {
             let start = before.map(|body| self.velocity(body, index + 1, *axis));
             let end = after.map(|body| self.velocity(body, index + 2, *axis));
             let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
-            let because = format!(
-                "the impulses that {} and {} exert on each other cancel, and in the short impact any other{along} is negligible",
-                names[0], names[1]
-            );
+            let because = wording::only_between([&names[0], &names[1]], &along);
             let pair = |values: &[Expr; 2]| [0, 1].map(|index| (masses[index].clone(), values[index].clone()));
             let united = after[0] == after[1];
             let total = if united {

@@ -255,7 +255,7 @@ impl Scratch {
 
     /// A solved quantity in SI units, with a bound on its error.
     pub(crate) fn value(&self, regimes: &Regimes, symbol: Symbol) -> Option<Bounded> {
-        self.outcome(regimes)?.value(symbol).copied().filter(Real::is_real)
+        self.value_in(regimes, 0, symbol)
     }
 
     /// A quantity in the solution at that position.

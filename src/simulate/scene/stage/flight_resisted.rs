@@ -3,6 +3,7 @@
 use momentous_scene::stage::{Flight, Resistance};
 
 use crate::scene::course::Until;
+use crate::scene::integrate::Integrator;
 use crate::scene::nothing::NothingToSimulate;
 use crate::scene::particles::{Force, Particle, place, velocity};
 use crate::scene::stage_run::StageRun;
@@ -59,19 +60,16 @@ impl StageRun<'_> {
         } else {
             if signed(&system.state()) == 0.0 {
                 // A moment later it is on the side from which it comes back.
-                let soon = self.go(&system, integrator, &Until::Time(SOON))?;
-                system.go_on_from(&soon);
+                self.go_on_for_a_moment(&mut system, integrator)?;
             }
             let mut side = signed(&system.state()).signum();
-            let mut end = self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?;
             for _ in 0..self.crossing {
-                system.go_on_from(&end);
-                let soon = self.go(&system, integrator, &Until::Time(end.time + SOON))?;
-                system.go_on_from(&soon);
+                let passed = self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?;
+                system.go_on_from(&passed);
+                self.go_on_for_a_moment(&mut system, integrator)?;
                 side = -side;
-                end = self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?;
             }
-            end
+            self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?
         };
         let moved = displaced(&end.state, &starts);
         self.note_velocity(body.name, velocity(&end.state, 0), size(body.velocity));
@@ -83,6 +81,17 @@ impl StageRun<'_> {
             }
         }
         self.note_duration(stage.during.as_ref(), end.time);
+        Ok(())
+    }
+
+    /// Lets a body go on until it has left the place where it is.
+    fn go_on_for_a_moment(
+        &mut self,
+        system: &mut System<'_, 6>,
+        integrator: Integrator,
+    ) -> Result<(), NothingToSimulate> {
+        let soon = self.go(system, integrator, &Until::Time(system.start + SOON))?;
+        system.go_on_from(&soon);
         Ok(())
     }
 }
