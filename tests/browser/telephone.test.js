@@ -1,4 +1,4 @@
-// Solutions on a telephone: nothing that a page holds is wider than its screen.
+// Sheets and solutions on a telephone: nothing that a page holds is wider than its screen.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -22,19 +22,23 @@ const TOO_WIDE = {
     "a bracket of three products, each with the square of a sine or a cosine, in the denominator of a fraction under a root",
 };
 
-/** The solutions of the whole bank, one for each form. */
+/** Where the pages of a problem begin: its sheet, to be answered, and its worked solution. */
+const PAGES = ["/practice/", "/solution/"];
+
+/** The sheets and solutions of the whole bank, one of each for a form. */
 function addresses() {
   const lines = execFileSync(program, ["list", "--format", "json"], { cwd: site.folder, encoding: "utf8" }).trim().split("\n");
-  return lines.map((line) => JSON.parse(line)).flatMap((/** @type {{ id: string, forms: string[] }} */ { id, forms }) =>
-    forms.length === 0 ? [`/solution/${id}?seed=${SEED}`] : forms.map((form) => `/solution/${id}?form=${form}&seed=${SEED}`),
+  const forms = lines.map((line) => JSON.parse(line)).flatMap((/** @type {{ id: string, forms: string[] }} */ { id, forms }) =>
+    forms.length === 0 ? [`${id}?seed=${SEED}`] : forms.map((form) => `${id}?form=${form}&seed=${SEED}`),
   );
+  return PAGES.flatMap((begin) => forms.map((form) => begin + form));
 }
 
 /** How many pages are asked for at once. */
 const AT_ONCE = 8;
 
 /**
- * What is too wide in the solutions at those addresses, each shown in the page that is open: the text of such an equation or
+ * What is too wide in the pages at those addresses, each shown in the page that is open: the text of such an equation or
  * table, and "the page" where that itself is too wide. All that is folded is opened.
  * @param {string[]} addresses
  * @returns {Promise<string[][]>}
@@ -42,9 +46,9 @@ const AT_ONCE = 8;
 async function too_wide(addresses) {
   const texts = addresses.map(async (address) => (await fetch(address)).text());
   return (await Promise.all(texts)).map((text) => {
-    const solution = new DOMParser().parseFromString(text, "text/html").querySelector("main");
-    if (!solution) throw new Error("a page without a main part");
-    document.querySelector("main")?.replaceWith(document.adoptNode(solution));
+    const main = new DOMParser().parseFromString(text, "text/html").querySelector("main");
+    if (!main) throw new Error("a page without a main part");
+    document.querySelector("main")?.replaceWith(document.adoptNode(main));
     for (const folded of document.querySelectorAll("details")) folded.open = true;
     const wide = [...document.querySelectorAll(".equation, .table")].filter((part) => part.scrollWidth > part.clientWidth + 1);
     const said = wide.map((part) => (part.textContent ?? "").replace(/\s+/g, " ").trim());
@@ -53,7 +57,7 @@ async function too_wide(addresses) {
   });
 }
 
-test("no solution of the bank scrolls sideways on a telephone", async () => {
+test("no sheet or solution of the bank scrolls sideways on a telephone", async () => {
   const { page, complaints, close } = await site.open({ viewport: TELEPHONE });
   const all = addresses();
   await page.goto(site.url + all[0]);
