@@ -20,6 +20,10 @@ const LONGEST_RADIUS: f64 = 72.0;
 const SHORTEST_LINE: f64 = 10.0;
 /// An arrow whose direction lies this near (cosine) to that of the centre points towards it.
 const INWARDS: f64 = 0.9;
+/// An arrow whose direction lies this far (cosine) from that of the centre points across the radius.
+const ACROSS: f64 = 0.1;
+/// How far a label stands from the line that it is beside.
+const BESIDE: f64 = 3.0;
 /// The arc that stands for an angular impulse, and how far it turns.
 const ARC_RADIUS: f64 = 20.0;
 const ARC_FROM: f64 = -PI / 3.0;
@@ -129,19 +133,29 @@ impl AngularDiagram {
         draw_centre(&mut canvas, Point::ORIGIN, &self.centre, outward);
         let end = Point::polar(distance - reach, outward);
         canvas.line([Point::ORIGIN, end], Role::Length, false);
+        let mut beside = Anchor::Along { from: Point::ORIGIN, to: end };
         for momentum in &state.momenta {
             match momentum.vector().map(|vector| momenta.arrow(vector)) {
                 Some(Some(arrow)) => {
+                    let along = arrow.dot(Point::polar(1.0, outward)) / arrow.length();
                     // Towards the centre, the radius is in the way.
-                    let inwards = arrow.dot(Point::polar(1.0, outward)) < -INWARDS * arrow.length();
-                    let attach = if inwards { Attach::Arriving } else { Attach::Leaving };
-                    body.draw_arrow(&mut canvas, arrow, attach, &momentum.label, Role::Momentum);
+                    let attach = if along < -INWARDS { Attach::Arriving } else { Attach::Leaving };
+                    if along.abs() > ACROSS || state.momenta.len() == 1 {
+                        body.draw_arrow(&mut canvas, arrow, attach, &momentum.label, Role::Momentum);
+                        continue;
+                    }
+                    // The label of the part across the radius has the near side for itself, and that of the radius its other side.
+                    let (from, to) = body.attach(arrow, attach);
+                    canvas.arrow(from, to, Role::Momentum);
+                    let at = |at: Point, prefer: f64| Anchor::Around { at, radius: BESIDE, prefer };
+                    canvas.label(&momentum.label, Role::Momentum, at(from.towards(to, 0.5), outward + PI));
+                    beside = at(Point::ORIGIN.towards(end, 0.5), (-arrow).angle());
                 }
                 Some(None) => body.draw_note(&mut canvas, &momentum.equals(number("0")), Role::Momentum),
                 None => body.draw_note(&mut canvas, &momentum.equals(unknown()), Role::Momentum),
             }
         }
-        canvas.label(&state.radius.label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: end });
+        canvas.label(&state.radius.label, Role::Length, beside);
         canvas.settled()
     }
 }

@@ -1,7 +1,10 @@
 //! Free-body diagrams: the forces on a body in a stage whose solution speaks of forces or of their work, and at an instant at which
 //! a force is asked for, with what they make of it.
 
+use std::collections::BTreeSet;
+
 use momentous_expr::Math;
+use momentous_expr::Symbol;
 use momentous_expr::name_math;
 use momentous_figure::Drawing;
 use momentous_figure::ForceDiagram;
@@ -185,10 +188,13 @@ fn squared(letter: Math) -> Math {
     Math::Sup(letter.into(), Math::Number("2".to_owned()).into())
 }
 
-/// The diagrams of the instants of a stage at which a pull or a push is asked for that holds a body on its way.
+/// The diagrams of the instants of a stage at which a pull or a push that holds a body on its way is asked for, told or used.
 pub(super) fn at_instants(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Stage) -> Vec<Drawing> {
-    let asked = quantities.worked.form.wanted().map(|symbol| quantities.model().name(symbol));
-    let holds = asked.filter(|name| {
+    let worked = quantities.worked;
+    let told = worked.variant.all_given().iter().map(|(symbol, ..)| *symbol);
+    let found = worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied());
+    let used: BTreeSet<Symbol> = worked.form.wanted().chain(told).chain(found).collect();
+    let holds = used.into_iter().map(|symbol| quantities.model().name(symbol)).filter(|name| {
         matches!(name.kind, QuantityKind::Tension | QuantityKind::NormalForce | QuantityKind::HoldingForce)
     });
     holds.filter_map(|name| at_instant(quantities, compass, index, stage, name)).collect()
@@ -254,7 +260,8 @@ fn at_instant(
     };
     let axes = if matches!(stage, Stage::Stream(_)) { compass.marks() } else { Vec::new() };
     let (name, form) = (body_math(body), quantities.form(body));
-    let Held { forces, effect, surface, .. } = held;
+    let Held { mut forces, effect, surface, .. } = held;
+    forces.retain(|force| force.value != Some([0.0, 0.0]));
     Some(ForceDiagram { wording, name, form, surface, forces, effect, axes }.drawing())
 }
 

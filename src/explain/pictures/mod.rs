@@ -23,6 +23,7 @@ mod participants;
 mod plot;
 mod principle;
 mod quantities;
+mod resisted;
 mod sense;
 mod sheet;
 mod snapshot;

@@ -27,6 +27,7 @@ use super::participants::Drawn;
 use super::participants::Participant;
 use super::principle;
 use super::quantities::Quantities;
+use super::resisted;
 use super::sheet;
 use super::snapshot;
 use super::string;
@@ -158,7 +159,8 @@ pub(super) fn solution(
         Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Flight(flight) if !flight.is_free() => {
-            vec![sheet::flight::drawing(quantities, compass, index, flight), momenta()]
+            let forces = resisted::drawing(quantities, compass, index, flight).or_else(momenta);
+            vec![sheet::flight::drawing(quantities, compass, index, flight), forces]
         }
         Stage::Impact(_)
         | Stage::Spring(_)

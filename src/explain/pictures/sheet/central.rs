@@ -49,7 +49,7 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
     let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
     let radius = quantities.named(&radius).map(|_| name_math(&radius)).or_else(|| quantities.asked_name(&radius));
     let path = orbit(quantities, central, &name);
-    let vectors = velocity(quantities, &format!("{name}.theta")).into_iter().collect();
+    let vectors = velocity(quantities, &format!("{name}.theta")).into_iter().chain(radial(quantities, &name)).collect();
     let other_end = other_end(quantities, central, path);
     draw(quantities, [&central.body, &central.about], Places { radius, path, other_end }, vectors, None)
 }
@@ -98,6 +98,16 @@ struct Places {
     radius: Option<Math>,
     path: Option<CentralPath>,
     other_end: Option<Math>,
+}
+
+/// The velocity along the radius that is given.
+fn radial(quantities: &Quantities<'_>, velocity: &str) -> Option<Moving> {
+    let name = format!("{velocity}.r");
+    let value = quantities.named(&name).filter(|value| *value != 0.0)?;
+    let vector = [value * libm::cos(PLACE), value * libm::sin(PLACE)];
+    let moving = Moving::velocity(LabelledVector::known(name_math(&name), vector));
+    // Towards the centre, the radius is in the way.
+    Some(if value < 0.0 { moving.arriving() } else { moving })
 }
 
 /// The velocity across the radius, where it is given or asked.
