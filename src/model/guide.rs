@@ -188,9 +188,11 @@ impl Builder<'_> {
         let guided: Vec<Guided> = after.iter().filter_map(|body| self.guided(body)).collect();
         let Some(guide) = guided.first().cloned() else {
             let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+            let is_told_alone = matches!(self.scene.stages.get(stage), Some(Stage::Interact(_)));
+            let others = if is_told_alone { "no impulse from outside is counted" } else { "no other impulse acts" };
             for (position, axis) in axes.iter().enumerate() {
                 let along = self.along(*axis);
-                let because = format!("{because}, and no other impulse acts{along}");
+                let because = format!("{because}, and {others}{along}");
                 let [from, to] = [&start, &end].map(|carriers| component(carriers, position));
                 self.law(&momentum::CONSERVATION, Some(stage), because, momentum::conservation(&from, &to));
             }

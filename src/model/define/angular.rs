@@ -55,6 +55,9 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
         _ if builder.scene.rotors().next().is_some() => {
             "the angular momentum of what turns about a fixed axis is its moment of inertia times its angular velocity"
         }
+        _ if name.is_of_mass_centre() => {
+            "arms are counted from the centre of mass, about which what all velocities have in common has no moment"
+        }
         1 => "angular momentum is the moment of the momentum",
         _ => "the angular momentum of the system is the sum of the moments of the momenta",
     };

@@ -85,8 +85,7 @@ pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     builder.check_energy(stage, |_| true);
     let [before, after] = builder.kinetic_energies(stage);
     let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
-    let because = "the work of all forces equals the change in kinetic energy";
-    builder.law(&energy::WORK_ENERGY, Some(stage), because, sides);
+    builder.law(&energy::WORK_ENERGY, Some(stage), Because::Definition, sides);
     Some(symbol)
 }
 

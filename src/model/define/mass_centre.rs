@@ -49,10 +49,12 @@ impl Builder<'_> {
         let kept = alive.iter().filter(|body| self.timeline.since(body, instant).is_some_and(|since| since < instant));
         let kept: Vec<String> = kept.map(|body| self.called(body)).collect();
         let whole = "the momentum of the system is its total mass times the velocity of the centre of mass";
+        let stage = instant.checked_sub(2).and_then(|stage| self.scene.stages.get(stage));
+        let shortly = if stage.is_some_and(|stage| !stage.takes_time()) { " in so short a time" } else { "" };
         match &kept[..] {
             [] => whole.to_owned(),
-            [only] => format!("{whole}, and {only} keeps its velocity"),
-            several => format!("{whole}, and {} keep their velocities", several.join(" and ")),
+            [only] => format!("{whole}, and{shortly} {only} keeps its velocity"),
+            several => format!("{whole}, and{shortly} {} keep their velocities", several.join(" and ")),
         }
     }
 

@@ -29,7 +29,11 @@ pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symb
     let together =
         if is_surface && builder.axes.len() == 1 { moves } else { builder.along_line(stage, common.into())? };
     let slowed = mass * (start - together);
-    let because = "the impulse of deformation changes the momentum of the one body until both move together";
+    let Some(Stage::Impact(impact)) = builder.scene.stages.get(stage) else { return None };
+    let (Partners::Bodies(slowed_down, _) | Partners::Surface(slowed_down, _)) = impact.partners()?;
+    let slows = builder.called(slowed_down);
+    let until = if is_surface { "it moves with the surface" } else { "both move together" };
+    let because = format!("the impulse of deformation changes the momentum of {slows} until {until}");
     builder.law(&restitution::DEFORMATION, Some(stage), because, (symbol.into(), slowed));
     Some(symbol)
 }

@@ -6,6 +6,7 @@ use momentous_laws::energy;
 use momentous_laws::mass_centre;
 use momentous_scene::Axis;
 
+use super::super::Because;
 use super::super::Builder;
 use super::super::Name;
 use super::super::QuantityKind;
@@ -44,12 +45,7 @@ fn seen_from_the_centre(builder: &mut Builder<'_>, body: &str, instant: usize, a
     let whose = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
     let symbol = builder.component(relative, Meaning { noun: "the velocity", of: whose });
     let sides = (symbol.into(), velocity - Expr::from(centre));
-    builder.law(
-        &mass_centre::RELATIVE,
-        None,
-        format!("the velocity of {owner} is taken relative to the centre of mass"),
-        sides,
-    );
+    builder.law(&mass_centre::RELATIVE, None, Because::Definition, sides);
     Some(symbol)
 }
 

@@ -57,6 +57,7 @@ mod thrust_motion;
 mod tow;
 mod walk;
 mod whole_way;
+mod works;
 
 pub(crate) use along_path::holding_pull;
 pub(crate) use along_path::is_holding_pull;

@@ -36,6 +36,7 @@ use momentous_scene::stage::Until;
 use momentous_solve::Relation;
 
 use super::shapes;
+use super::works;
 
 /// A force of a push, read.
 pub(crate) struct Acting {
@@ -242,7 +243,8 @@ impl Builder<'_> {
         let works: Vec<Expr> = works.filter(|work| !work.is_zero()).collect();
         let end = if pushed.stops { Expr::zero() } else { after };
         let [start, stop] = [&before, &end].map(|speed| energy::kinetic(&mass, std::slice::from_ref(speed)));
-        let because = format!("the forces on {name} do work over the distance");
+        let names = pushed.acting.iter().map(|force| force.name.as_str());
+        let because = works::only(names, [!pushed.incline.is_level(), opposing.is_some()], &name);
         self.law(&energy::WORK_ENERGY, Some(pushed.index), because, energy::work_energy(start, works, stop));
         let time = pushed.end.clone() - pushed.start.clone();
         let [before, end] = [before, end].map(|velocity| (Expr::integer(pushed.sign) * velocity).simplify());

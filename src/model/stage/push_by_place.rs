@@ -22,6 +22,7 @@ use momentous_solve::Relation;
 
 use super::push::Acting;
 use super::push::Pushed;
+use super::works;
 
 impl Builder<'_> {
     /// The position as a variable, where some force of a push along one axis is a term in it.
@@ -69,7 +70,8 @@ impl Builder<'_> {
             Some(down) => Expr::integer(down) * mass.clone() * self.gravity(),
             None => self.weight_on_slope(body, &pushed.incline),
         };
-        if !weight.is_zero() {
+        let weighs = !weight.is_zero();
+        if weighs {
             works.push(weight.clone() * moved.clone());
             forces.push(weight);
         }
@@ -90,7 +92,8 @@ impl Builder<'_> {
         let after = if pushed.stops { Expr::zero() } else { after };
         let energies = [&before, &after].map(|velocity| energy::kinetic(&mass, std::slice::from_ref(velocity)));
         let [start, stop] = energies;
-        let because = format!("the forces on {name} do work over the distance");
+        let names = pushed.acting.iter().map(|force| force.name.as_str());
+        let because = works::only(names, [weighs, rubs], &name);
         self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start.clone(), works, stop));
         let opposing = rubs.then_some(Opposing::Friction);
         self.moves_along(index, body, [&(sign.clone() * before), &(sign.clone() * after)], opposing);
