@@ -17,6 +17,7 @@ use super::terms::ledger::Figures;
 use super::terms::ledger::Ledger;
 use super::working::counting;
 use super::working::derivation::Solving;
+use super::working::naming;
 use super::working::on_paper;
 use super::working::quadratic;
 use super::working::quadratic::Short;
@@ -29,6 +30,9 @@ use super::working::steps::taken;
 /// The number of figures that the numbers of a variant's solution have. What does not come out with the most figures is computed
 /// from the givens, which are exact.
 pub(super) fn figures(display: Display<'_>, way: &WayCache, detail: Detail) -> Figures {
+    if detail == Detail::Short {
+        display.shown.names.get_or_init(|| naming::names(display));
+    }
     let figures = ledger(display, way, detail, &[]).settle();
     let from_givens = figures.stubborn.iter().filter_map(|item| match item {
         Item::Quantity(symbol) => Some(*symbol).filter(|symbol| display.in_what_is_told(*symbol).is_some()),

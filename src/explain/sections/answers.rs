@@ -27,6 +27,7 @@ use super::super::terms::display::Display;
 use super::super::terms::entry::Item;
 use super::super::terms::printed;
 use super::super::wording::capitalised;
+use super::super::working::naming;
 use super::interval;
 
 /// One paragraph for each part.
@@ -77,7 +78,9 @@ fn sentence(display: Display<'_>, part: &Part, detail: Detail) -> Vec<Inline> {
         PartKind::Number(number) => {
             let mut words = Inline::line(&format!("{}: ", capitalised(&part.label)));
             for (index, answer) in display.worked.answers(number).into_iter().enumerate() {
-                let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
+                let name = display.worked.problem.math_of(number.symbol);
+                let mut equal = vec![name, Math::Operator(Operator::Equals)];
+                equal.extend(other_name(display, number, detail).filter(|_| index == 0).into_iter().flatten());
                 if index == 0 && is_converted(display, number) && display.has_number(number.symbol) {
                     equal.extend([display.quantity(number.symbol), Math::Operator(Operator::Equals)]);
                     equal.extend(to_the_unit(display, number, answer));
@@ -95,6 +98,16 @@ fn sentence(display: Display<'_>, part: &Part, detail: Detail) -> Vec<Inline> {
             words
         }
     }
+}
+
+/// The other name of an answer that a short solution gives nowhere else: `(v_B2)_n =`.
+fn other_name(display: Display<'_>, number: &NumberPart, detail: Detail) -> Option<[Math; 2]> {
+    let steps = display.worked.leaf().answer_steps().iter();
+    let mut others = steps.filter_map(|step| naming::other_name(display, step));
+    let other = others.find(|other| other.unknown == number.symbol).filter(|_| detail == Detail::Short)?;
+    let is_told_here = naming::stands_with_answer(display, other.unknown)
+        && other.symbols != display.worked.problem.math_of(other.unknown);
+    is_told_here.then_some([other.symbols, Math::Operator(Operator::Equals)])
 }
 
 /// The formula, and its value where the numbers are told.

@@ -57,6 +57,7 @@ pub(crate) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
 fn renamed(display: Display<'_>) -> impl Iterator<Item = Vec<Inline>> {
     let steps = display.worked.leaf().answer_steps().iter();
     let renamed = steps.filter_map(move |step| script::renamed(display, step));
+    let renamed = renamed.filter(move |(symbol, _)| !display.has_other_name(*symbol));
     renamed.map(move |(symbol, given)| vec![Inline::Math(display.equation(&symbol.into(), given))])
 }
 

@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -68,6 +69,8 @@ pub(crate) struct PrintedTerms {
     pub leaves: RefCell<Vec<(Symbol, Leaf)>>,
     /// To how many figures, once all lines are known.
     pub figures: OnceCell<Figures>,
+    /// The quantities that go by the name of another one.
+    pub names: OnceCell<BTreeMap<Symbol, Symbol>>,
 }
 
 impl<'a> Display<'a> {
@@ -234,12 +237,22 @@ impl<'a> Display<'a> {
 
     /// The symbol itself; a value that the author wrote into a term is shown as that value.
     pub(crate) fn name(self, symbol: Symbol) -> Math {
-        self.manner(symbol).name.clone().unwrap_or_else(|| self.quantity(symbol))
+        self.manner(self.known_as(symbol)).name.clone().unwrap_or_else(|| self.quantity(symbol))
+    }
+
+    /// Whether a solution calls a quantity by the name of another one.
+    pub(crate) fn has_other_name(self, symbol: Symbol) -> bool {
+        self.known_as(symbol) != symbol
+    }
+
+    /// The quantity by whose name a solution calls another one.
+    fn known_as(self, symbol: Symbol) -> Symbol {
+        self.shown.names.get().and_then(|names| names.get(&symbol)).copied().unwrap_or(symbol)
     }
 
     /// The symbol itself, or the author's value, as it stands in a term.
     pub(super) fn named(self, symbol: Symbol) -> Leaf {
-        match &self.manner(symbol).name {
+        match &self.manner(self.known_as(symbol)).name {
             Some(name) => Leaf { math: name.clone(), kind: LeafKind::Name },
             None => self.leaf(symbol),
         }

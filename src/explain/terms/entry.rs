@@ -14,6 +14,9 @@ pub(super) const LAST: usize = 3;
 /// The share of itself by which a last result may be rounded.
 const CLOSE: f64 = 0.002;
 
+/// By how much, relative to their size, two numbers may differ that are the same but for how they were computed.
+pub(super) const EQUAL: f64 = 1e-12;
+
 /// A number in a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Item {
@@ -90,6 +93,14 @@ impl Entry {
             self.figures = FEWEST;
             self.round();
         }
+    }
+
+    /// Whether it is a quantity of the same size and unit as another one, rounded like it.
+    pub(super) fn is_printed_like(&self, other: &Self) -> bool {
+        let are_quantities = matches!((self.item, other.item), (Item::Quantity(_), Item::Quantity(_)));
+        let are_rounded = self.most > 0 && other.most > 0;
+        let are_equal = |one: f64, other: f64| (one.abs() - other.abs()).abs() <= EQUAL * one.abs();
+        are_quantities && are_rounded && are_equal(self.unit, other.unit) && are_equal(self.value, other.value)
     }
 
     pub(super) fn raise(&mut self) -> bool {

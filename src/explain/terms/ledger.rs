@@ -145,7 +145,8 @@ impl Ledger {
         }
     }
 
-    /// Gives results from which only an answer is computed the figures of answers, where those of their operands give no more.
+    /// Gives results from which only an answer is computed the figures of answers, where those of their operands give no more, or where
+    /// with one more they would look half-way between two answers.
     fn lower_last_results(&mut self) {
         for place in 0..self.lines.len() {
             let line = &self.lines[place];
@@ -156,20 +157,63 @@ impl Ledger {
                             && matches!(self.entries[other.result].item, Item::Answer(_))
                             && self.entries[other.result].figures <= LAST
                 });
-            if is_last && !line.holds(&self.entries, &self.places) {
+            let is_out = || {
+                let shown = |other: &&Line| matches!(other.rule, Rule::Same) && other.operands.contains(&line.result);
+                let mut lines = self.lines.iter().filter(shown).chain([line]);
+                lines.any(|line| !line.holds(&self.entries, &self.places))
+            };
+            if is_last && is_out() {
                 let result = line.result;
                 self.entries[result].lower();
             }
         }
     }
 
+    /// The quantities that are equal, and of which none is computed from the other, as pairs of places.
+    fn equals(&self) -> Vec<[usize; 2]> {
+        let pairs = (0..self.entries.len()).flat_map(|place| (0..place).map(move |before| [before, place]));
+        let are_equal = |[one, other]: &[usize; 2]| self.entries[*one].is_printed_like(&self.entries[*other]);
+        let equal = pairs.filter(are_equal);
+        equal.filter(|[one, other]| !self.comes_from(*one, *other) && !self.comes_from(*other, *one)).collect()
+    }
+
+    /// Whether a number is computed from another one, by however many lines.
+    fn comes_from(&self, place: usize, source: usize) -> bool {
+        let mut from = vec![place];
+        let mut next = 0;
+        while let Some(place) = from.get(next).copied() {
+            for line in self.lines.iter().filter(|line| line.result == place) {
+                let operands = line.operands.iter().filter(|operand| !from.contains(operand));
+                let operands: Vec<usize> = operands.copied().collect();
+                from.extend(operands);
+            }
+            next += 1;
+        }
+        from.contains(&source)
+    }
+
+    /// Gives equal quantities the same figures; whether any got more.
+    fn print_alike(&mut self, equals: &[[usize; 2]]) -> bool {
+        let mut changed = false;
+        for [one, other] in equals {
+            let most = self.entries[*one].figures.max(self.entries[*other].figures);
+            for place in [*one, *other] {
+                while self.entries[place].figures < most && self.entries[place].raise() {
+                    changed = true;
+                }
+            }
+        }
+        changed
+    }
+
     /// Gives every number as many figures as the lines need.
     pub(crate) fn settle(mut self) -> Figures {
         self.lower_last_results();
+        let equals = self.equals();
         let mut stubborn = Vec::new();
         let mut changed = true;
         while changed {
-            changed = false;
+            changed = self.print_alike(&equals);
             stubborn.clear();
             for line in self.lines.iter().rev() {
                 while !line.holds(&self.entries, &self.places) {

@@ -23,6 +23,7 @@ use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
 use super::display::with_unit;
+use super::entry::EQUAL;
 use super::entry::FEWEST;
 use super::entry::Item;
 use super::ledger::Ledger;
@@ -81,7 +82,10 @@ impl Display<'_> {
             None => {
                 let value = self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::for_print);
                 let shown = value / self.size(measured);
-                let number = printed(shown, self.figures(Item::Quantity(symbol), shown));
+                let number = self.written_like_it(shown, measured).unwrap_or_else(|| {
+                    let figures = self.figures(Item::Quantity(symbol), shown);
+                    printed(shown, self.without_padding(shown, figures))
+                });
                 let kind = LeafKind::Number { negative: number.starts_with('-') };
                 Leaf { math: measured.put(number_math(number)), kind }
             }
@@ -249,7 +253,27 @@ impl Display<'_> {
             return self.quantity(symbol);
         }
         let shown = self.bounded(expr).for_print() / self.size(unit);
-        unit.put(number_math(printed(shown, self.figures(item, shown))))
+        unit.put(number_math(printed(shown, self.without_padding(shown, self.figures(item, shown)))))
+    }
+
+    /// A given of that size and unit as the text writes it: what is 2.0 m/s there is not 2.000 m/s later.
+    fn written_like_it(self, shown: f64, measured: &Measured) -> Option<String> {
+        let unit = Some(&measured.unit).filter(|unit| !unit.is_none() && measured.letters.is_none())?;
+        let is_same = |value: &f64| (value.abs() - shown.abs()).abs() <= EQUAL * shown.abs();
+        let mut told = self.worked.variant.all_given().iter().filter(|(.., given)| given == unit);
+        let (_, value, _) = told.find(|(_, value, _)| is_same(&value.to_f64()))?;
+        let size = Printed::written(&value.abs()).plain();
+        Some(if shown < 0.0 { format!("-{size}") } else { size })
+    }
+
+    /// The figures of a number without zeros at its end that add nothing: at least as many as are asked.
+    fn without_padding(self, shown: f64, figures: usize) -> usize {
+        let asked = self.worked.problem.loaded().draft.significant_figures();
+        let is_exact = |fewer: &usize| {
+            let rounded = round_to_figures(shown, *fewer).map_or(f64::NAN, |decimal| decimal.to_f64());
+            (rounded - shown).abs() <= EQUAL * shown.abs()
+        };
+        (asked..figures).find(is_exact).unwrap_or(figures)
     }
 
     /// A number in the unit in which a part asks it; none where that is a quantity.

@@ -5,6 +5,7 @@ pub(super) mod counting;
 pub(super) mod derivation;
 pub(super) mod divisors;
 mod isolate;
+pub(super) mod naming;
 pub(super) mod needed;
 pub(super) mod on_paper;
 pub(super) mod quadratic;

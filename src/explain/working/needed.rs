@@ -36,7 +36,8 @@ pub(crate) fn asked(worked: Worked<'_>) -> BTreeSet<Symbol> {
     parts.flat_map(|part| wanted(&part.kind)).collect()
 }
 
-fn mentioned(worked: Worked<'_>, step: &Step) -> impl Iterator<Item = Symbol> {
+/// The quantities that a step mentions.
+pub(super) fn mentioned(worked: Worked<'_>, step: &Step) -> impl Iterator<Item = Symbol> {
     let equations = &worked.leaf().system.equations;
     let stated = step.equations.iter().filter_map(|place| equations.get(*place));
     let sides = stated.flat_map(|equation| match &equation.statement {

@@ -41,6 +41,9 @@ pub(crate) fn as_on_paper(
     {
         return Some(display.term(Expr::sum(areas.iter().cloned())));
     }
+    if matches!(law.shown, Some(Shown::Integral { .. })) && law.left == Expr::from(unknown) {
+        return multiplied_out(&display.without_zeros(&formula.expr)).map(|terms| display.term(terms));
+    }
     let sides = [&law.left, &law.right];
     if matches!(law.shown, Some(Shown::Integral { .. }))
         || law.relation != Operator::Equals
@@ -58,6 +61,19 @@ pub(crate) fn as_on_paper(
     // Not so where the plan took another branch of a root.
     let is_same = (display.value_of(&isolated) - value).abs() <= SAME * value.abs();
     (reads_better && is_same).then(|| display.term(isolated))
+}
+
+/// The value of an integral of powers, one term for each: `F_0 d - k d^2/2`.
+fn multiplied_out(value: &Expr) -> Option<Expr> {
+    let Expr::Product(factors) = value else { return None };
+    let place = factors.iter().position(|factor| matches!(factor, Expr::Sum(_))).filter(|_| !has_function(value))?;
+    let rest = || factors.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, factor)| factor.clone());
+    let terms = factors[place].children().map(|term| Expr::product(rest().chain([term.clone()])).simplify());
+    Some(Expr::sum(terms))
+}
+
+fn has_function(term: &Expr) -> bool {
+    matches!(term, Expr::Apply(..)) || term.children().any(has_function)
 }
 
 /// The unknown that a step finds from a quadratic equation, and how.

@@ -235,7 +235,7 @@ impl Writer<'_> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
-        let reason = Block::text(&reason(instance, &stated.statement));
+        let reason = Block::text(&reason(self.display, instance, &stated.statement));
         let closes = step.equations.len() == 1;
         if line.shown.is_none() && closes && is_definition(step, &line.left, &line.right) {
             return vec![Opening::Law { reason, equation: None }];
@@ -350,8 +350,13 @@ pub(super) fn formula_of_equation(display: Display<'_>, step: &Step, unknown: Sy
 }
 
 /// Why an equation holds, as what stands before it.
-pub(super) fn reason(instance: &Instance, statement: &Statement) -> String {
+pub(super) fn reason(display: Display<'_>, instance: &Instance, statement: &Statement) -> String {
     let law = instance.law.name;
+    if let (true, Statement::Equal { left: Expr::Symbol(asked), .. }) =
+        (instance.law.id == geometry::ASKED.id, statement)
+    {
+        return format!("{}:", capitalised(&display.worked.problem.model().symbols.entry(*asked).meaning));
+    }
     let because = capitalised(&instance.because.to_string());
     match (statement, &instance.because) {
         (Statement::FirstInteger { .. }, _) => format!("{because}:"),

@@ -28,6 +28,8 @@ use super::counting;
 use super::derivation::Line;
 use super::derivation::Origin;
 use super::derivation::Solving;
+use super::naming;
+use super::naming::OtherName;
 use super::needed;
 use super::on_paper::as_on_paper;
 use super::on_paper::only_evaluates;
@@ -46,6 +48,9 @@ const WIDEST_ROW: f64 = 38.0;
 
 /// How the quadrant of an angle is found.
 const QUADRANT: &str = "The signs of both components give the quadrant.";
+
+/// What stands before the size of a vector with one component.
+const ONLY_COMPONENT: &str = "There is no other component:";
 
 /// The letters of axes in reasons.
 const AXES: [&str; 5] = ["x", "y", "z", "n", "t"];
@@ -85,11 +90,26 @@ impl<'a> ShortSteps<'a> {
 
     /// One step, as blocks.
     pub(crate) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
+        if let Some(other) = naming::other_name(self.display, step).filter(|_| !script.is_given) {
+            return self.another_name(&other);
+        }
         match script.solving {
             Solving::InSymbols => self.in_symbols.step(position, step, script),
             Solving::InNumbers if script.is_given || self.is_plain_zero(step) => Vec::new(),
             Solving::InNumbers => self.in_numbers(position, step, script),
         }
+    }
+
+    /// What another quantity is called, unless that stands with the answer or the one name stands for the other.
+    fn another_name(&mut self, other: &OtherName) -> Vec<Block> {
+        let name = self.display.name(other.unknown);
+        if self.display.has_other_name(other.unknown) || naming::stands_with_answer(self.display, other.unknown) {
+            return Vec::new();
+        }
+        let parts = [name, other.symbols.clone(), self.display.quantity(other.unknown)];
+        let lines = vec![Math::chain(parts, Operator::Equals)];
+        let reason = other.is_size.then(|| Block::text(ONLY_COMPONENT));
+        reason.into_iter().chain([Block::Equation { lines, number: None }]).collect()
     }
 
     fn in_numbers(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
@@ -160,7 +180,7 @@ impl<'a> ShortSteps<'a> {
             return sentence::blocks(display, &script.derivation, line, &without_zeros);
         };
         let Some((equation, instance)) = self.law(place) else { return Vec::new() };
-        let reason = script::reason(instance, &equation.statement);
+        let reason = script::reason(display, instance, &equation.statement);
         let mut blocks: Vec<Block> = self.because(&reason, instance).into_iter().collect();
         if line.shown.is_none() && only_evaluates(step, [&line.left, &line.right]) {
             return blocks;
@@ -233,12 +253,20 @@ impl<'a> ShortSteps<'a> {
         step.equations.len() > 1 && step.roots.len() == 1 && step.equations.iter().all(is_linear)
     }
 
-    /// The values of several unknowns, as many on a row as fit.
+    /// The values of several unknowns, as many on a row as fit; those that are alike together.
     fn results(&self, unknowns: impl Iterator<Item = Symbol>) -> Block {
         let display = self.display;
         let mut rows: Vec<(f64, Vec<Math>)> = Vec::new();
+        let mut alike: Vec<(Math, Vec<Math>)> = Vec::new();
         for unknown in unknowns {
-            let value = Math::relation(display.name(unknown), Operator::Equals, display.quantity(unknown));
+            let (name, value) = (display.name(unknown), display.quantity(unknown));
+            match alike.iter_mut().find(|(other, _)| *other == value) {
+                Some((_, names)) => names.push(name),
+                None => alike.push((value, vec![name])),
+            }
+        }
+        for (value, names) in alike {
+            let value = Math::chain(names.into_iter().chain([value]), Operator::Equals);
             let width = value.width();
             match rows.last_mut() {
                 Some((total, row)) if *total + width <= WIDEST_ROW => {
