@@ -70,7 +70,7 @@ fn table_width(rows: &[Row<'_>]) -> f64 {
 pub(super) const PAPER: f64 = 62.0;
 
 /// The widest row on a screen that may be that of a telephone, 390 pixels wide.
-pub(super) const SCREEN: f64 = 39.5;
+pub(super) const SCREEN: f64 = 39.0;
 
 /// The room for the number beside an equation on such a screen.
 pub(super) const NUMBER: f64 = 4.0;

@@ -169,12 +169,14 @@ impl Ledger {
         }
     }
 
-    /// The quantities that are equal, and of which none is computed from the other, as pairs of places.
+    /// The quantities that are equal, as pairs of places. One that is computed from an equal one would always need more figures.
     fn equals(&self) -> Vec<[usize; 2]> {
         let pairs = (0..self.entries.len()).flat_map(|place| (0..place).map(move |before| [before, place]));
         let are_equal = |[one, other]: &[usize; 2]| self.entries[*one].is_printed_like(&self.entries[*other]);
-        let equal = pairs.filter(are_equal);
-        equal.filter(|[one, other]| !self.comes_from(*one, *other) && !self.comes_from(*other, *one)).collect()
+        let equal: Vec<[usize; 2]> = pairs.filter(are_equal).collect();
+        let follows = |[one, other]: &&[usize; 2]| self.comes_from(*one, *other) || self.comes_from(*other, *one);
+        let following: Vec<usize> = equal.iter().filter(follows).flatten().copied().collect();
+        equal.into_iter().filter(|pair| !pair.iter().any(|place| following.contains(place))).collect()
     }
 
     /// Whether a number is computed from another one, by however many lines.
