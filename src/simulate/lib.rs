@@ -7,6 +7,8 @@ mod acceleration;
 mod apart;
 mod budget;
 mod contact;
+#[cfg(feature = "clock")] // it reads the clock
+mod drift;
 mod exact;
 mod force;
 mod frame;
@@ -33,6 +35,8 @@ mod world;
 
 pub use budget::{Budget, Keep};
 pub use contact::Contact;
+#[cfg(feature = "clock")]
+pub use drift::{Drift, LASTING_MOTIONS, drifts, drifts_of};
 pub use exact::{
     BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine, repeated_cosine, repeated_decay,
 };

@@ -13,7 +13,7 @@ use super::tasks::about;
 const HEIGHT: f64 = 440.0;
 
 /// Each method with the shape of its points, in the order of the legend and of the colours.
-const LOOKS: &[(&str, Mark)] = &[
+pub(super) const LOOKS: &[(&str, Mark)] = &[
     ("closed form", Mark::Star),
     ("linear solve", Mark::Square),
     ("event driven", Mark::Diamond),

@@ -3,6 +3,7 @@
 mod certificates;
 mod costs;
 mod diagram;
+mod drift;
 mod points;
 mod tasks;
 
@@ -37,6 +38,7 @@ Examples:
   momentous chart bounce --finest-step 1e-5 -o bounce.svg   one of them, further down
   momentous chart bounce --format csv -o bounce.csv         measure only
   momentous chart --from bounce.csv -o bounce.svg           draw what was measured
+  momentous chart --drift -o drift.svg                      energy and momentum after up to a million bounces and periods
   momentous chart --stability                               where each method is right, refuses or fails
   momentous chart --costs -o src/simulate/least/costs.csv   the table of costs, from which `momentous simulate` chooses";
 
@@ -53,11 +55,21 @@ pub(super) struct Chart {
     /// The table of the stability suite instead
     #[arg(long, conflicts_with_all = ["tasks", "from"])]
     stability: bool,
+    /// The change of energy and momentum over up to so many bounces and periods instead
+    #[arg(
+        long,
+        value_name = "PERIODS",
+        num_args = 0..=1,
+        default_missing_value = "1000000",
+        value_parser = clap::value_parser!(u32).range(1_000..=1_000_000),
+        conflicts_with_all = ["tasks", "stability"],
+    )]
+    drift: Option<u32>,
     /// Measure again the table of costs from which `momentous simulate` chooses
-    #[arg(long, conflicts_with_all = ["tasks", "from", "stability", "format"])]
+    #[arg(long, conflicts_with_all = ["tasks", "from", "stability", "drift", "format"])]
     costs: bool,
     /// Draw the table of certificates and errors that `cargo test --test solver near` writes
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["tasks", "from", "stability", "costs"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tasks", "from", "stability", "drift", "costs"])]
     certificates: Option<PathBuf>,
     /// Draw the points of a table that was measured before
     #[arg(long, value_name = "FILE")]
@@ -121,7 +133,10 @@ impl Chart {
             (false, Look::Csv) if self.certificates.is_some() => {
                 return Err(Failure::unusable("the certificates are a table already; a chart is svg or png"));
             }
-            (false, Look::Csv) => points::write(&self.rows()?, &mut text)?,
+            (false, Look::Csv) => match self.drift {
+                Some(most_periods) => points::write(&self.drifts(most_periods)?, &mut text)?,
+                None => points::write(&self.rows()?, &mut text)?,
+            },
             (false, Look::Svg) => text.extend(self.page()?.svg(Theme::Either).into_bytes()),
             (false, Look::Png) => text.extend(png(&self.page()?, theme(self.dark))?),
         }
@@ -136,9 +151,18 @@ impl Chart {
     }
 
     fn page(&self) -> Result<Page, Failure> {
-        match &self.certificates {
-            Some(path) => Ok(certificates::page(&certificates::read(path)?)),
-            None => Ok(diagram::page(&self.rows()?)),
+        Ok(match (&self.certificates, self.drift) {
+            (Some(path), _) => certificates::page(&certificates::read(path)?),
+            (None, Some(most_periods)) => drift::page(&self.drifts(most_periods)?),
+            (None, None) => diagram::page(&self.rows()?),
+        })
+    }
+
+    /// The drifts that were measured before, or are measured now.
+    fn drifts(&self, most_periods: u32) -> Result<Vec<drift::Row>, Failure> {
+        match &self.from {
+            Some(path) => drift::read(path),
+            None => Ok(drift::measure(most_periods)),
         }
     }
 

@@ -47,12 +47,12 @@ impl From<Point> for Row {
 }
 
 /// Four figures: a measured time has no more, and no error needs them.
-fn rounded(value: f64) -> f64 {
+pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
 
 /// The table with a line of headings.
-pub(super) fn write(rows: &[Row], out: impl std::io::Write) -> Result<(), Failure> {
+pub(super) fn write(rows: &[impl Serialize], out: impl std::io::Write) -> Result<(), Failure> {
     let mut table = csv::Writer::from_writer(out);
     for row in rows {
         table.serialize(row).map_err(|error| Failure::unusable(format!("the table cannot be written: {error}")))?;

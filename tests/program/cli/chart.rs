@@ -42,6 +42,28 @@ fn a_measured_table_can_be_drawn_again() {
 }
 
 #[test]
+fn drift_is_measured_and_drawn_for_every_motion() {
+    let room = Room::empty();
+    room.fine(&["chart", "--drift", "1000", "--format", "csv", "-o", "drift.csv"]);
+    let table = room.read("drift.csv");
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0], ["motion", "method", "setting", "periods", "seconds", "energy", "momentum", "refusal"]);
+    let drift = |motion: &str, method: &str, column: usize| -> f64 {
+        rows.iter().find(|row| row[..2] == [motion, method]).unwrap()[column].parse().unwrap()
+    };
+    for motion in ["bounces", "tied balls", "orbits"] {
+        assert!(drift(motion, "event driven", 5) < 1e-11, "{table}");
+    }
+    // Impulses are equal and opposite in every method; only what comes of rounding is left.
+    for method in ["event driven", "explicit Euler", "symplectic Euler", "Moreau-Jean", "sequential impulses"] {
+        assert!(drift("tied balls", method, 6) < 1e-11, "{method}\n{table}");
+    }
+    assert!(drift("orbits", "explicit Euler", 5) > drift("orbits", "symplectic Euler", 5), "{table}");
+    let drawing = room.fine(&["chart", "--drift", "--from", "drift.csv"]);
+    assert!(drawing.contains("tied balls: momentum") && drawing.contains("orbits: angular momentum"));
+}
+
+#[test]
 fn the_stability_table_is_the_one_that_is_tested() {
     let room = Room::empty();
     let table = include_str!("../../fixtures/stability.txt").split_once("\n\n").unwrap().1;
