@@ -63,7 +63,7 @@ const SAID: &[(Promise, &str, &str)] = &[
     (Promise::Draws, "draws", "every seed gives a variant within a bounded number of attempts"),
     (Promise::Determined, "determined", "what is asked has exactly one solution, and nothing in it is unphysical"),
     (Promise::Certified, "certified", "the error of every answer is bounded, and small"),
-    (Promise::Varies, "varies", "no answer is the same for every seed"),
+    (Promise::Varies, "varies", "each answer differs from seed to seed"),
     (Promise::Variety, "variety", "seeds give different sheets, and different answers"),
     (
         Promise::Neglected,

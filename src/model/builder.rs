@@ -104,6 +104,8 @@ pub struct Builder<'s> {
     pub(super) expressions: BTreeMap<Symbol, Expr>,
     /// Names that are asked and whose dimension only their place can say.
     pub(super) unmeasured: BTreeSet<String>,
+    /// Names in terms that were read before the place that says what they are, or that no place says.
+    pub(super) early: BTreeSet<String>,
     /// The names that the author wrote at a place of the scene, each with the first such place.
     pub(super) named: BTreeMap<Symbol, Path>,
     pub(super) mentions: BTreeMap<String, Symbol>,
@@ -169,6 +171,7 @@ impl<'s> Builder<'s> {
             given: BTreeSet::new(),
             expressions: BTreeMap::new(),
             unmeasured: BTreeSet::new(),
+            early: BTreeSet::new(),
             named: BTreeMap::new(),
             mentions: BTreeMap::new(),
             words: Vec::new(),

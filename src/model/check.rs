@@ -35,6 +35,9 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
     if name.is_plain() && name.kind != QuantityKind::Work {
         return false;
     }
+    if name.lacks_a_body() {
+        return false;
+    }
     let timeline = Timeline::new(scene);
     let is_sprung = is_spring(scene, &name);
     let known_subject = name.subject.is_empty()

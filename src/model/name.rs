@@ -98,6 +98,20 @@ impl Name {
         bare && no_instant && !self.kind.spelling().contains('_')
     }
 
+    /// Whether it would be a quantity of a body at an instant, but for the body, so that authors may use it for anything: `v_2`, `W_1`.
+    #[must_use]
+    pub fn lacks_a_body(&self) -> bool {
+        let needs_one = matches!(
+            self.kind,
+            QuantityKind::Velocity
+                | QuantityKind::Speed
+                | QuantityKind::Direction(_)
+                | QuantityKind::Impulse
+                | QuantityKind::Weight
+        );
+        needs_one && self.subject.is_empty() && self.instant.is_some()
+    }
+
     /// Whether it is a quantity of the centre of mass.
     #[must_use]
     pub fn is_of_mass_centre(&self) -> bool {

@@ -188,7 +188,10 @@ impl Builder<'_> {
             }
             Err(fault) => {
                 let mut report = match unknown.last() {
-                    Some(name) => self.unknown_name(name),
+                    Some(name) => {
+                        self.early.insert(name.clone());
+                        self.unknown_name(name)
+                    }
                     None => Fault::new(Code::Syntax, fault.message.clone()),
                 };
                 if report.help.is_none() {

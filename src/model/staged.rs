@@ -54,8 +54,25 @@ impl<'s> Builder<'s> {
             builder
         };
         // The stages show which of them has a quantity; then it is given under its name there.
-        let builder = build(&names);
-        if builder.puts_in_its_stage(&mut names) { build(&names) } else { builder }
+        let mut builder = build(&names);
+        if builder.puts_in_its_stage(&mut names) {
+            builder = build(&names);
+        }
+        let early = builder.read_early();
+        if early.is_empty() {
+            return builder;
+        }
+        names.extend(early);
+        build(&names)
+    }
+
+    /// The names that stand in a term before the place that says what they are, as in `exhaust: v, flow: rho*A*v`.
+    fn read_early(&self) -> Vec<GivenName> {
+        let told = |name: &String| {
+            let symbol = self.symbols.find(name).filter(|symbol| self.free.contains(symbol))?;
+            Some(GivenName { name: self.name(symbol).clone(), dimension: self.symbols.entry(symbol).dimension })
+        };
+        self.early.iter().filter_map(told).collect()
     }
 
     /// A name of the author's own, spelt as the scene would spell it.

@@ -116,6 +116,8 @@ pub(super) fn solution(
         Stage::Rotate(rotate) if rotate.is_arm() => vec![arm::rotation(quantities, index, rotate)],
         Stage::Rotate(rotate) => vec![angular::rotation(quantities, index, rotate)],
         Stage::Strike(strike) => vec![arm::strike(quantities, index, strike)],
+        // Nothing changes on one circle.
+        Stage::Conical(conical) if conical.length.is_constant() => Vec::new(),
         Stage::Conical(conical) => vec![Some(angular::conical(quantities, index, conical))],
         Stage::Bowl(bowl) => vec![Some(angular::bowl(quantities, index, bowl))],
         Stage::Moment(moment) => vec![moment::diagram(quantities, compass, index, moment)],

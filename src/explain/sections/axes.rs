@@ -120,6 +120,12 @@ fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) ->
         let axis = ["+x", "+y", "\u{2212}x", "\u{2212}y"][usize::from(frame.normal.quarters % 4)];
         return Some(vec![words(format!("The normal of the contact points {line}: along {axis}."))]);
     }
+    if frame.normal.quarters % 4 == 0 && frame.normal.turn.symbols().iter().any(|symbol| display.is_open(*symbol)) {
+        let angle = Inline::Math(display.symbolic(&frame.normal.turn));
+        let ends = [words(" counter-clockwise from +x; "), letter("t"), words(" is at 90° to it, counter-clockwise.")];
+        let begins = [words("At the contact, "), letter("n"), words(format!(" points {line}, at ")), angle];
+        return Some(begins.into_iter().chain(ends).collect());
+    }
     let turn = display.value_of(&frame.normal.turn) * 180.0 / std::f64::consts::PI + 90.0 * quarters;
     let turn = turn - 360.0 * (turn / 360.0).round();
     let sense = if turn < 0.0 { "clockwise" } else { "counter-clockwise" };

@@ -79,6 +79,9 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             let arm = strike.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| name(rotor));
             format!("{} strikes {arm}", name(&strike.body))
         }
+        Stage::Conical(conical) if conical.length.is_constant() => {
+            does(&conical.body, ["moves steadily round a level circle", "move steadily round a level circle"])
+        }
         Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
         Stage::Bowl(bowl) => does(&bowl.body, ["slides round inside the wall", "slide round inside the wall"]),
         Stage::Interact(Interact { friction: Some(_), between, .. }) if let [upper, lower] = &between[..] => {

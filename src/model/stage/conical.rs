@@ -16,7 +16,6 @@ use momentous_laws::force;
 use momentous_laws::geometry;
 use momentous_quantity::Dimension;
 use momentous_scene::Term;
-use momentous_scene::stage::Arm;
 use momentous_scene::stage::Conical;
 use momentous_solve::Relation;
 
@@ -32,16 +31,17 @@ impl Builder<'_> {
         self.acts(pulls.works(Effect::Of((longer - shorter).simplify()), words));
         let because = format!("the cord's pull and the weight have no moment about the vertical through {centre}");
         let [before, after] = momenta;
-        if matches!(stage.length, Arm::Constant(_)) {
+        if stage.length.is_constant() {
             self.same_circle(index, &stage.body);
+        } else {
+            self.not_needed(
+                format!("the motion of {name} while the cord is drawn in"),
+                "the question concerns only the steady circles",
+            );
         }
         self.law(&angular::CONSERVATION, Some(index), because, (before, after));
         self.note_impulse(index, &stage.body, "weight and the cord", Vec::new());
         self.neglect("the mass of the cord", "it is light");
-        self.not_needed(
-            format!("the motion of {name} while the cord is drawn in"),
-            "the question concerns only the steady circles",
-        );
     }
 
     /// A cord that keeps its length keeps its circle, which needs no equation to be solved for its angle.

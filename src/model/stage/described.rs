@@ -143,10 +143,10 @@ impl<'a> Description<'a> {
             },
             Stage::Conical(conical) => Self {
                 bodies: vec![(&conical.body, None)],
-                ends: Span::Around,
+                ends: if conical.length.is_constant() { Span::Own(["on the circle"; 2]) } else { Span::Around },
                 about: Some(&conical.about),
                 axes: &[1],
-                ..Self::lasting("change of the cord")
+                ..Self::lasting(if conical.length.is_constant() { "steady motion" } else { "change of the cord" })
             },
             Stage::Bowl(bowl) => Self {
                 bodies: vec![(&bowl.body, None)],

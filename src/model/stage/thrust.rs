@@ -15,6 +15,7 @@ use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
+use momentous_laws::kinematics;
 use momentous_laws::variable_mass;
 use momentous_quantity::Dimension;
 use momentous_scene::Axis;
@@ -186,7 +187,7 @@ impl Builder<'_> {
         });
         let [from, to] = [1, 2].map(|side| self.place(&burn.body, burn.index + side, axis));
         let because = format!("the final position of {name} is its initial position plus its displacement");
-        self.law(&variable_mass::BURN_HEIGHT, Some(burn.index), because, (to, from + Expr::from(way)));
+        self.law(&kinematics::DISPLACED, Some(burn.index), because, (to, from + Expr::from(way)));
         Some((way.into(), Expr::sum([before * time.clone(), driven].into_iter().chain(fallen))))
     }
 

@@ -72,12 +72,12 @@ fn of_given((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
     Some((name.to_owned(), unit.dimension()))
 }
 
-/// Names that are asked, and that the file refers to only within longer terms of its scene and its relations: the unit in
-/// which they are asked says what they are. A name that stands alone is told by its place.
+/// Names that are asked, and that the file refers to only within longer terms of its scene, its relations and its givens: the
+/// unit in which they are asked says what they are. A name that stands alone is told by its place.
 fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> + '_ {
     let asked = loaded.questions.iter().flat_map(|question| &question.ask);
     asked.filter_map(|ask| match ask {
-        Ask::Find(find) if loaded.spoken.is_within_only(&find.find) && loaded.given.get(&find.find).is_none() => {
+        Ask::Find(find) if loaded.spoken.is_within_terms_only(&find.find) && loaded.given.get(&find.find).is_none() => {
             Some((find.find.clone(), Unit::parse(find.unit.as_deref()?).ok()?.dimension()))
         }
         _ => None,
@@ -93,6 +93,6 @@ pub(crate) fn unmeasured(loaded: &Loaded) -> BTreeSet<String> {
     });
     let asked = names.filter(|name| loaded.given.get(name).is_none()).map(String::as_str);
     let open = loaded.given.iter().filter(|(_, given)| matches!(given, Given::Any(None))).map(|(name, _)| name);
-    let open = open.filter(|name| loaded.spoken.is_within_only(name) || loaded.spoken.is_of_givens_only(name));
+    let open = open.filter(|name| loaded.spoken.is_within_terms_only(name));
     asked.filter(|name| loaded.spoken.is_within_only(name)).chain(open).map(str::to_owned).collect()
 }

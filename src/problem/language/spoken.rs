@@ -29,11 +29,16 @@ impl Spoken {
     }
 
     /// Whether a name is spoken only within terms of other givens: the scene says nothing of it.
-    pub(super) fn is_of_givens_only(&self, name: &str) -> bool {
+    fn is_of_givens_only(&self, name: &str) -> bool {
         self.given.contains(name) && !self.within.contains(name) && !self.alone.contains(name)
     }
 
-    /// Whether a name is spoken only within longer terms. One that stands alone is told by its place.
+    /// Whether a name is spoken only within longer terms of the scene, the relations or the givens.
+    pub(super) fn is_within_terms_only(&self, name: &str) -> bool {
+        self.is_within_only(name) || self.is_of_givens_only(name)
+    }
+
+    /// Whether a name is spoken only within longer terms of the scene and the relations. One that stands alone is told by its place.
     pub(super) fn is_within_only(&self, name: &str) -> bool {
         self.within.contains(name) && !self.alone.contains(name)
     }

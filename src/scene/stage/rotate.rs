@@ -107,6 +107,12 @@ impl Rotate {
 }
 
 impl Arm {
+    /// Whether it has one length throughout.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        matches!(self, Self::Constant(_))
+    }
+
     /// The lengths before and after.
     #[must_use]
     pub fn ends(&self) -> [&Term; 2] {
