@@ -106,15 +106,16 @@ fn run_all<const D: usize>(motion: &Lasting<D>, most_periods: u32, done: &mut dy
 }
 
 fn measured<const D: usize>(motion: &Lasting<D>, method: MethodKind, periods: u32) -> Drift {
-    let setting = match method.setting() {
-        Setting::None => None,
-        Setting::Tolerance => Some(TOLERANCE),
-        Setting::Step => Some(motion.period / STEPS_PER_PERIOD),
+    let value = match method.setting() {
+        Setting::None => 0.0,
+        Setting::Tolerance => TOLERANCE,
+        Setting::Step => motion.period / STEPS_PER_PERIOD,
     };
+    let setting = (method.setting() != Setting::None).then_some(value);
     let until = motion.period * f64::from(periods);
     let budget = Budget::until(until).at_most(usize::MAX).steps(usize::MAX).keep(Keep::Count);
     let start = Instant::now();
-    let run = method.with::<D>(setting.unwrap_or(0.0)).run(&motion.world, &budget);
+    let run = method.with::<D>(value).run(&motion.world, &budget);
     let seconds = start.elapsed().as_secs_f64();
     let first = motion.world.start();
     let changed = |measure: fn(&World<D>, &State<D>) -> f64, last: &State<D>| {
