@@ -120,7 +120,8 @@ fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) ->
         let axis = ["+x", "+y", "\u{2212}x", "\u{2212}y"][usize::from(frame.normal.quarters % 4)];
         return Some(vec![words(format!("The normal of the contact points {line}: along {axis}."))]);
     }
-    if frame.normal.quarters % 4 == 0 && frame.normal.turn.symbols().iter().any(|symbol| display.is_open(*symbol)) {
+    let is_open = frame.normal.turn.symbols().iter().any(|symbol| display.is_open(*symbol));
+    if is_open && frame.normal.quarters.is_multiple_of(4) {
         let angle = Inline::Math(display.symbolic(&frame.normal.turn));
         let ends = [words(" counter-clockwise from +x; "), letter("t"), words(" is at 90° to it, counter-clockwise.")];
         let begins = [words("At the contact, "), letter("n"), words(format!(" points {line}, at ")), angle];
