@@ -43,6 +43,7 @@ use super::super::sampling::no_variant::Rejection;
 use super::super::sampling::sampler::Sampler;
 use super::super::sampling::stream::Streams;
 use super::any;
+use super::consistent::inconsistent;
 use super::form_draft::FormDraft;
 use super::idle;
 use super::planned::Built;
@@ -80,8 +81,10 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
             return None;
         }
         let mut sampler = Sampler::new(problem, position).ok()?;
-        let reason = sampler.draw(0).err()?;
         let path = form.question.path.key("ask");
+        let Err(reason) = sampler.draw(0) else {
+            return inconsistent(problem, form, &sampler).map(|fault| fault.at_path(path));
+        };
         let code = match reason.rejection() {
             Some(Rejection::Several(count)) => {
                 let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
@@ -96,9 +99,9 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
             Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
             _ => Code::Unphysical,
         };
+        let is_not_real = matches!(reason.rejection(), Some(Rejection::NotReal(_)));
         let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));
         let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
-        let is_not_real = matches!(reason.rejection(), Some(Rejection::NotReal(_)));
         let nearest = if is_not_real { sampler.nearest_solutions() } else { None };
         let help = match nearest {
             Some(changes) => format!("there is a solution with {changes}; or give other values"),

@@ -5,6 +5,7 @@ mod idle;
 pub(super) mod ad_hoc;
 pub(super) mod any;
 pub(super) mod compile;
+mod consistent;
 pub(super) mod form_cache;
 pub(super) mod form_draft;
 pub(super) mod input;

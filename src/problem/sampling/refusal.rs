@@ -11,6 +11,7 @@ use momentous_solve::Step;
 use super::super::compiling::regimes::Dead;
 use super::super::questions::choices::choice::ChoicePart;
 use super::super::questions::part::AskedUnit;
+use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
 use super::no_variant::Rejection;
 use super::sampler::Sampler;
@@ -148,7 +149,25 @@ impl Sampler<'_> {
 
     /// One solution, or any number of them where every one is asked for; and nothing that is asked is without a meaning there.
     pub(super) fn is_admissible(&self, solutions: usize) -> bool {
-        self.form.accepts(solutions) && self.has_intervals() && self.refused().is_none()
+        (self.form.accepts(solutions) || self.is_asked_alike()) && self.has_intervals() && self.refused().is_none()
+    }
+
+    /// Whether fixed numbers have several solutions, and what is asked is the same in all of them: a swing that passes a place on its
+    /// way up and on its way down has one speed there.
+    pub(super) fn is_asked_alike(&self) -> bool {
+        let alike = |symbol: Symbol| {
+            let others = self.scratch.other_values(&self.form.solver, symbol);
+            let is_same = |first: Bounded| {
+                others.iter().all(|other| (other.value - first.value).abs() <= first.error + other.error)
+            };
+            self.answer(symbol).is_some_and(is_same)
+        };
+        let is_number = |part: &Part| matches!(part.kind, PartKind::Number(_) | PartKind::Vector(_));
+        self.form.question.roots.is_none()
+            && !self.is_drawn
+            && self.scratch.survivors(&self.form.solver) > 1
+            && self.form.parts.iter().all(is_number)
+            && self.form.wanted().all(alike)
     }
 
     /// Why numbers that have a solution are refused nevertheless.

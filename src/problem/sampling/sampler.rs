@@ -51,7 +51,7 @@ pub struct Sampler<'p> {
     /// Inputs that were changed by hand, as they were before.
     changed: Vec<(usize, Input)>,
     /// Whether any of its numbers is drawn.
-    is_drawn: bool,
+    pub(super) is_drawn: bool,
     rejected: u64,
     indistinct: BTreeMap<&'p str, u64>,
     ill_chosen: BTreeMap<&'p str, u64>,
@@ -135,6 +135,11 @@ impl<'p> Sampler<'p> {
             self.rejected += 1;
         }
         Err(NoVariant::Exhausted(self.why()))
+    }
+
+    /// The way in which the scene goes with the numbers solved last.
+    pub(crate) fn leaf(&self) -> usize {
+        self.scratch.leaf()
     }
 
     /// A quantity of the variant drawn last, in SI units, with a bound on its error.
@@ -280,7 +285,7 @@ impl<'p> Sampler<'p> {
 
     /// The values asked in each further solution, where there is one.
     fn others(&self) -> Vec<(Symbol, Vec<Bounded>)> {
-        if self.scratch.survivors(&self.form.solver) < 2 {
+        if self.scratch.survivors(&self.form.solver) < 2 || self.is_asked_alike() {
             return Vec::new();
         }
         let others = |symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol));

@@ -8,3 +8,4 @@ pub(super) mod planner;
 pub(super) mod search;
 pub(super) mod stuck;
 pub(super) mod tactics;
+pub(super) mod ties;

@@ -2,8 +2,9 @@
 
 use nalgebra::DMatrix;
 
-use momentous_expr::Expr;
+use momentous_expr::{Expr, Symbol};
 
+use super::super::{Statement, Step, System};
 use super::basis::Span;
 use super::bits::Bits;
 use super::incidence::Structure;
@@ -21,6 +22,32 @@ pub(crate) fn singular(matrix: &[Vec<Expr>]) -> bool {
         };
         rank(&DMatrix::from_fn(size, size, value)).is_some_and(|rank| rank < size)
     })
+}
+
+/// Whether the equations of a step do not tell its unknowns apart from their neighbours at these values: a product of which the other
+/// factor is zero as well holds for any value.
+#[must_use]
+pub fn is_singular(system: &System, step: &Step, value: &dyn Fn(Symbol) -> f64) -> bool {
+    let size = step.unknowns.len();
+    let equations = step.equations.iter().filter_map(|place| system.equations.get(*place));
+    let mut matrix = DMatrix::zeros(step.equations.len(), size);
+    for (mut row, equation) in matrix.row_iter_mut().zip(equations) {
+        let Statement::Equal { left, right } = &equation.statement else { return false };
+        for (side, sign) in [(left, 1.0), (right, -1.0)] {
+            side.slopes(value, sign, &mut |symbol, slope| {
+                if let Some(column) = step.unknowns.iter().position(|unknown| *unknown == symbol) {
+                    row[column] += slope;
+                }
+            });
+        }
+        let largest = row.amax();
+        row /= if largest > 0.0 { largest } else { 1.0 };
+    }
+    for mut column in matrix.column_iter_mut() {
+        let largest = column.amax();
+        column /= if largest > 0.0 { largest } else { 1.0 };
+    }
+    rank(&matrix).is_some_and(|rank| rank < size)
 }
 
 /// The rows of the block, where they depend on each other whatever else is known: a set that no plan can use together.

@@ -63,11 +63,20 @@ impl Samples {
         self.found.push((stated.into_iter().map(Cow::into_owned).collect(), sample.clone()));
         sample
     }
+
+    /// Whether there is a place at which all rows of a system hold.
+    pub(crate) fn hold(&mut self, system: &System, structure: &Structure) -> bool {
+        self.of(system, structure).holds
+    }
 }
 
 /// A value for each symbol of a system, by the position of the symbol in its table; 1 for any other.
 #[derive(Clone, Debug)]
-pub(super) struct Sample(Vec<f64>);
+pub(super) struct Sample {
+    values: Vec<f64>,
+    /// Whether everything holds there: where no such place is found, the values are in no relation to each other.
+    holds: bool,
+}
 
 impl Sample {
     /// Values at which all of this holds, with as few zeros as can be; where none are found, as with
@@ -97,7 +106,7 @@ impl Sample {
                     .map(|symbol| (symbol, generic(symbol.index(), 0))),
             )
         };
-        fewest.unwrap_or_else(generic)
+        fewest.unwrap_or_else(|| Self { holds: false, ..generic() })
     }
 
     fn read(values: impl Iterator<Item = (Symbol, f64)>) -> Self {
@@ -107,16 +116,16 @@ impl Sample {
             all.resize(all.len().max(place + 1), 1.0);
             all[place] = value;
         }
-        Self(all)
+        Self { values: all, holds: true }
     }
 
     /// The value of a symbol.
     pub(crate) fn value(&self, symbol: Symbol) -> f64 {
-        self.0.get(symbol.index()).copied().unwrap_or(1.0)
+        self.values.get(symbol.index()).copied().unwrap_or(1.0)
     }
 
     fn zeros(&self) -> usize {
-        self.0.iter().filter(|value| value.abs() < NOTHING).count()
+        self.values.iter().filter(|value| value.abs() < NOTHING).count()
     }
 
     /// Gives `add` the derivatives of left side minus right side, in parts: one for each place at which a symbol stands. `None` for a
@@ -273,12 +282,13 @@ mod tests {
         fall.positive = fall.equations.iter().take(2).flat_map(|equation| symbols(&equation.statement)).collect();
         let sample = sample(&fall);
         assert!(fall.positive.iter().all(|symbol| sample.value(*symbol) > NOTHING), "{sample:?}");
-        assert!(sample.0.iter().any(|value| *value < 0.0), "{sample:?}");
+        assert!(sample.values.iter().any(|value| *value < 0.0), "{sample:?}");
     }
 
     #[test]
     fn a_contradiction_leaves_values_in_no_relation() {
         let never = system(&[["x", "1 + x^2"]]);
-        assert_eq!(sample(&never).0, [generic(0, 0)]);
+        assert_eq!(sample(&never).values, [generic(0, 0)]);
+        assert!(!sample(&never).holds);
     }
 }
