@@ -37,6 +37,12 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether a string that was jerked before is still taut between two bodies when a stage begins.
+    pub(crate) fn is_string_taut(&self, index: usize, bodies: [&str; 2]) -> bool {
+        let joins = |string: &TautString| string.ends.iter().all(|end| bodies.contains(&end.as_str()));
+        self.taut_strings(index).iter().any(joins)
+    }
+
     /// The strings that are taut when a stage begins, but for those that are jerked again in it. One that has been taut for a time is so
     /// while neither end changes its velocity; while no time passes, none goes slack.
     fn taut_strings(&self, index: usize) -> Vec<TautString> {

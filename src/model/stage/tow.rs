@@ -14,6 +14,8 @@ use crate::forces::Acts;
 use crate::incline::Incline;
 use crate::name::is_bare_name;
 use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::energy;
 use momentous_laws::force;
@@ -36,11 +38,13 @@ struct Member {
     after: Expr,
 }
 
-/// What joins bodies and cannot push, by the last word of its name.
-const PULLS_ONLY: &[&str] = &["string", "rope", "cord", "cable", "chain", "thread", "wire"];
-
 impl Builder<'_> {
     pub(crate) fn tow(&mut self, index: usize, stage: &Tow, path: &Path) {
+        if stage.by.is_some() && stage.string.is_some() {
+            let fault = Fault::new(Code::Value, "two bodies in a row are joined by one thing");
+            let help = "write `string` for what can only pull, or `by` for what can push as well";
+            self.faults.push(fault.help(help).at_path(path.key("by")));
+        }
         let joint = stage.joint();
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
@@ -97,7 +101,7 @@ impl Builder<'_> {
             let reason = Reason::MovesBack(front.name.clone()).against(opposing);
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        if PULLS_ONLY.iter().any(|what| joint.ends_with(what)) {
+        if stage.string.is_some() || self.is_string_taut(index, stage.both().map(|towed| towed.body.as_str())) {
             self.require(tension, Relation::AtLeast, Expr::zero(), Reason::Slack(joint.to_owned()));
         }
         self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");

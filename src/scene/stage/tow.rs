@@ -19,9 +19,12 @@ pub struct Tow {
     pub front: Towed,
     /// The body behind it.
     pub rear: Towed,
-    /// What joins them, as it is called in a sentence. Default: the coupling.
+    /// What joins them, as it is called in a sentence; it pulls or pushes. Default: the coupling.
     #[serde(default)]
     pub by: Option<String>,
+    /// The string that joins them, as it is called in a sentence: `the rope`. It can only pull.
+    #[serde(default)]
+    pub string: Option<String>,
     /// The angle of the slope on which both are. Default: the path is level, or vertical where the axis is.
     #[serde(default)]
     pub incline: Option<Term>,
@@ -57,9 +60,9 @@ impl Tow {
         [&self.front, &self.rear]
     }
 
-    /// The coupling, as it is called in a sentence.
+    /// What joins them, as it is called in a sentence.
     #[must_use]
     pub fn joint(&self) -> &str {
-        self.by.as_deref().unwrap_or("the coupling")
+        self.string.as_ref().or(self.by.as_ref()).map_or("the coupling", String::as_str)
     }
 }
