@@ -23,8 +23,8 @@ impl Builder<'_> {
         self.component(name, meaning).into()
     }
 
-    /// Whose place, and since when, a body has at an instant. Impacts and separations take no time, a part starts where the
-    /// whole was, and in the flight of others a body's own clock stands still.
+    /// Whose place, and since when, a body has at an instant. Impacts and sudden separations take no time, a part starts where
+    /// the whole was, and in the flight of others a body's own clock stands still.
     pub(super) fn place_since(&self, body: &str, instant: usize) -> (String, usize) {
         if self.axes.is_empty() {
             return (body.to_owned(), self.distance_since(body, instant));
@@ -36,7 +36,7 @@ impl Builder<'_> {
         {
             return self.place_since(first, instant - 1);
         }
-        if let Some(Stage::Separate(Separate { from: Some(whole), into, .. })) = stage
+        if let Some(Stage::Separate(Separate { from: Some(whole), into, force: None, .. })) = stage
             && into.iter().any(|part| part == body)
         {
             return self.place_since(whole, instant - 1);

@@ -24,7 +24,9 @@ impl Builder<'_> {
         if !stage.takes_time() || matches!(stage, Stage::Flight(_) | Stage::Fall(_)) {
             return;
         }
-        let named: Vec<&str> = Description::of(self.scene, stage).bodies.into_iter().map(|(body, _)| body).collect();
+        let described = Description::of(self.scene, stage);
+        // Parts are named by none of these: they need not be there before.
+        let named: Vec<&str> = described.bodies.iter().map(|(body, _)| *body).chain(described.changed()).collect();
         let bound = acting_on_others(self.scene, index, &named).into_iter();
         self.unheld.extend(bound.map(|(body, acts)| LeftAlone {
             stage: index,

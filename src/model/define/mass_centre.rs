@@ -138,7 +138,7 @@ impl Builder<'_> {
     fn centre_at_start(&mut self, index: usize, axis: Axis, alive: usize) -> Option<(Expr, Expr)> {
         let scene = self.scene;
         let burst = index.checked_sub(1).and_then(|before| scene.stages.get(before));
-        if let Some(Stage::Separate(Separate { from: Some(whole), into, .. })) = burst
+        if let Some(Stage::Separate(Separate { from: Some(whole), into, force: None, .. })) = burst
             && into.len() == alive
             && self.guided(whole).is_none()
         {
@@ -207,7 +207,7 @@ impl Builder<'_> {
                 return Some(Moves::FromRest);
             }
         }
-        let acts_alone = matches!(stage, Stage::Interact(_) | Stage::Drift(_));
+        let acts_alone = matches!(stage, Stage::Interact(_) | Stage::Drift(_) | Stage::Separate(_));
         self.lasting[index].clone().filter(|_| acts_alone).map(Moves::Freely)
     }
 }

@@ -193,6 +193,7 @@ impl<'a> Description<'a> {
             Stage::Separate(separate) => Self {
                 changes: Some(separate.into.iter().map(String::as_str).collect()),
                 fills_space: true,
+                leaves: if separate.lasts() { Leaves::None } else { Leaves::All },
                 ..Self::sudden(separate.called.as_deref().unwrap_or("separation"))
             },
             Stage::SlideOff(slide_off) => Self {

@@ -3,6 +3,7 @@
 use crate::Agent;
 use crate::Builder;
 use crate::Impulse;
+use crate::Integral;
 use crate::Name;
 use crate::QuantityKind;
 use crate::Reason;
@@ -14,7 +15,9 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::force;
+use momentous_laws::kinematics;
 use momentous_laws::momentum;
+use momentous_laws::motion;
 use momentous_laws::separation;
 use momentous_quantity::Dimension;
 use momentous_scene::Axis;
@@ -52,7 +55,7 @@ impl Builder<'_> {
         if let Some(relative) = &stage.relative {
             self.relative_velocity(index, relative, &before, &path.key("relative"));
         }
-        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &[], path };
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: None, path };
         let weighed: Vec<(&str, &str)> =
             parts.iter().map(|part| (stage.from.as_deref().unwrap_or(part), *part)).collect();
         self.weigh_contact(&lasting, &weighed, false);
@@ -113,6 +116,33 @@ impl Builder<'_> {
         let symbol = Expr::from(self.symbol(impulse_ahead, meaning));
         let because = format!("{name} drives {} forwards throughout", self.called(ahead));
         self.law(&force::IMPULSE, Some(index), because, (symbol, impulse));
+        self.lasting[index] = Some(end.clone());
+        self.move_meanwhile(index, stage, &force.strength, &end);
+    }
+
+    /// How far the parts come along the axis while a force of that strength drives them apart.
+    fn move_meanwhile(&mut self, index: usize, stage: &Separate, strength: &Expr, end: &Expr) {
+        let ([behind, _], Some(axis)) = (&stage.into[..], self.only_axis()) else { return };
+        let clock = self.running_time();
+        let Some(gained) = strength.definite(clock, &Expr::zero(), &clock.into()) else { return };
+        for part in &stage.into {
+            let whole = stage.from.as_deref().unwrap_or(part);
+            let [from, to] = [(whole, index + 1), (part, index + 2)].map(|(body, at)| self.place(body, at, axis));
+            let (name, before) = (self.called(part), self.velocity(whole, index + 1, axis));
+            if !strength.contains(clock) {
+                let after = self.velocity(part, index + 2, axis);
+                let because = format!("the force on {name} does not change, so the velocity changes evenly");
+                let sides = kinematics::mean_velocity([&from, &to], [&before, &after], end);
+                self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
+                continue;
+            }
+            let change = gained.clone().simplify() / self.mass(part);
+            let velocity = if part == behind { before - change } else { before + change };
+            let Some(gone) = velocity.definite(clock, &Expr::zero(), end) else { continue };
+            let because = format!("the impulse up to each time gives the velocity of {name} at that time");
+            let integral = Integral { integrand: velocity, variable: clock, low: Expr::zero(), high: end.clone() };
+            self.integral(&motion::DISPLACEMENT, index, because, (to - from, gone.simplify()), integral);
+        }
     }
 
     /// Named from back to front, parts that are driven apart do not pass through each other.

@@ -204,7 +204,8 @@ impl Stage {
     #[must_use]
     pub fn takes_time(&self) -> bool {
         match self {
-            Self::Impact(_) | Self::Blow(_) | Self::Strike(_) | Self::Separate(_) | Self::Taut(_) => false,
+            Self::Impact(_) | Self::Blow(_) | Self::Strike(_) | Self::Taut(_) => false,
+            Self::Separate(stage) => stage.lasts(),
             Self::Push(_)
             | Self::Slide(_)
             | Self::Spring(_)

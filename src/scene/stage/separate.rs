@@ -36,6 +36,14 @@ pub struct Separate {
     pub duration: Option<Term>,
 }
 
+impl Separate {
+    /// Whether it lasts: the force that drives the parts apart acts for a time, in which they move.
+    #[must_use]
+    pub fn lasts(&self) -> bool {
+        self.force.is_some()
+    }
+}
+
 /// The velocity of one part relative to another: that of the first minus that of the second.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -118,7 +118,7 @@ pub(super) fn same_place<'a>(stage: &'a Stage, body: &'a str) -> Option<&'a str>
         },
         Stage::Separate(separate) => {
             let whole = separate.from.as_deref().filter(|_| separate.into.iter().any(|part| part == body));
-            Some(whole.unwrap_or(body))
+            Some(whole.unwrap_or(body)).filter(|_| !separate.lasts())
         }
         Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_) => Some(body),
         Stage::Flight(flight) => flight.flying().all(|other| other != body).then_some(body),

@@ -181,7 +181,8 @@ impl StageRun<'_> {
     fn note_parts(&mut self, stage: &Separate, pieces: &[Pushed<'_>]) {
         self.note_velocities(pieces);
         self.note_pushed(pieces, stage.duration.as_ref());
-        for name in &stage.into {
+        // Parts that a force drives apart for a time do not stay where they were.
+        for name in stage.into.iter().filter(|_| !stage.lasts()) {
             for axis in self.values.axes() {
                 if let Ok(place) = self.values.place_before(stage.from.as_deref().unwrap_or(name), axis) {
                     self.note(&self.values.place_name(name, self.values.index + 2, axis), place, 0.0);
