@@ -149,11 +149,12 @@ pub enum Reason {
     /// A body on the inside of a track would lose contact with it.
     #[error("{0} would leave the track before the end of {1}")]
     LeavesTrack(String, String),
-    /// Weight, which a short contact leaves out, would give too much.
+    /// Weight, which a short contact leaves out, would give too much; whether the stage can include it.
     #[error(
-        "weight would give {0} 10 % or more of its change of momentum in {1}, where it is neglected (`include: [weight]` takes it into account)"
+        "weight would give {0} 10 % or more of its change of momentum in {1}, where it is neglected{hint}",
+        hint = if *.2 { " (`include: [weight]` takes it into account)" } else { "" }
     )]
-    WeightNotNegligible(String, String),
+    WeightNotNegligible(String, String, bool),
     /// The same where a question is about weight.
     #[error("weight would give 10 % or more of the change of momentum, too much to be called negligible")]
     WeightNotSmall,

@@ -21,7 +21,8 @@ use super::guide::dot;
 pub(super) struct Lasting<'a> {
     pub index: usize,
     pub duration: Option<&'a Term>,
-    pub include: &'a [Included],
+    /// What is included beside the contact; none where a stage of its kind cannot include anything.
+    pub include: Option<&'a [Included]>,
     pub path: &'a Path,
 }
 
@@ -34,7 +35,7 @@ impl Builder<'_> {
 
     /// The terms that a contact which includes weight adds to each component of a velocity; none where it leaves weight out.
     pub(super) fn included_weight(&mut self, contact: &Lasting<'_>, body: &str) -> Option<Vec<Expr>> {
-        if contact.include.is_empty() {
+        if contact.include.is_none_or(<[Included]>::is_empty) {
             return None;
         }
         let wrong = if contact.duration.is_none() {
@@ -93,7 +94,7 @@ impl Builder<'_> {
     pub(super) fn weigh_contact(&mut self, contact: &Lasting<'_>, bodies: &[(&str, &str)], hangs: bool) {
         let acts = hangs || self.weight_has_a_component();
         let Some(time) = acts.then(|| self.contact_time(contact)).flatten() else { return };
-        let included = !contact.include.is_empty();
+        let included = contact.include.is_some_and(|include| !include.is_empty());
         for (before, after) in bodies {
             if self.guided(before).is_some() {
                 continue;
@@ -106,7 +107,8 @@ impl Builder<'_> {
                 ContactWeight { stage: contact.index, on: (*before).to_owned(), included, fall, change };
             if !included {
                 let [weight, change] = contact_weight.squares();
-                let reason = Reason::WeightNotNegligible(self.called(before), self.stage_phrase(contact.index));
+                let phrase = self.stage_phrase(contact.index);
+                let reason = Reason::WeightNotNegligible(self.called(before), phrase, contact.include.is_some());
                 self.require(weight, Relation::Less, change, reason);
             }
             self.weights.push(contact_weight);

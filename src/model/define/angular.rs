@@ -3,6 +3,7 @@
 use momentous_expr::Expr;
 use momentous_expr::Function;
 use momentous_expr::Symbol;
+use momentous_expr::SymbolEntry;
 use momentous_fault::Path;
 use momentous_laws::angular;
 use momentous_laws::mass_centre;
@@ -82,8 +83,13 @@ pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Opti
     let period = builder.positive(builder.canonical(name), meaning);
     // Clockwise, an angular velocity is negative, which a velocity may tell, but a period does not.
     let is_given = |symbol: Symbol| builder.given.contains(&builder.symbols.entry(symbol).name);
-    let tells_sense = |symbol: &Symbol| is_given(*symbol) && !builder.system.positive.contains(symbol);
-    let is_assumed = is_given(period) && !turning.symbols().iter().any(tells_sense);
+    let tells_sense = |(symbol, _): (Symbol, &SymbolEntry)| {
+        let kind = &builder.name(symbol).kind;
+        let turns =
+            matches!(kind, QuantityKind::Velocity | QuantityKind::AngularVelocity | QuantityKind::AngularMomentum);
+        turns && is_given(symbol) && !builder.system.positive.contains(&symbol)
+    };
+    let is_assumed = is_given(period) && !builder.symbols.iter().any(tells_sense);
     let (rate, because) = if is_assumed {
         (turning, "a revolution is an angle of two pi; the period tells no sense, and the positive one is taken")
     } else {

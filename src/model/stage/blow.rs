@@ -22,7 +22,7 @@ impl Builder<'_> {
         let name = self.called(body);
         let mass = self.mass(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        let contact = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
+        let contact = Lasting { index, duration: stage.duration.as_ref(), include: Some(&stage.include), path };
         let gained = self.included_weight(&contact, body);
         let guide = self.guided(body);
         let mut components = Vec::new();

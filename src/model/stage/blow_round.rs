@@ -19,7 +19,7 @@ impl Builder<'_> {
         let body = stage.body.as_str();
         let (name, mass) = (self.called(body), self.mass(body));
         self.included_weight(
-            &Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path },
+            &Lasting { index, duration: stage.duration.as_ref(), include: Some(&stage.include), path },
             body,
         );
         let mut components = Vec::new();

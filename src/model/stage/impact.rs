@@ -56,7 +56,9 @@ impl Builder<'_> {
             None => {}
         }
         self.told_loss(&contact);
-        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
+        let includes = matches!(stage.partners(), Some(Partners::Surface(..)));
+        let include = includes.then_some(&stage.include[..]);
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include, path };
         let after = |body| (body, stage.becomes.as_deref().unwrap_or(body));
         match stage.partners() {
             Some(Partners::Surface(body, _)) => self.weigh_contact(&lasting, &[after(body)], false),

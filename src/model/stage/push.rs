@@ -130,7 +130,7 @@ impl Builder<'_> {
         self.check_over(&pushed, path);
         match friction {
             Some((friction, at)) => self.push_against_friction(&pushed, friction, &at),
-            None => self.push_freely(&pushed, stage.incline.is_some()),
+            None => self.push_freely(&pushed, stage),
         }
     }
 
@@ -144,7 +144,9 @@ impl Builder<'_> {
     }
 
     /// A push without friction: impulse and momentum along every axis, work and energy where a distance is used.
-    fn push_freely(&mut self, pushed: &Pushed<'_>, on_slope: bool) {
+    fn push_freely(&mut self, pushed: &Pushed<'_>, stage: &Push) {
+        let on_slope = stage.incline.is_some();
+        self.goes_as_told(pushed, stage);
         let (index, body, [start, end]) = (pushed.index, pushed.body, [&pushed.start, &pushed.end]);
         let mass = self.mass(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
@@ -309,13 +311,6 @@ impl Builder<'_> {
         if let Some((Some(last), _)) = pieces.pieces.last() {
             self.in_order(end, last, Reason::OutlastsForce(name.to_owned()));
         }
-    }
-
-    /// The number zero for a value that the author wrote as `0 s`, so that nothing is carried along that is not there.
-    pub(crate) fn zero_if_so_written(&self, value: Expr) -> Expr {
-        let zero =
-            self.literals.iter().any(|(literal, written)| Expr::from(*literal) == value && written.value.is_zero());
-        if zero { Expr::zero() } else { value }
     }
 
     /// A force, or as many as it has components.

@@ -9,6 +9,7 @@ use crate::Opposing;
 use crate::Passage;
 use crate::QuantityKind;
 use crate::Reason;
+use crate::builder::SECOND_COST;
 use crate::wording;
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
@@ -55,15 +56,16 @@ impl Builder<'_> {
         let way = pushed.over.clone().map(|over| ends[0].clone() + sign.clone() * over);
         let end = way.unwrap_or_else(|| ends[1].clone());
         let mut forces = Vec::new();
-        let mut works = Vec::new();
+        let (mut works, mut integrals) = (Vec::new(), Vec::new());
         for force in &pushed.acting {
             let along = self.components(&force.direction).swap_remove(0);
             let along = force.strength.clone() * along;
-            works.push(if along.contains(place) {
-                self.work_over(index, force, &along, place, &ends)
+            if along.contains(place) {
+                works.push(self.work_over(index, force, &along, place, &ends));
+                integrals.extend(along.definite(place, &ends[0], &ends[1]));
             } else {
-                along.clone() * moved.clone()
-            });
+                works.push(along.clone() * moved.clone());
+            }
             forces.push(along);
         }
         let weight = match self.downwards(0) {
@@ -94,6 +96,14 @@ impl Builder<'_> {
         let [start, stop] = energies;
         let names = pushed.acting.iter().map(|force| force.name.as_str());
         let because = works::only(names, [weighs, rubs], &name);
+        let steady = forces.iter().filter(|force| !force.contains(place));
+        let steady: Vec<Expr> = steady.map(|force| force.clone() * moved.clone()).collect();
+        // Where steady forces act as well, the place stands in two equations, which together need not have a formula.
+        if !integrals.is_empty() && !steady.is_empty() && pushed.over.is_none() {
+            let works: Vec<Expr> = integrals.into_iter().chain(steady).collect();
+            let sides = energy::work_energy(start.clone(), works, stop.clone());
+            self.law_at(SECOND_COST, &energy::WORK_ENERGY, Some(index), because.clone(), sides);
+        }
         self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start.clone(), works, stop));
         let opposing = rubs.then_some(Opposing::Friction);
         self.moves_along(index, body, [&(sign.clone() * before), &(sign.clone() * after)], opposing);

@@ -8,6 +8,7 @@ use crate::Reason;
 use momentous_expr::Expr;
 use momentous_laws::motion;
 use momentous_scene::Axis;
+use momentous_scene::stage::Push;
 
 use super::push::Pushed;
 
@@ -54,6 +55,22 @@ impl Builder<'_> {
         let because = format!("the impulse up to each time gives the velocity of {name} at that time");
         let (low, high) = (since.clone(), pushed.end.clone());
         Some((because, gone, Integral { integrand: velocity, variable: pushed.clock, low, high }))
+    }
+
+    /// The number zero for a value that the author wrote as `0 s`, so that nothing is carried along that is not there.
+    pub(crate) fn zero_if_so_written(&self, value: Expr) -> Expr {
+        let zero =
+            self.literals.iter().any(|(literal, written)| Expr::from(*literal) == value && written.value.is_zero());
+        if zero { Expr::zero() } else { value }
+    }
+
+    /// A body that nothing holds back moves at both ends in the `direction` that its push tells; over a distance it does so anyway.
+    pub(super) fn goes_as_told(&mut self, pushed: &Pushed<'_>, stage: &Push) {
+        let (Some(axis), Some(_), None) = (self.only_axis(), &stage.direction, &pushed.over) else { return };
+        let [before, after] = [pushed.index + 1, pushed.index + 2]
+            .map(|instant| Expr::integer(pushed.sign) * self.velocity(pushed.body, instant, axis));
+        let after = if pushed.stops { Expr::zero() } else { after };
+        self.moves_along(pushed.index, pushed.body, [&before, &after], None);
     }
 
     /// Acceleration and net force at both ends, where all forces add up to these.

@@ -68,6 +68,9 @@ impl Builder<'_> {
         {
             self.ramp(index, stage, &name, height, &way);
         } else {
+            let told = distance.clone();
+            // On a straight slope, the height tells how far it is.
+            let distance = distance.or_else(|| Some(height.clone()? / incline.along.clone()));
             let retardation = self.retardation(&name, friction.as_ref(), &incline, &way);
             self.slowed((index, body), &retardation, distance.as_ref(), &duration, &way);
             if let Some(distance) = &distance {
@@ -80,7 +83,7 @@ impl Builder<'_> {
                     self.comes_so_far((index, body), axis, along(distance), format!("{name} comes so far"));
                 }
             }
-            if let (Some(height), Some(distance)) = (height, distance) {
+            if let (Some(height), Some(distance)) = (height, told) {
                 let sides = (height, distance * incline.along.clone());
                 self.law(&geometry::HEIGHT_OF_SLOPE, Some(index), "the slope is straight", sides);
             }

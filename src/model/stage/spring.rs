@@ -79,6 +79,17 @@ impl Builder<'_> {
         self.neglect("the mass of the spring", "it is light");
     }
 
+    /// A body that a spring carries deforms it by its weight, which acts along a vertical axis.
+    fn presses_on_spring(&mut self, pan: &str, path: &Path) {
+        if self.downwards(0).is_none() {
+            let message =
+                format!("{} does not deform the spring: its weight does not act along the axis", self.called(pan));
+            let help =
+                "write the deformation at the start, `from: d`, or let the axis point up or down in a vertical plane";
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.clone()));
+        }
+    }
+
     fn deformation(&mut self, index: usize, stage: &Spring, stiffness: &Expr, path: &Path) -> Deformation {
         let phrase = self.stage_phrase(index);
         let length = |builder: &mut Self, term: Option<&Term>, meaning: &str, key: &str| {
@@ -91,6 +102,7 @@ impl Builder<'_> {
         let travel = length(self, stage.travel.as_ref(), "the increase in the deformation of the spring", "travel");
         let before = match &stage.carried {
             Some(pan) => {
+                self.presses_on_spring(pan, &path.key("carried"));
                 let deformation = before.unwrap_or_else(|| {
                     self.positive(self.in_stage(QuantityKind::SpringDeformation, pan, index), from).into()
                 });

@@ -51,7 +51,8 @@ impl Builder<'_> {
             let because = format!("{name} does not rebound from {wall}");
             self.law(&restitution::PLASTIC, Some(index), because, (end.along.clone(), moves.clone()));
         }
-        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path: contact.path };
+        let lasting =
+            Lasting { index, duration: stage.duration.as_ref(), include: Some(&stage.include), path: contact.path };
         let gained = self.included_weight(&lasting, body);
         let [fallen, slid] = gained.as_ref().map_or([None, None], |gained| self.turned_into(gained, &frame));
         let guide = self.guided(body);

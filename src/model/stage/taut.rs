@@ -65,7 +65,7 @@ impl Builder<'_> {
                 "it is not impulsive: its impulse during the short jerk is negligible compared with that of the string";
             self.neglect("weight during the jerk", why);
         }
-        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &[], path };
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: None, path };
         self.weigh_contact(&lasting, &bodies.map(|body| (body, body)), stage.over.is_some());
         if let Some(pulley) = &stage.over {
             self.neglect(

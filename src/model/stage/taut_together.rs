@@ -58,7 +58,7 @@ impl Builder<'_> {
             let why = "it is not impulsive: its impulse during the short jerk is negligible compared with those of the strings";
             self.neglect("weight during the jerk", why);
         }
-        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &[], path };
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: None, path };
         let weighed: Vec<(&str, &str)> = bodies.iter().map(|body| (*body, *body)).collect();
         self.weigh_contact(&lasting, &weighed, false);
     }

@@ -263,14 +263,16 @@ impl Builder<'_> {
 
     /// Along a level axis, with a resistance that grows with the square of the speed.
     fn against_resistance(&mut self, burn: &Burn, resistance: &Expr, path: &Path) {
-        let (1, Plane::Horizontal, 0) = (self.axes.len(), self.scene.plane, burn.direction.quarters) else {
+        let (1, Plane::Horizontal, 0 | 2) = (self.axes.len(), self.scene.plane, burn.direction.quarters) else {
             let fault = Fault::new(Code::Value, "resistance needs one level axis, along the thrust");
             self.faults.push(fault.help("use one axis and a horizontal plane").at_path(path.clone()));
             return;
         };
         let (name, axis) = (self.called(&burn.body), self.axes[0].0);
-        let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
-        // The resistance is written against a motion along the axis.
+        let sign = if burn.direction.quarters == 0 { 1 } else { -1 };
+        let [before, after] =
+            [1, 2].map(|side| (Expr::integer(sign) * self.velocity(&burn.body, burn.index + side, axis)).simplify());
+        // The resistance is written against a motion with the thrust.
         for velocity in [&before, &after] {
             let reason = Reason::MovesBack(name.clone()).against(Some(Opposing::Resistance));
             self.require(velocity.clone(), Relation::AtLeast, Expr::zero(), reason);
