@@ -101,7 +101,7 @@ impl Builder<'_> {
             let reason = Reason::MovesBack(front.name.clone()).against(opposing);
             self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        if stage.string.is_some() || self.is_string_taut(index, stage.both().map(|towed| towed.body.as_str())) {
+        if stage.pulls_only() || self.is_string_taut(index, stage.both().map(|towed| towed.body.as_str())) {
             self.require(tension, Relation::AtLeast, Expr::zero(), Reason::Slack(joint.to_owned()));
         }
         self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");

@@ -19,7 +19,7 @@ pub struct Tow {
     pub front: Towed,
     /// The body behind it.
     pub rear: Towed,
-    /// What joins them, as it is called in a sentence; it pulls or pushes. Default: the coupling.
+    /// What joins them, as it is called in a sentence. It pulls or pushes, unless it is called a rope or the like. Default: the coupling.
     #[serde(default)]
     pub by: Option<String>,
     /// The string that joins them, as it is called in a sentence: `the rope`. It can only pull.
@@ -53,7 +53,17 @@ pub struct Towed {
     pub friction: Option<Term>,
 }
 
+/// Words for what cannot push; the name of a coupling that ends in one of them says so.
+const STRINGS: [&str; 7] = ["string", "rope", "cord", "cable", "chain", "thread", "wire"];
+
 impl Tow {
+    /// Whether what joins the bodies can only pull.
+    #[must_use]
+    pub fn pulls_only(&self) -> bool {
+        let last = self.by.as_deref().and_then(|name| name.split_whitespace().last());
+        self.string.is_some() || last.is_some_and(|word| STRINGS.contains(&word))
+    }
+
     /// Both of them, the one in front first.
     #[must_use]
     pub fn both(&self) -> [&Towed; 2] {
