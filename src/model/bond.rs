@@ -4,6 +4,7 @@ use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_scene::Scene;
 use momentous_scene::Stage;
+use momentous_scene::list;
 use momentous_scene::stage::Ends;
 use momentous_scene::stage::Impact;
 use momentous_scene::stage::Partners;
@@ -50,12 +51,7 @@ pub(super) fn broken(scene: &Scene, index: usize, stage: &Stage, acted_on: &[&st
     let noun = Description::of(scene, stage).noun;
     let names: Vec<String> = bond.bodies.iter().map(|body| scene.called(body)).collect();
     let [first, second] = [0, 1].map(|place| names.get(place).map_or("", String::as_str));
-    let together = match &names[..] {
-        [one] => one.clone(),
-        [one, other] => format!("{one} and {other}"),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-        [] => return None,
-    };
+    let together = list(&names);
     let (message, help) = match bond.kind {
         Kind::Stuck => (
             format!("{together} stay together, so the {noun} acts on them as one body"),

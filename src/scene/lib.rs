@@ -8,6 +8,7 @@ mod instant;
 mod pulley;
 pub mod stage;
 mod term;
+mod wording;
 
 pub use axes::{Axes, Axis, Sense, Senses};
 pub use body::{Body, Guide, Plane, Point, Surface};
@@ -16,6 +17,7 @@ pub use force::{Force, Friction, Graph, Piece, Pull, Strength};
 pub use instant::Instant;
 pub use stage::Stage;
 pub use term::Term;
+pub use wording::list;
 
 use std::collections::BTreeMap;
 
@@ -151,10 +153,7 @@ impl Scene {
             .into_iter()
             .map(|member| self.bodies.get(member).map_or(member, |entry| &entry.name))
             .collect();
-        match &names[..] {
-            [rest @ .., last] if !rest.is_empty() => format!("{} and {last} together", rest.join(", ")),
-            _ => names.concat(),
-        }
+        if names.len() > 1 { format!("{} together", list(&names)) } else { names.concat() }
     }
 
     /// How a point is called in a sentence: `the pivot`.

@@ -20,9 +20,25 @@ const PERIODS: [u32; 4] = [1_000, 10_000, 100_000, 1_000_000];
 /// A method whose run takes longer than this, in s, is not run for ten times as many periods.
 const LONGEST: f64 = 2.0;
 
-/// A motion that goes on for ever, and the measures that stay as they are in it.
+/// A motion that goes on for ever, as tables call it, and the momentum that it keeps beside the energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LastingMotion {
+    /// Its name.
+    pub name: &'static str,
+    /// The kind of momentum; `None` where something from outside changes it.
+    pub momentum: Option<&'static str>,
+}
+
+const BOUNCES: LastingMotion = LastingMotion { name: "bounces", momentum: None };
+const TIED_BALLS: LastingMotion = LastingMotion { name: "tied balls", momentum: Some("momentum") };
+const ORBITS: LastingMotion = LastingMotion { name: "orbits", momentum: Some("angular momentum") };
+
+/// All of them.
+pub const LASTING_MOTIONS: [LastingMotion; 3] = [BOUNCES, TIED_BALLS, ORBITS];
+
+/// A motion as a world, and the measures that stay as they are in it.
 struct Lasting<const D: usize> {
-    name: &'static str,
+    motion: LastingMotion,
     world: World<D>,
     /// In s.
     period: f64,
@@ -52,10 +68,6 @@ pub struct Drift {
     /// The name of the refusal.
     pub refusal: Option<String>,
 }
-
-/// The motions by their names, and whether they keep a momentum.
-pub const LASTING_MOTIONS: [(&str, Option<&str>); 3] =
-    [("bounces", None), ("tied balls", Some("momentum")), ("orbits", Some("angular momentum"))];
 
 /// Runs every method for up to so many periods of every motion; `done` is called after each of the [`drifts_of`] runs or what is left out.
 ///
@@ -87,8 +99,7 @@ pub fn drifts_of(most_periods: u32) -> usize {
 
 /// The methods that go through many periods.
 fn methods() -> impl Iterator<Item = MethodKind> {
-    let others = [MethodKind::ClosedForm, MethodKind::LinearSolve];
-    MethodKind::ALL.iter().copied().filter(move |method| !others.contains(method))
+    MethodKind::ALL.iter().copied().filter(|method| !matches!(method, MethodKind::ClosedForm | MethodKind::LinearSolve))
 }
 
 fn run_all<const D: usize>(motion: &Lasting<D>, most_periods: u32, done: &mut dyn FnMut(), all: &mut Vec<Drift>) {
@@ -124,7 +135,7 @@ fn measured<const D: usize>(motion: &Lasting<D>, method: MethodKind, periods: u3
     };
     let last = run.as_ref().ok().map(|run| &run.last);
     Drift {
-        motion: motion.name,
+        motion: motion.motion.name,
         method: method.name(),
         setting,
         periods,
@@ -147,7 +158,7 @@ fn bounces() -> Lasting<1> {
     let energy = |world: &World<1>, state: &State<1>| {
         world.kinetic_energy(&state.velocities) + world.bodies[0].mass * GRAVITY * state.positions[0].x
     };
-    Lasting { name: LASTING_MOTIONS[0].0, world, period: 2.0 * (2.0 / GRAVITY).sqrt(), energy, momentum: None }
+    Lasting { motion: BOUNCES, world, period: 2.0 * (2.0 / GRAVITY).sqrt(), energy, momentum: None }
 }
 
 /// Two balls of 2 kg and 1 kg on a cord of 1 m: with e = 1 they meet, part, and meet again after the cord was taut.
@@ -160,7 +171,7 @@ fn tied_balls() -> Lasting<1> {
     let period = 2.0 / 0.75;
     let energy = |world: &World<1>, state: &State<1>| world.kinetic_energy(&state.velocities);
     let momentum = |world: &World<1>, state: &State<1>| world.momentum(&state.velocities).x;
-    Lasting { name: LASTING_MOTIONS[1].0, world, period, energy, momentum: Some(momentum) }
+    Lasting { motion: TIED_BALLS, world, period, energy, momentum: Some(momentum) }
 }
 
 /// An orbit of eccentricity 1/2, from perigee to perigee.
@@ -174,5 +185,5 @@ fn orbits() -> Lasting<2> {
     let momentum =
         |world: &World<2>, state: &State<2>| world.bodies[0].mass * state.positions[0].perp(&state.velocities[0]);
     let period = std::f64::consts::TAU * 8.0_f64.sqrt();
-    Lasting { name: LASTING_MOTIONS[2].0, world, period, energy, momentum: Some(momentum) }
+    Lasting { motion: ORBITS, world, period, energy, momentum: Some(momentum) }
 }

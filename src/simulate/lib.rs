@@ -36,7 +36,7 @@ mod world;
 pub use budget::{Budget, Keep};
 pub use contact::Contact;
 #[cfg(feature = "clock")]
-pub use drift::{Drift, LASTING_MOTIONS, drifts, drifts_of};
+pub use drift::{Drift, LASTING_MOTIONS, LastingMotion, drifts, drifts_of};
 pub use exact::{
     BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine, repeated_cosine, repeated_decay,
 };

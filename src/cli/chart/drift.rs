@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::simulate::Drift;
 use crate::simulate::LASTING_MOTIONS;
+use crate::simulate::LastingMotion;
 use crate::simulate::drifts;
 use crate::simulate::drifts_of;
 
@@ -70,9 +71,9 @@ const HEIGHT: f64 = 400.0;
 
 /// The drift of the energy of each motion, and beside it that of the momentum where it keeps one.
 pub(super) fn page(rows: &[Row]) -> Page {
-    let row = |(motion, kept): &(&str, Option<&str>)| {
-        let energy = panel(rows, motion, "energy", |row| row.energy);
-        let momentum = kept.map(|name| panel(rows, motion, name, |row| row.momentum));
+    let row = |motion: &LastingMotion| {
+        let energy = panel(rows, motion.name, "energy", |row| row.energy);
+        let momentum = motion.momentum.map(|name| panel(rows, motion.name, name, |row| row.momentum));
         std::iter::once(energy).chain(momentum).map(Into::into).collect()
     };
     let title = "Drift of energy and momentum over bounces and periods".to_owned();

@@ -25,7 +25,6 @@ use momentous_scene::stage::Rotate;
 use momentous_scene::stage::Strike;
 
 use super::super::wording::capitalised;
-use super::super::wording::list;
 use super::angular::moment_impulse;
 use super::angular::nothing;
 use super::labels::body_math;
@@ -33,6 +32,7 @@ use super::labels::product;
 use super::quantities::Quantities;
 use super::sense::given_moment;
 use super::words::sentences;
+use momentous_scene::list;
 
 /// Words in the name of a rotor that is drawn as a disc.
 const DISCS: &[&str] = &["carousel", "disc", "disk", "flywheel", "platform", "roundabout", "turntable", "wheel"];

@@ -7,10 +7,10 @@ use momentous_figure::Drawing;
 use momentous_figure::Role;
 use momentous_figure::Shape;
 
-use super::super::wording::list;
 use super::labels::ORIGIN;
 use super::labels::body_math;
 use super::quantities::Quantities;
+use momentous_scene::list;
 
 /// Each letter is told in the caption of the first figure in which it stands for a body or a point.
 pub(super) fn tell(quantities: &Quantities<'_>, drawings: &mut [Drawing]) {

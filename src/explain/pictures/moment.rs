@@ -25,7 +25,6 @@ use momentous_scene::Strength;
 use momentous_scene::stage::Moment;
 
 use super::super::wording::capitalised;
-use super::super::wording::list;
 use super::arm::is_disc;
 use super::arm::turning as turning_of_arm;
 use super::compass::Compass;
@@ -35,6 +34,7 @@ use super::sense::given_moment;
 use super::words::OBLIQUE;
 use super::words::sentences;
 use super::words::turning_arrows;
+use momentous_scene::list;
 
 /// The bodies that turn, all at once.
 fn turning(quantities: &Quantities<'_>, index: usize) -> (String, Math) {

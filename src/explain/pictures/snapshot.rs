@@ -18,7 +18,6 @@ use momentous_figure::Wording;
 use momentous_scene::Axis;
 
 use super::super::wording::capitalised;
-use super::super::wording::list;
 use super::compass::Compass;
 use super::labels::ORIGIN;
 use super::labels::body_math;
@@ -29,6 +28,7 @@ use super::vectors::Labelled;
 use super::words::OBLIQUE;
 use super::words::arrows;
 use super::words::sentences;
+use momentous_scene::list;
 
 /// A body in space seen from a fixed point, at the start; none where its place may not be shown.
 pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {

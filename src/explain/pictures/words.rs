@@ -14,12 +14,12 @@ use momentous_quantity::coherent_unit;
 
 use super::super::terms::display::printed;
 use super::super::wording::capitalised;
-use super::super::wording::list;
 use super::balance::Balance;
 use super::compass::Compass;
 use super::quantities::Quantities;
 use super::quantities::Scope;
 use super::vectors::Labelled;
+use momentous_scene::list;
 
 /// Below this part of the largest vector of a figure a vector counts as zero.
 const NOTHING: f64 = 1e-9;

@@ -121,24 +121,30 @@ fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) ->
         return Some(vec![words(format!("The normal of the contact points {line}: along {axis}."))]);
     }
     let is_open = frame.normal.turn.symbols().iter().any(|symbol| display.is_open(*symbol));
-    if is_open && frame.normal.quarters.is_multiple_of(4) {
-        let angle = Inline::Math(display.symbolic(&frame.normal.turn));
-        let ends = [words(" counter-clockwise from +x; "), letter("t"), words(" is at 90° to it, counter-clockwise.")];
-        let begins = [words("At the contact, "), letter("n"), words(format!(" points {line}, at ")), angle];
-        return Some(begins.into_iter().chain(ends).collect());
-    }
+    let (angle, sense) = if is_open && frame.normal.quarters.is_multiple_of(4) {
+        (Inline::Math(display.symbolic(&frame.normal.turn)), "counter-clockwise")
+    } else {
+        angle_in_degrees(display, frame, quarters)
+    };
+    Some(vec![
+        words("At the contact, "),
+        letter("n"),
+        words(format!(" points {line}, at ")),
+        angle,
+        words(format!(" {sense} from +x; ")),
+        letter("t"),
+        words(" is at 90° to it, counter-clockwise."),
+    ])
+}
+
+/// The angle from +x to the normal of a contact, half a turn at most, and its sense.
+fn angle_in_degrees(display: Display<'_>, frame: &Frame, quarters: f64) -> (Inline, &'static str) {
     let turn = display.value_of(&frame.normal.turn) * 180.0 / std::f64::consts::PI + 90.0 * quarters;
     let turn = turn - 360.0 * (turn / 360.0).round();
     let sense = if turn < 0.0 { "clockwise" } else { "counter-clockwise" };
     let angle = printed(turn.abs(), 4);
     let angle = if angle.contains('.') { angle.trim_end_matches('0').trim_end_matches('.') } else { &angle };
-    Some(vec![
-        words("At the contact, "),
-        letter("n"),
-        words(format!(" points {line}, at {angle}° {sense} from +x; ")),
-        letter("t"),
-        words(" is at 90° to it, counter-clockwise."),
-    ])
+    (words(format!("{angle}°")), sense)
 }
 
 fn words(text: impl Into<String>) -> Inline {

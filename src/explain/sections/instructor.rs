@@ -6,7 +6,7 @@ use super::super::terms::display::Display;
 use super::super::terms::display::number_math;
 use super::super::terms::display::printed;
 use super::super::terms::display::with_unit;
-use super::super::wording::list;
+use momentous_scene::list;
 
 /// Certificates, equations used, roots that were not solutions.
 pub(super) fn notes(display: Display<'_>) -> Vec<Block> {

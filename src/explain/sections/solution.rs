@@ -24,7 +24,6 @@ use super::super::reach::last_instant;
 use super::super::terms::display::Display;
 use super::super::terms::display::PrintedTerms;
 use super::super::wording::capitalised;
-use super::super::wording::list;
 use super::super::working::script::Script;
 use super::super::working::short::ShortSteps;
 use super::super::working::steps::Steps;
@@ -34,6 +33,7 @@ use super::axes;
 use super::diagrams;
 use super::instructor;
 use super::stage_words::happening;
+use momentous_scene::list;
 
 /// The worked solution of a variant: the system with its figures and what is given, the laws with their equations, and the answers;
 /// in full also what acts, what is left out, and the checks. Instructors read a last section.

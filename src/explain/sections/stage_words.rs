@@ -23,7 +23,7 @@ use momentous_scene::stage::Stream;
 use momentous_scene::stage::UpOrDown;
 
 use super::super::wording::capitalised;
-use super::super::wording::list;
+use momentous_scene::list;
 
 /// The noun phrase for what happens in a stage.
 pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {

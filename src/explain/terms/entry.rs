@@ -15,7 +15,12 @@ pub(super) const LAST: usize = 3;
 const CLOSE: f64 = 0.002;
 
 /// By how much, relative to their size, two numbers may differ that are the same but for how they were computed.
-pub(super) const EQUAL: f64 = 1e-12;
+const EQUAL: f64 = 1e-12;
+
+/// Whether two numbers have the same size, but for how they were computed.
+pub(super) fn is_same_size(one: f64, other: f64) -> bool {
+    (one.abs() - other.abs()).abs() <= EQUAL * other.abs()
+}
 
 /// A number in a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,8 +104,7 @@ impl Entry {
     pub(super) fn is_printed_like(&self, other: &Self) -> bool {
         let are_quantities = matches!((self.item, other.item), (Item::Quantity(_), Item::Quantity(_)));
         let are_rounded = self.most > 0 && other.most > 0;
-        let are_equal = |one: f64, other: f64| (one.abs() - other.abs()).abs() <= EQUAL * one.abs();
-        are_quantities && are_rounded && are_equal(self.unit, other.unit) && are_equal(self.value, other.value)
+        are_quantities && are_rounded && is_same_size(other.unit, self.unit) && is_same_size(other.value, self.value)
     }
 
     pub(super) fn raise(&mut self) -> bool {

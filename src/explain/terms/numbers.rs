@@ -23,9 +23,9 @@ use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
 use super::display::with_unit;
-use super::entry::EQUAL;
 use super::entry::FEWEST;
 use super::entry::Item;
+use super::entry::is_same_size;
 use super::ledger::Ledger;
 use super::ledger::at_least;
 use super::term::Measured;
@@ -259,9 +259,8 @@ impl Display<'_> {
     /// A given of that size and unit as the text writes it: what is 2.0 m/s there is not 2.000 m/s later.
     fn written_like_it(self, shown: f64, measured: &Measured) -> Option<String> {
         let unit = Some(&measured.unit).filter(|unit| !unit.is_none() && measured.letters.is_none())?;
-        let is_same = |value: &f64| (value.abs() - shown.abs()).abs() <= EQUAL * shown.abs();
         let mut told = self.worked.variant.all_given().iter().filter(|(.., given)| given == unit);
-        let (_, value, _) = told.find(|(_, value, _)| is_same(&value.to_f64()))?;
+        let (_, value, _) = told.find(|(_, value, _)| is_same_size(value.to_f64(), shown))?;
         let size = Printed::written(&value.abs()).plain();
         Some(if shown < 0.0 { format!("-{size}") } else { size })
     }
@@ -270,8 +269,7 @@ impl Display<'_> {
     fn without_padding(self, shown: f64, figures: usize) -> usize {
         let asked = self.worked.problem.loaded().draft.significant_figures();
         let is_exact = |fewer: &usize| {
-            let rounded = round_to_figures(shown, *fewer).map_or(f64::NAN, |decimal| decimal.to_f64());
-            (rounded - shown).abs() <= EQUAL * shown.abs()
+            round_to_figures(shown, *fewer).is_some_and(|rounded| is_same_size(rounded.to_f64(), shown))
         };
         (asked..figures).find(is_exact).unwrap_or(figures)
     }

@@ -22,7 +22,6 @@ use super::super::terms::display::Display;
 use super::super::terms::display::has_pieces;
 use super::super::terms::term::Term;
 use super::super::wording::capitalised;
-use super::super::wording::list;
 use super::bracket;
 use super::counting;
 use super::derivation::Line;
@@ -42,6 +41,7 @@ use super::script::Script;
 use super::sentence;
 use super::steps::Steps;
 use super::steps::taken;
+use momentous_scene::list;
 
 /// The widest row that holds several results, in widths of a digit.
 const WIDEST_ROW: f64 = 38.0;

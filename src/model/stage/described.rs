@@ -141,13 +141,20 @@ impl<'a> Description<'a> {
                 axes: &[1],
                 ..Self::sudden("impact")
             },
-            Stage::Conical(conical) => Self {
-                bodies: vec![(&conical.body, None)],
-                ends: if conical.length.is_constant() { Span::Own(["on the circle"; 2]) } else { Span::Around },
-                about: Some(&conical.about),
-                axes: &[1],
-                ..Self::lasting(if conical.length.is_constant() { "steady motion" } else { "change of the cord" })
-            },
+            Stage::Conical(conical) => {
+                let (noun, ends) = if conical.length.is_constant() {
+                    ("steady motion", Span::Own(["on the circle"; 2]))
+                } else {
+                    ("change of the cord", Span::Around)
+                };
+                Self {
+                    bodies: vec![(&conical.body, None)],
+                    ends,
+                    about: Some(&conical.about),
+                    axes: &[1],
+                    ..Self::lasting(noun)
+                }
+            }
             Stage::Bowl(bowl) => Self {
                 bodies: vec![(&bowl.body, None)],
                 ends: Span::Own(["at the first level", "at the second level"]),

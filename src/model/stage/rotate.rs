@@ -20,6 +20,7 @@ use momentous_laws::angular;
 use momentous_laws::geometry;
 use momentous_quantity::Dimension;
 use momentous_scene::Stage;
+use momentous_scene::list;
 use momentous_scene::stage::Arm;
 use momentous_scene::stage::Rotate;
 
@@ -308,13 +309,8 @@ fn holding(stage: &Rotate, centre: &str) -> String {
 /// The words for the influences on bodies that turn.
 fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
     let moment = stage.moment.iter().map(|_| format!("the moment about {centre}"));
-    let others: Vec<String> = forces.iter().map(|force| force.name.clone()).chain(moment).collect();
-    let holds = holding(stage, centre);
-    match others.split_last() {
-        None => holds,
-        Some((last, [])) => format!("{holds} and {last}"),
-        Some((last, others)) => format!("{holds}, {} and {last}", others.join(", ")),
-    }
+    let others = forces.iter().map(|force| force.name.clone()).chain(moment);
+    list(&[holding(stage, centre)].into_iter().chain(others).collect::<Vec<_>>())
 }
 
 /// The angular impulse of a moment that stays the same, or of a body that strikes, where somebody asks for it.

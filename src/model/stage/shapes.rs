@@ -2,14 +2,14 @@
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
+use momentous_scene::list;
 
 /// `a triangle, a rectangle and a triangle`, `two triangles`.
 pub(super) fn in_words(shapes: &[(Shape, Expr)]) -> String {
     let names: Vec<&str> = shapes.iter().map(|(shape, _)| shape.called()).collect();
     match &names[..] {
         ["a triangle", "a triangle"] => "two triangles".to_owned(),
-        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        _ => names.concat(),
+        _ => list(&names),
     }
 }
 

@@ -19,7 +19,6 @@ use momentous_scene::stage::Ends;
 use momentous_scene::stage::Partners;
 use momentous_scene::stage::Spring;
 
-use super::super::super::wording::list;
 use super::super::compass::Compass;
 use super::super::labels::body_math;
 use super::super::quantities::Quantities;
@@ -27,6 +26,7 @@ use super::super::quantities::Scope;
 use super::super::words::sentences;
 use super::super::words::situation_wording;
 use super::strung;
+use momentous_scene::list;
 
 /// The bodies before a stage; after the last one, where nothing is given of them before. In a solution with their momenta.
 pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {

@@ -22,7 +22,6 @@ use momentous_scene::stage;
 use momentous_scene::stage::Stream;
 use momentous_scene::stage::Thrust;
 
-use super::super::super::wording::list;
 use super::super::compass::Compass;
 use super::super::labels::body_math;
 use super::super::quantities::Quantities;
@@ -31,6 +30,7 @@ use super::super::vectors::Labelled;
 use super::super::words::arrows;
 use super::super::words::sentences;
 use super::super::words::situation_wording;
+use momentous_scene::list;
 
 /// An axis is level where the sine of its angle is less.
 const LEVEL: f64 = 1e-9;

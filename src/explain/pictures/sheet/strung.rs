@@ -9,11 +9,11 @@ use momentous_figure::Strung;
 use momentous_scene::Stage;
 use momentous_scene::stage::Taut;
 
-use super::super::super::wording::list;
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;
 use super::super::words::sentences;
 use super::super::words::situation_wording;
+use momentous_scene::list;
 
 /// The strings that are jerked in a stage, or in the one after a blow.
 pub(in super::super) fn jerked(stages: &[Stage], first: usize) -> Option<(usize, &Taut)> {
