@@ -84,7 +84,10 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let cache = SolutionCache::of(worked);
     let way = cache.way(worked);
-    pictures::situation(&Quantities::new(worked, Scope::Given, &way.manners, &way.pictures))
+    let mut drawing = pictures::situation(&Quantities::new(worked, Scope::Given, &way.manners, &way.pictures))?;
+    let scene = &worked.problem.loaded().draft.scene;
+    drawing.reword(&|words| scene.in_agreement(words));
+    Some(drawing)
 }
 
 /// The pictures that are offered in a choice, each with its name; in the order in which they are offered.

@@ -12,6 +12,30 @@ pub struct Outline {
     pub sections: Vec<Section>,
 }
 
+impl Outline {
+    /// The same with other words; what the author wrote, and mathematics, stay.
+    pub(super) fn reworded(mut self, reworded: &dyn Fn(&str) -> String) -> Self {
+        for block in self.sections.iter_mut().flat_map(|section| &mut section.blocks) {
+            match block {
+                Block::Paragraph(run) => reword(run, reworded),
+                Block::List(runs) => runs.iter_mut().for_each(|run| reword(run, reworded)),
+                Block::Table { rows, .. } => rows.iter_mut().flatten().for_each(|run| reword(run, reworded)),
+                Block::Figure(drawing) => drawing.reword(reworded),
+                Block::Equation { .. } | Block::Authored(_) | Block::Space { .. } => {}
+            }
+        }
+        self
+    }
+}
+
+fn reword(run: &mut [Inline], reworded: &dyn Fn(&str) -> String) {
+    for inline in run {
+        if let Inline::Text(words) | Inline::Emphasis(words) | Inline::Strong(words) = inline {
+            *words = reworded(words);
+        }
+    }
+}
+
 /// One section of a worked solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {

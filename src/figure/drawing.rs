@@ -152,6 +152,13 @@ impl Role {
 }
 
 impl Drawing {
+    /// Says what it says in other words.
+    pub fn reword(&mut self, reworded: &dyn Fn(&str) -> String) {
+        for words in [&mut self.title, &mut self.description, &mut self.caption] {
+            *words = reworded(words);
+        }
+    }
+
     /// Whether a shape has that role.
     pub(super) fn has(&self, role: Role) -> bool {
         self.shapes.iter().any(|shape| shape.role() == role)

@@ -82,9 +82,40 @@ pub const BOUNCE_RANGE: Law = Law {
     wrong: wrong::bouncing::BOUNCE_RANGE,
 };
 
+/// The impulse of the floor in one bounce.
+pub const BOUNCE_IMPULSE: Law = Law {
+    id: "bounce-impulse",
+    name: "the principle of impulse and momentum",
+    statement: "The impulse of the floor in a bounce is the mass times the sum of the speeds just before and just after: (1 + e) times the speed before.",
+    signs: "Positive away from the floor.",
+    when: "A fixed smooth floor; in the short contact, the impulse of weight is negligible.",
+    source: "The principle of impulse and momentum, and restitution at a surface.",
+    wrong: wrong::bouncing::BOUNCE_IMPULSE,
+};
+
+/// The energy lost in bounces.
+pub const BOUNCE_LOSS: Law = Law {
+    id: "bounce-loss",
+    name: "restitution and kinetic energy",
+    statement: "A bounce leaves the square of e of the kinetic energy of the motion towards the floor, and loses the rest; all bounces together lose all of it.",
+    signs: "A loss is positive.",
+    when: "A fixed smooth floor; air resistance is neglected.",
+    source: "Restitution at a surface, and the definition of kinetic energy.",
+    wrong: wrong::bouncing::BOUNCE_LOSS,
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&BOUNCE_HEIGHT, &BOUNCE_SPEED, &BOUNCE_TIME, &BOUNCE_PATH, &BOUNCE_FLIGHT, &BOUNCE_PLACE, &BOUNCE_RANGE];
+pub const LAWS: &[&Law] = &[
+    &BOUNCE_HEIGHT,
+    &BOUNCE_SPEED,
+    &BOUNCE_TIME,
+    &BOUNCE_PATH,
+    &BOUNCE_FLIGHT,
+    &BOUNCE_PLACE,
+    &BOUNCE_RANGE,
+    &BOUNCE_IMPULSE,
+    &BOUNCE_LOSS,
+];
 
 /// `h_n = e^(2 n) h_0`.
 #[must_use]
@@ -182,4 +213,25 @@ pub fn time_of_all(e: &Expr, whole: &Expr) -> Expr {
 pub fn along(velocity: &Expr, acceleration: &Expr, time: &Expr) -> Expr {
     let gained = Expr::product([Expr::ratio(1, 2), acceleration.clone(), time.clone().powi(2)]);
     velocity.clone() * time.clone() + gained
+}
+
+/// `J_n = m (1 + e) e^(n-1) u`, `u` the speed of the first arrival.
+#[must_use]
+pub fn bounce_impulse(mass: &Expr, e: &Expr, count: &Expr, arrival: &Expr) -> Expr {
+    let before = e.clone().power((count.clone() - Expr::one()).simplify());
+    Expr::product([mass.clone(), Expr::one() + e.clone(), before, arrival.clone()])
+}
+
+/// The loss in the n-th bounce: `m (1 - e^2) e^(2 (n-1)) u^2 / 2`.
+#[must_use]
+pub fn bounce_loss(mass: &Expr, e: &Expr, count: &Expr, squared: &Expr) -> Expr {
+    let before = e.clone().power((Expr::integer(2) * (count.clone() - Expr::one())).simplify());
+    Expr::product([Expr::ratio(1, 2), mass.clone(), Expr::one() - e.clone().powi(2), before, squared.clone()])
+        .simplify()
+}
+
+/// The loss in all bounces: `m u^2 / 2`.
+#[must_use]
+pub fn loss_in_all(mass: &Expr, squared: &Expr) -> Expr {
+    Expr::product([Expr::ratio(1, 2), mass.clone(), squared.clone()]).simplify()
 }

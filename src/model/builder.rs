@@ -42,6 +42,7 @@ use super::QuantityKind;
 use super::Reason;
 use super::Slope;
 use super::alternative::Alternative;
+use super::bounce_terms::BounceTerms;
 use super::displacement::Displacement;
 use super::frame::Frame;
 use super::left_alone::LeftAlone;
@@ -84,6 +85,7 @@ pub struct Builder<'s> {
     pub(super) influences: Vec<Influence>,
     pub(super) flowing: Vec<Flowing>,
     pub(super) slopes: Vec<Slope>,
+    pub(super) bounce_terms: Vec<BounceTerms>,
     pub(super) passages: Vec<Passage>,
     pub(super) graph: Option<PrintedGraph>,
     /// How long each stage lasts, where that is used.
@@ -156,6 +158,7 @@ impl<'s> Builder<'s> {
             influences: Vec::new(),
             flowing: Vec::new(),
             slopes: Vec::new(),
+            bounce_terms: Vec::new(),
             passages: Vec::new(),
             graph: None,
             lasting: vec![None; scene.stages.len()],

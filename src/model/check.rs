@@ -74,7 +74,13 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
                 name.instant.is_some() && (is_weighed || is_sprung)
             }
             QuantityKind::Period => {
-                name.instant.is_some() && scene.stages.iter().any(|stage| matches!(stage, Stage::Rotate(_)))
+                let turns = |stage: &Stage| matches!(stage, Stage::Rotate(_) | Stage::Conical(_));
+                name.instant.is_some() && scene.stages.iter().any(turns)
+            }
+            QuantityKind::AngularVelocity => {
+                let is_on_cord =
+                    |stage: &Stage| matches!(stage, Stage::Conical(conical) if conical.body == name.subject);
+                name.instant.is_some() && scene.stages.iter().any(is_on_cord)
             }
             QuantityKind::Moment | QuantityKind::AngularMomentumRate => {
                 name.instant.is_some() && (name.is_of_mass_centre() || scene.points.contains_key(&name.subject))
@@ -369,11 +375,12 @@ fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate
             faults.push(unknown("body", whole, &timeline.alive(index + 1)).at_path(at.key("from")));
         }
     }
-    if let Some(relative) = &stage.relative {
+    for (position, relative) in stage.relatives().iter().enumerate() {
+        let at = super::stage::place_of_relative(stage, position, at);
         for (name, key) in [(&relative.of, "of"), (&relative.to, "to")] {
             if !stage.into.contains(name) {
                 let known: Vec<&str> = stage.into.iter().map(String::as_str).collect();
-                faults.push(unknown("part", name, &known).at_path(at.key("relative").key(key)));
+                faults.push(unknown("part", name, &known).at_path(at.key(key)));
             }
         }
     }

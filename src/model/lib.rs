@@ -5,6 +5,7 @@ mod altered;
 mod alternative;
 mod angle_unit;
 mod bond;
+mod bounce_terms;
 mod builder;
 mod check;
 mod collision;
@@ -38,6 +39,7 @@ mod read;
 mod reason;
 mod rotor;
 mod shown;
+mod single_bounce;
 mod space;
 mod speeds;
 mod spoken_term;
@@ -164,6 +166,17 @@ impl<'s> Builder<'s> {
     #[must_use]
     pub fn is_positive(&self, symbol: Symbol) -> bool {
         self.system.positive.contains(&symbol)
+    }
+
+    /// A whole number that only a question names, where the scene uses the name for nothing else.
+    pub fn number_counted(&mut self, name: &str) -> Option<Symbol> {
+        if !name::is_bare_name(name) || check::is_structural(self.scene, name) {
+            return None;
+        }
+        let symbol = self.symbol_of(Name::written(name), Dimension::NONE, "");
+        self.counts.insert(symbol);
+        self.mentions.insert(name.to_owned(), symbol);
+        Some(symbol)
     }
 
     /// Whether a quantity is a number of something.

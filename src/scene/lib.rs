@@ -1,5 +1,6 @@
 //! The contents of a scene: bodies, axes, surfaces, points and a timeline of stages. Data only; no law is known here.
 
+mod agreement;
 mod axes;
 mod body;
 mod components;
@@ -10,6 +11,7 @@ pub mod stage;
 mod term;
 mod wording;
 
+pub use agreement::is_plural;
 pub use axes::{Axes, Axis, Sense, Senses};
 pub use body::{Body, Guide, Plane, Point, Surface};
 pub use components::Components;
@@ -54,6 +56,16 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// Tells what the author left out because it follows from the rest: the mass with which a body begins to burn.
+    pub fn tell_defaults(&mut self) {
+        for stage in &mut self.stages {
+            if let Stage::Thrust(thrust) = stage {
+                let mass = self.bodies.get(&thrust.body).and_then(|body| body.mass.clone());
+                thrust.mass.tell(|| mass.unwrap_or_else(|| Term(format!("m_{}", thrust.body))));
+            }
+        }
+    }
+
     /// The bodies with a moment of inertia.
     pub fn rotors(&self) -> impl Iterator<Item = &str> {
         self.bodies.iter().filter(|(_, body)| body.inertia.is_some()).map(|(name, _)| name.as_str())
@@ -166,7 +178,8 @@ impl Scene {
     /// together move`.
     #[must_use]
     pub fn does(&self, body: &str, verb: [&str; 2]) -> String {
-        let several = self.members(body).len() > 1;
-        format!("{} {}", self.called(body), verb[usize::from(several)])
+        let called = self.called(body);
+        let several = self.members(body).len() > 1 || is_plural(&called);
+        format!("{called} {}", verb[usize::from(several)])
     }
 }

@@ -131,7 +131,7 @@ impl Quantities<'_> {
     }
 
     /// The time at which a push starts.
-    fn start_of(&self, stage: usize) -> Expr {
+    pub(super) fn start_of(&self, stage: usize) -> Expr {
         let Some(Stage::Push(Push { during: Some(During::Between([start, _])), .. })) = self.scene().stages.get(stage)
         else {
             return Expr::zero();

@@ -150,10 +150,15 @@ impl Quantities<'_> {
             let [start, end] = &force.during;
             let moving =
                 self.evaluate(start).is_some_and(|start| start != 0.0) && force.stage == stage && force.on == body;
-            moving.then(|| (self.what_time(start), self.what_time(end)))
+            moving.then(|| [start.clone(), end.clone()])
         };
-        let (start, end) = self.model().forces.iter().find_map(|force| nameless(&force))?;
-        Some(format!("\u{394}t runs from {start} to {end}; meanwhile the momentum of {} changes", self.called(body)))
+        let [start, end] = self.model().forces.iter().find_map(|force| nameless(&force))?;
+        let duration = if start == self.start_of(stage) {
+            "\u{394}t is how long it lasts".to_owned()
+        } else {
+            format!("\u{394}t runs from {} to {}", self.what_time(&start), self.what_time(&end))
+        };
+        Some(format!("{duration}; meanwhile the momentum of {} changes", self.called(body)))
     }
 }
 

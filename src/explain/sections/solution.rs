@@ -52,7 +52,9 @@ pub fn solution(worked: Worked<'_>, audience: Audience, detail: Detail) -> Outli
     if audience == Audience::Instructor {
         sections.push(Section { audience, ..section("Certificate and equations used", instructor::notes(display)) });
     }
-    Outline { title: worked.problem.title().to_owned(), sections }
+    let outline = Outline { title: worked.problem.title().to_owned(), sections };
+    let scene = &worked.problem.loaded().draft.scene;
+    if scene.has_plurals() { outline.reworded(&|words| scene.in_agreement(words)) } else { outline }
 }
 
 fn short(display: Display<'_>, way: &WayCache) -> Vec<Section> {

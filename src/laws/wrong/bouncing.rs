@@ -74,6 +74,14 @@ pub const ALONG_BY_E: Misconception = Misconception {
     hint: "A smooth floor exerts no impulse along itself.",
 };
 
+/// The change of a speed taken for that of the velocity.
+pub const SPEEDS_SUBTRACTED: Misconception = Misconception {
+    id: "bounce-speeds-subtracted",
+    does: "subtracts the speeds before and after a bounce, as if the direction stayed the same",
+    ask: "Which sign has the velocity before the bounce, and which after it?",
+    hint: "The floor stops the body and then sends it back: both speeds count.",
+};
+
 /// Wrong forms of a bounce's height.
 pub const BOUNCE_HEIGHT: &[WrongForm] = &[
     WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) },
@@ -115,6 +123,13 @@ pub const BOUNCE_PLACE: &[WrongForm] = &[
 ];
 /// Wrong forms of the range of a flight.
 pub const BOUNCE_RANGE: &[WrongForm] = &[WrongForm { of: &ALONG_BY_E, write: along_by_e }];
+
+/// Wrong forms of the impulse in a bounce.
+pub const BOUNCE_IMPULSE: &[WrongForm] =
+    &[WrongForm { of: &SPEEDS_SUBTRACTED, write: |law| e_to(law, |e| -e) }, WrongForm { of: &ONE_OFF, write: one_off }];
+/// Wrong forms of the loss in a bounce.
+pub const BOUNCE_LOSS: &[WrongForm] =
+    &[WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) }, WrongForm { of: &ONE_OFF, write: one_off }];
 
 fn squared(term: Expr) -> Expr {
     term.powi(2)

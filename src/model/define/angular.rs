@@ -6,6 +6,8 @@ use momentous_expr::Symbol;
 use momentous_expr::SymbolEntry;
 use momentous_fault::Path;
 use momentous_laws::angular;
+use momentous_laws::force;
+use momentous_laws::geometry;
 use momentous_laws::mass_centre;
 use momentous_quantity::Dimension;
 use momentous_scene::Axis;
@@ -19,6 +21,7 @@ use super::super::Direction;
 use super::super::ForceKind;
 use super::super::Name;
 use super::super::QuantityKind;
+use super::super::VectorKind;
 use super::super::builder::SECOND_COST;
 use super::super::name::MASS_CENTRE;
 use super::super::name::Meaning;
@@ -72,12 +75,18 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
 /// How long a revolution takes at the angular velocity of an instant.
 pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
+    let on_cone = turn_on_a_cone(builder, &Name { kind: QuantityKind::AngularVelocity, ..name.clone() });
     let rotation = |stage: &Stage| if let Stage::Rotate(rotate) = stage { Some(rotate.about.clone()) } else { None };
-    let centre = builder.point(&builder.scene.stages.iter().find_map(rotation)?);
-    let turning = if name.subject.is_empty() {
-        builder.turn_of_arm(&centre, instant)
-    } else {
-        builder.turn_of_body(&name.subject, &centre, instant)
+    let turning = match on_cone {
+        Some(turning) => turning.into(),
+        None => {
+            let centre = builder.point(&builder.scene.stages.iter().find_map(rotation)?);
+            if name.subject.is_empty() {
+                builder.turn_of_arm(&centre, instant)
+            } else {
+                builder.turn_of_body(&name.subject, &centre, instant)
+            }
+        }
     };
     let meaning = format!("the time of a revolution {}", builder.when(instant));
     let period = builder.positive(builder.canonical(name), meaning);
@@ -98,6 +107,36 @@ pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Opti
     let sides = (rate * Expr::from(period), Expr::integer(2) * Expr::Pi);
     builder.law(&angular::REVOLUTION, None, because, sides);
     Some(period)
+}
+
+/// How fast a body moves round on its cord at an instant.
+pub(super) fn turn_on_a_cone(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let (index, stage) = builder.scene.stages.iter().enumerate().find_map(|(index, stage)| {
+        let Stage::Conical(conical) = stage else { return None };
+        let is_its_own = conical.body == name.subject && (index + 1..=index + 2).contains(&instant);
+        is_its_own.then_some((index, conical))
+    })?;
+    let kept = builder.canonical(name);
+    let on = |kind| Name { kind, ..kept.clone() };
+    let [velocity, radius, angle] =
+        [QuantityKind::Velocity, QuantityKind::Position, QuantityKind::Direction(VectorKind::Velocity)]
+            .map(|kind| builder.quantity(on(kind)).map(Expr::from));
+    let (name_of_body, when) = (builder.called(&stage.body), builder.when(instant));
+    let meaning = format!("the angular velocity of {name_of_body} about the vertical {when}");
+    let turning = Expr::from(builder.symbol(kept.clone(), meaning));
+    let because = format!("{name_of_body} moves at right angles to the radius of its circle");
+    let sides = (velocity?, radius? * turning.clone());
+    builder.law(&geometry::ARC, Some(index), because, sides);
+    // With radius and speed put in: omega^2 L cos = g.
+    let length = stage.length.ends()[instant - index - 1];
+    let path = Path::root().key("scene").key("stages").index(index).key("conical").key("length");
+    let length = builder.read_positive(length, Dimension::LENGTH, "", &path);
+    let squares = Expr::product([turning.powi(2), length, angle?.cos()]);
+    let because = "the radius and the speed of the steady circle are substituted";
+    let sides = (squares, builder.gravity());
+    builder.law_at(SECOND_COST, &force::CONICAL, Some(index), because, sides);
+    builder.symbols.find(&kept.to_string())
 }
 
 pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

@@ -78,6 +78,9 @@ impl Builder<'_> {
 
 /// The impulse on a body during a stage, or on the system.
 pub(super) fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if let Some(symbol) = builder.impulse_of_a_bounce(name) {
+        return Some(symbol);
+    }
     if name.subject.is_empty() {
         return total_impulse(builder, name);
     }

@@ -62,7 +62,13 @@ pub(super) fn potential_energy(builder: &mut Builder<'_>, name: &Name) -> Option
 }
 
 pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if let Some(symbol) = builder.loss_of_a_bounce(name) {
+        return Some(symbol);
+    }
     let stage = balanced_stage(builder, name, &builder.impacts())?;
+    if let Some(symbol) = builder.loss_in_all_bounces(stage) {
+        return Some(symbol);
+    }
     if let Some(Stage::Stream(_)) = builder.scene.stages.get(stage) {
         return builder.lost_in_stream(stage);
     }
@@ -146,12 +152,15 @@ impl Builder<'_> {
         self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path));
     }
 
-    /// The stages that are impacts; all of them where none is.
+    /// The stages that are impacts; else those of bounces, and all of them where there are none.
     fn impacts(&self) -> Vec<usize> {
-        let impact = |index: &usize| matches!(self.scene.stages.get(*index), Some(Stage::Impact(_)));
         let all: Vec<usize> = (0..self.scene.stages.len()).collect();
-        let impacts: Vec<usize> = all.iter().copied().filter(impact).collect();
-        if impacts.is_empty() { all } else { impacts }
+        let those = |is_one: fn(&Stage) -> bool| {
+            all.iter().copied().filter(|index| self.scene.stages.get(*index).is_some_and(is_one)).collect::<Vec<_>>()
+        };
+        let sudden =
+            [those(|stage| matches!(stage, Stage::Impact(_))), those(|stage| matches!(stage, Stage::Bounces(_)))];
+        sudden.into_iter().find(|stages| !stages.is_empty()).unwrap_or(all)
     }
 }
 

@@ -37,6 +37,7 @@ use angular::angular_momentum;
 use angular::moment_of_forces;
 use angular::period_of_rotation;
 use angular::rate_of_angular_momentum;
+use angular::turn_on_a_cone;
 use impulse::impulse;
 use impulse::mean_force;
 use kinetic::energy_gained;
@@ -82,6 +83,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::RelativeVelocity, relative_velocity),
     (QuantityKind::AngularMomentum, angular_momentum),
     (QuantityKind::Period, period_of_rotation),
+    (QuantityKind::AngularVelocity, turn_on_a_cone),
     (QuantityKind::Moment, moment_of_forces),
     (QuantityKind::AngularMomentumRate, rate_of_angular_momentum),
     (QuantityKind::Tension, holding_pull),
@@ -114,7 +116,7 @@ impl Builder<'_> {
             name.instant = Some(Instant::Number(self.timeline.instant(instant)?));
         }
         if let Some(Instant::Number(number)) = name.instant
-            && name.kind != QuantityKind::Height
+            && !matches!(name.kind, QuantityKind::Height | QuantityKind::Impulse | QuantityKind::EnergyLost)
             && number > self.timeline.last()
         {
             return None;

@@ -8,6 +8,7 @@ use crate::Name;
 use crate::QuantityKind;
 use crate::Series;
 use crate::Shown;
+use crate::bounce_terms::BounceTerms;
 use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -25,6 +26,9 @@ use super::bounce_heights::is_dropped;
 pub(super) const IN_ALL: &str = "total";
 /// The bounce that is counted.
 pub(super) const COUNTED: &str = "n";
+
+/// What it counts.
+const NUMBER: &str = "the number of bounces";
 
 /// A quantity of the bounce that is counted.
 pub(super) fn at_bounce(kind: QuantityKind) -> Name {
@@ -52,10 +56,10 @@ pub(super) fn one_after_another(factor: &Expr, e: &Expr, count: Option<&Expr>) -
 impl Builder<'_> {
     pub(crate) fn bounces(&mut self, index: usize, stage: &Bounces, path: &Path) {
         let e = self.restitution_coefficient(&stage.restitution, &path.key("restitution"));
-        let count = stage
-            .count
-            .as_ref()
-            .map(|term| self.read_positive(term, Dimension::NONE, "the number of bounces", &path.key("count")));
+        let count = match &stage.count {
+            Some(term) => Some(self.read_positive(term, Dimension::NONE, NUMBER, &path.key("count"))),
+            None => self.bounces_counted(),
+        };
         if let Some(Expr::Symbol(count)) = &count {
             self.counts.insert(*count);
         }
@@ -65,7 +69,7 @@ impl Builder<'_> {
             self.faults.push(fault.help("write a whole number").at_path(path.key("count")));
         }
         // After that many bounces there would be no height and no speed to speak of.
-        if let (Expr::Symbol(e), Some(Expr::Symbol(_))) = (&e, &count) {
+        if let (Expr::Symbol(e), Some(Expr::Symbol(_)), true) = (&e, &count, stage.count.is_some()) {
             self.system.positive.insert(*e);
         }
         if is_dropped(self.scene, index, stage) {
@@ -86,6 +90,14 @@ impl Builder<'_> {
         self.neglect("the duration of each contact", "it is short compared with the time in the air");
     }
 
+    /// The number of bounces where the stage names none: `n`, unless that is the name of something that is no number.
+    fn bounces_counted(&mut self) -> Option<Expr> {
+        let known = self.symbols.find(COUNTED);
+        let is_free = known.is_none_or(|known| self.symbols.entry(known).dimension == Dimension::NONE);
+        let name = Name::of(QuantityKind::Own(COUNTED.to_owned()), "");
+        is_free.then(|| self.symbol_of(name, Dimension::NONE, NUMBER).into())
+    }
+
     fn bounces_after_a_drop(&mut self, index: usize, stage: &Bounces, e: &Expr, count: Option<&Expr>) {
         let name = self.called(&stage.body);
         let gravity = self.gravity();
@@ -97,6 +109,9 @@ impl Builder<'_> {
             }
         }
         let first = bouncing::first_fall(&gravity, &drop);
+        let squared = Expr::product([Expr::integer(2), gravity.clone(), drop.clone()]);
+        let (body, e_of_all) = (stage.body.clone(), e.clone());
+        self.bounce_terms.push(BounceTerms { stage: index, body, e: e_of_all, squared, count: count.cloned() });
         let speeds = format!("{name} is dropped, and each bounce multiplies the speed by e");
         let heights = format!("{speeds}, hence the height that it reaches by the square of e");
         let times = format!("{speeds}, hence the time of each flight by e");

@@ -4,6 +4,7 @@ use crate::Builder;
 use crate::Name;
 use crate::QuantityKind;
 use crate::Reason;
+use crate::bounce_terms::BounceTerms;
 use crate::incline::Fall;
 use crate::stage::bounces::{COUNTED, IN_ALL, at_bounce, one_after_another};
 use momentous_expr::Expr;
@@ -59,6 +60,15 @@ impl Builder<'_> {
         let name = self.called(body);
         let reason = Reason::NotTowardsFloor(name.clone());
         self.require(arrival.clone(), Relation::AtLeast, Expr::zero(), reason);
+        let squared = arrival.clone().powi(2);
+        let (body_of_all, count_of_all) = (body.to_owned(), Some(count.clone()));
+        self.bounce_terms.push(BounceTerms {
+            stage: index,
+            body: body_of_all,
+            e: e.clone(),
+            squared,
+            count: count_of_all,
+        });
         let bouncing = Bouncing { index, name, e, count, arrival, press, along };
         self.speeds_and_times(&bouncing);
         self.places_of_bounces(body, &bouncing);

@@ -71,6 +71,7 @@ pub(crate) use push_at_rest::Sliding;
 pub(crate) use push_system::pushing;
 pub(crate) use push_system::total_impulse;
 pub(crate) use rotate::angular_impulse_by_name;
+pub(crate) use separate::place_of_relative;
 
 use momentous_fault::Path;
 use momentous_scene::Stage;

@@ -28,6 +28,12 @@ use momentous_scene::stage::Separate;
 use momentous_scene::stage::When;
 use momentous_solve::Relation;
 
+/// Where a relative velocity stands in a separation.
+pub(crate) fn place_of_relative(stage: &Separate, position: usize, path: &Path) -> Path {
+    let path = path.key("relative");
+    if stage.lists_relatives() { path.index(position) } else { path }
+}
+
 impl Builder<'_> {
     pub(crate) fn separate(&mut self, index: usize, stage: &Separate, path: &Path) {
         let parts: Vec<&str> = stage.into.iter().map(String::as_str).collect();
@@ -52,8 +58,8 @@ impl Builder<'_> {
         if let Some(strength) = &stage.force {
             self.driven_apart(index, stage, strength, path);
         }
-        if let Some(relative) = &stage.relative {
-            self.relative_velocity(index, relative, &before, &path.key("relative"));
+        for (position, relative) in stage.relatives().iter().enumerate() {
+            self.relative_velocity(index, relative, &before, &place_of_relative(stage, position, path));
         }
         let lasting = Lasting { index, duration: stage.duration.as_ref(), include: None, path };
         let weighed: Vec<(&str, &str)> =

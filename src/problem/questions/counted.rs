@@ -1,6 +1,9 @@
 //! Counting: the first or the last whole number for which a condition holds.
 
 use momentous_expr::Expr;
+use momentous_expr::Leaf;
+use momentous_expr::LeafKind;
+use momentous_expr::name_math;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
@@ -15,6 +18,7 @@ use momentous_solve::Relation;
 use super::super::language::ask::Count;
 use super::super::language::comparison::split_relation;
 use super::super::language::condition::are_comparable;
+use super::choices::comparing::than;
 use super::part::AskedUnit;
 use super::part::Named;
 use super::part::NumberPart;
@@ -45,23 +49,30 @@ pub(crate) fn counted(
         builder.fault(fault.help(help).at_path(path));
         return None;
     };
-    let Some(symbol) = builder.mention(name) else {
+    let Some(symbol) = builder.mention(name).or_else(|| builder.number_counted(name)) else {
         let fault = builder.unknown(name).at_path(path);
         builder.fault(fault);
         return None;
     };
-    let [left, right] = [left, right].map(|side| builder.term(side, &path));
+    let written = [left, right].map(str::trim);
+    let [left, right] = written.map(|side| builder.term(side, &path));
     if !are_comparable(builder, text, [&left, &right], &path) {
         return None;
     }
+    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
+    let condition = format!("{} is {} {}", words[0], than(relation), words[1]);
     let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(Because::to_string);
     let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
     let meaning = builder.symbols().entry(symbol).meaning.clone();
-    let meaning = if meaning.is_empty() { "the number".into() } else { meaning };
+    let [until, as_long_as] = if meaning.is_empty() {
+        ["least", "greatest"].map(|which| format!("the {which} whole number ${}$ for which", name_math(name).latex()))
+    } else {
+        ["until", "as long as"].map(|when| format!("{meaning} {when}"))
+    };
     let label = match end {
         End::First => {
             counts.push(builder.first_integer(because.as_deref(), symbol, 1, left, relation, right));
-            format!("{meaning} until the condition holds")
+            format!("{until} {condition}")
         }
         End::Last => {
             let next = |side: &Expr| {
@@ -73,7 +84,7 @@ pub(crate) fn counted(
             let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
             let (left, right) = (next(&left), next(&right));
             counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));
-            format!("{meaning} as long as the condition holds")
+            format!("{as_long_as} {condition}")
         }
     };
     let kind = NumberPart {
@@ -86,6 +97,20 @@ pub(crate) fn counted(
         every_root: false,
     };
     Some((name.to_owned(), label, PartKind::Number(kind)))
+}
+
+/// A side of the condition as a noun phrase: the meaning of a quantity, a value as the author wrote it, or a formula.
+fn in_words(builder: &Builder<'_>, side: &Expr, written: &str) -> String {
+    match side {
+        Expr::Symbol(symbol) if !builder.symbols().entry(*symbol).meaning.is_empty() => {
+            builder.symbols().entry(*symbol).meaning.clone()
+        }
+        _ if side.symbols().iter().any(|symbol| builder.is_literal(*symbol)) => written.to_owned(),
+        _ => {
+            let named = |symbol| Leaf { math: name_math(&builder.symbols().entry(symbol).name), kind: LeafKind::Name };
+            format!("${}$", side.layout(&named).latex())
+        }
+    }
 }
 
 /// `e^n` for `e^(n + 1 - 1)`.

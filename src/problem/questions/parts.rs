@@ -99,13 +99,14 @@ pub(crate) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         }
         read.wanted.extend(kind.wanted());
         let (points, own_label) = points_and_label(ask);
+        let label = own_label.unwrap_or_else(|| loaded.draft.scene.in_agreement(&label));
         let points = loaded.draft.points_of(points);
         let expected = match ask {
             Ask::Find(find) => find.expect.clone(),
             Ask::Range(range) => range.expect.clone(),
             _ => Entries::default(),
         };
-        read.parts.push(Part { id, label: own_label.unwrap_or(label), points, expected, kind });
+        read.parts.push(Part { id, label, points, expected, kind });
     }
     tell_apart(&mut read.parts, builder);
     check_alone(&read, question, builder);

@@ -8,6 +8,7 @@ use serde_yaml::{Mapping, Number, Value};
 
 use momentous_fault::{Code, Fault, Path, did_you_mean};
 
+use super::advice::advice;
 use super::document::{Entry, Kind, Node, Scalar, Style, usual_key};
 use super::shape::{Form, Keys, Place, Shapes};
 
@@ -99,7 +100,11 @@ impl<'s> Checker<'s> {
             let trap = (scalar.style == Style::Plain).then(|| trap(text, numbers_welcome)).flatten();
             let Some(trap) = trap else { return Some(text.into()) };
             let fault = Fault::new(Code::Value, format!("`{text}` would be read as {trap}"));
-            self.fault(fault.help(format!("write \"{text}\", in quotes, if the text is meant")), path);
+            let help = match what {
+                What::Key("id") => "a name begins with a letter".to_owned(),
+                _ => format!("write \"{text}\", in quotes, if the text is meant"),
+            };
+            self.fault(fault.help(help), path);
             return None;
         }
         let plain = scalar.style == Style::Plain;
@@ -181,6 +186,7 @@ impl<'s> Checker<'s> {
                         };
                         format!("did you mean `{name}`?{others}")
                     }
+                    (false, None) if advice(key).is_some() => advice(key).unwrap_or_default().to_owned(),
                     (false, None) if free.is_empty() => {
                         "all possible keys are already here: remove this one".to_owned()
                     }

@@ -83,7 +83,10 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
         return refuse(root, faults);
     }
     let draft = match typed::<Draft>(value) {
-        Ok(draft) => draft,
+        Ok(mut draft) => {
+            draft.scene.tell_defaults();
+            draft
+        }
         Err(fault) => {
             let (value, _) = check(&root, &SHAPES);
             return refuse(root, givens(written(&value), &Path::root()).1.into_iter().chain([fault]).collect());

@@ -1,5 +1,6 @@
 //! From the text of a file to its draft, or to all its faults, each at its place.
 
+mod advice;
 pub(super) mod check;
 mod course_file;
 pub(super) mod digest;

@@ -68,9 +68,10 @@ impl Index {
         let mut ways = BTreeMap::new();
         let mut list: Vec<Fault> = faults.into_iter().map(|fault| self.locate_by(fault, &mut ways)).collect();
         list.sort_by_key(|fault| fault.span);
-        // What stands once in the file is told once, however many forms it spoils.
+        // What stands in a line of the file is told once, however many forms it spoils and however often it stands there.
+        let line = |fault: &Fault| Some(self.source.text.get(..fault.span?.start)?.matches('\n').count());
         list.dedup_by(|later, earlier| {
-            later.span.is_some() && later.span == earlier.span && later.message == earlier.message
+            later.span.is_some() && later.message == earlier.message && line(later) == line(earlier)
         });
         Faults { source: self.source.clone(), list }
     }

@@ -3,6 +3,7 @@
 use momentous_expr::Leaf;
 use momentous_expr::LeafKind;
 use momentous_expr::Symbol;
+use momentous_model::Name;
 use momentous_model::PrintedGraph;
 use momentous_model::QuantityKind;
 use momentous_quantity::Decimal;
@@ -62,6 +63,8 @@ const CLAUSE_STARTS: &[&str] = &["and", "but", "while", "whereas", "when", "so"]
 const SUBORDINATORS: &[&str] = &["which", "who", "while", "whereas", "when", "until"];
 /// Words of several bodies, after which the verb is a plural: `both`, `the two of them together`.
 const PLURALS: &[&str] = &["they", "both", "together", "two", "three"];
+/// Words of one of several bodies.
+const SINGULARS: &[&str] = &["each", "it", "everything", "one"];
 /// Words straight after which a verb must follow.
 const CONJUNCTIONS: &[&str] = &["and", "but", "or", "then"];
 
@@ -232,6 +235,11 @@ impl Speaker<'_> {
         senses_of(&self.problem.loaded().draft.scene, self.name)
     }
 
+    /// Whether the body whose quantity it is has a plural as its name.
+    fn moves_as_several(&self) -> bool {
+        Name::parse(self.name).is_some_and(|name| self.problem.loaded().draft.scene.is_several(&name.subject))
+    }
+
     fn direction(&self, value: &Decimal) -> String {
         let Some(senses) = self.senses() else { return String::new() };
         if value.is_negative() { senses.negative } else { senses.positive }
@@ -239,7 +247,8 @@ impl Speaker<'_> {
 
     fn motion(&self, value: &Decimal, unit: &Unit, before: &str) -> String {
         let last = before.split(|letter: char| !letter.is_alphabetic()).rfind(|word| !word.is_empty());
-        let is_plural = last.is_some_and(|last| PLURALS.contains(&last.to_lowercase().as_str()));
+        let says = |words: &[&str]| last.is_some_and(|last| words.contains(&last.to_lowercase().as_str()));
+        let is_plural = says(PLURALS) || self.moves_as_several() && !says(SINGULARS);
         let [is, moves] = if is_plural { ["are", "move"] } else { ["is", "moves"] };
         if value.is_zero() {
             return format!("{is} at rest");

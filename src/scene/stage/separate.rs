@@ -24,9 +24,9 @@ pub struct Separate {
     /// The energy that becomes kinetic energy of the parts: `E`, `5 kJ`, `0.6*E_0`.
     #[serde(default)]
     pub energy: Option<Term>,
-    /// The velocity of one part relative to another.
+    /// The velocity of one part relative to another; a list for several parts that leave at once.
     #[serde(default)]
-    pub relative: Option<Relative>,
+    pub relative: Option<Relatives>,
     /// The force with which two parts push each other apart along one axis, the second forwards: a term in the time `t`, pieces, or
     /// points of a graph. It acts for the `duration`, by default `dt`.
     #[serde(default)]
@@ -42,6 +42,32 @@ impl Separate {
     pub fn lasts(&self) -> bool {
         self.force.is_some()
     }
+
+    /// The relative velocities.
+    #[must_use]
+    pub fn relatives(&self) -> &[Relative] {
+        match &self.relative {
+            Some(Relatives::One(relative)) => std::slice::from_ref(relative),
+            Some(Relatives::Several(all)) => all,
+            None => &[],
+        }
+    }
+
+    /// Whether there is a list of them.
+    #[must_use]
+    pub fn lists_relatives(&self) -> bool {
+        matches!(self.relative, Some(Relatives::Several(_)))
+    }
+}
+
+/// The velocities of parts relative to others.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Relatives {
+    /// Of one part.
+    One(Relative),
+    /// Of several parts that leave at once.
+    Several(Vec<Relative>),
 }
 
 /// The velocity of one part relative to another: that of the first minus that of the second.

@@ -15,7 +15,9 @@ pub struct Thrust {
     pub name: Option<String>,
     /// The body.
     pub body: String,
-    /// Its whole mass at the start and at the end, fuel included: `[m_0, m_1]`; or the mass at the start alone.
+    /// Its whole mass at the start and at the end, fuel included: `[m_0, m_1]`; or the mass at the start alone. Default: the mass of
+    /// the body at the start, which a thrust alone does not need.
+    #[serde(default = "untold")]
     pub mass: BurningMass,
     /// The speed of the exhaust, relative to the body; or several jets, each with its `speed` and its `flow`.
     pub exhaust: Exhaust,
@@ -47,6 +49,11 @@ impl Thrust {
     }
 }
 
+/// A mass that is not told yet: that of the body.
+fn untold() -> BurningMass {
+    BurningMass::Start(Term(String::new()))
+}
+
 /// The mass of a body that burns fuel.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -63,6 +70,15 @@ impl BurningMass {
     pub fn at_start(&self) -> &Term {
         match self {
             Self::Both([start, _]) | Self::Start(start) => start,
+        }
+    }
+
+    /// Makes the mass at the start that of the body where none is told.
+    pub fn tell(&mut self, of_body: impl FnOnce() -> Term) {
+        if let Self::Start(start) = self
+            && start.0.is_empty()
+        {
+            *start = of_body();
         }
     }
 

@@ -48,6 +48,11 @@ impl Values<'_> {
         if fall.body == stage.body { self.term(&fall.height).map(Some) } else { Ok(None) }
     }
 
+    /// The number of the bounce that is counted: `n` where the stage names none.
+    pub(super) fn bounces_counted(&self, stage: &Bounces) -> Option<f64> {
+        stage.count.as_ref().map_or_else(|| self.named("n"), |term| self.term(term)).ok()
+    }
+
     /// The speed, the time and the place of a bounce, and when and where all end.
     pub(super) fn bounces(&self, stage: &Bounces) -> Result<Staged, NothingToSimulate> {
         let mut staged = Staged::default();
@@ -111,7 +116,7 @@ impl Values<'_> {
             across.map(place).collect::<Vec<_>>()
         };
         let mut all = Vec::new();
-        if let Some(count) = stage.count.as_ref().map(|term| self.term(term)).transpose()? {
+        if let Some(count) = self.bounces_counted(stage) {
             let mut readings = vec![("v_n".to_owned(), Reading::Velocity { body: 0, component, sign }), time("n")];
             readings.extend(places("n"));
             all.push(Experiment { world: bouncing.world.clone(), budget: until(count), readings });

@@ -85,7 +85,12 @@ pub(in super::super) fn drawing(
         tell(&mut wording.description, format!("{} {does} {} with {with}", stage.by, quantities.called(&stage.body)));
         if vector.attach == Attach::Arriving && !vector.asked {
             let speed = vector.vector.label.plain();
-            tell(&mut wording.caption, format!("the velocity of {} is {speed}", stage.by));
+            let velocity = format!("the velocity of {}", stage.by);
+            // A caption has no subscripts.
+            let is_plain = !speed.contains('_');
+            let told =
+                if is_plain { format!("{velocity} is {speed}") } else { format!("the arriving arrow is {velocity}") };
+            tell(&mut wording.caption, told);
         }
         vectors.push(vector);
     }
@@ -96,7 +101,8 @@ pub(in super::super) fn drawing(
     // What leaves a body that moves is told as seen from it.
     if flowing.leaving.is_some() && flowing.relative != flowing.speed {
         let speed = quantities.symbolic(&flowing.relative).plain();
-        let relative = format!("the velocity {speed} is relative to {}", quantities.called(&stage.body));
+        let which = if speed.contains('_') { "with which it leaves" } else { &speed };
+        let relative = format!("the velocity {which} is relative to {}", quantities.called(&stage.body));
         tell(&mut wording.caption, relative);
     }
     if let Some(vane) = vane {

@@ -32,21 +32,25 @@ pub(crate) fn holds(loaded: &Loaded, ask: &Holds, builder: &mut Builder<'_>, pat
     Some((format!("Is {words}?"), PartKind::Choice(ChoicePart::Holds(claim))))
 }
 
-/// A comparison in words, and what it claims.
-pub(crate) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path: &Path) -> Option<(String, Claim)> {
-    let condition = condition(builder, text, Reason::Asked, path)?;
-    let (left, relation, right) = (condition.left, condition.relation, condition.right);
-    let written = split_relation(text).map_or(["", ""], |(left, _, right)| [left, right]);
-    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
-    let than = match relation {
+/// A relation in words, as they stand behind `is`.
+pub(crate) fn than(relation: Relation) -> &'static str {
+    match relation {
         Relation::Less => "less than",
         Relation::AtMost => "at most",
         Relation::Greater => "greater than",
         Relation::AtLeast => "at least",
         Relation::Differs => "different from",
         Relation::Equals => "equal to",
-    };
-    let said = format!("{} {than} {}", words[0], words[1]);
+    }
+}
+
+/// A comparison in words, and what it claims.
+pub(crate) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path: &Path) -> Option<(String, Claim)> {
+    let condition = condition(builder, text, Reason::Asked, path)?;
+    let (left, relation, right) = (condition.left, condition.relation, condition.right);
+    let written = split_relation(text).map_or(["", ""], |(left, _, right)| [left, right]);
+    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
+    let said = format!("{} {} {}", words[0], than(relation), words[1]);
     let mut quantities = left.symbols();
     quantities.extend(right.symbols());
     let is_direction = |symbol: &Symbol| matches!(builder.name(*symbol).kind, QuantityKind::Direction(_));

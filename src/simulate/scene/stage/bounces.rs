@@ -35,20 +35,23 @@ impl StageRun<'_> {
 
     /// Heights and the whole path after a drop.
     fn path(&mut self, stage: &Bounces, height: f64) -> Result<(), NothingToSimulate> {
-        let count = stage.count.as_ref().map(|term| self.values.term(term)).transpose()?;
+        let count = self.values.bounces_counted(stage);
         let (gravity, e) = (self.values.named("g")?, self.values.term(&stage.restitution)?);
         let mut path = height;
         let mut rise = height;
         for bounce in 1..=MOST_BOUNCES {
-            rise = self.bounce(rise, gravity, e)?;
+            let (arrives, top) = self.bounce(rise, gravity, e)?;
+            rise = top;
+            let is_counted = count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5);
+            self.note_bounce(stage, (bounce, is_counted), [arrives, e * arrives]);
             if bounce <= NUMBERED {
                 self.note(&format!("h_{bounce}"), rise, 0.0);
             }
-            if count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5) {
+            if is_counted {
                 self.note("path_n", path, 0.0);
             }
             path += 2.0 * rise;
-            if count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5) {
+            if is_counted {
                 self.note("h_n", rise, 0.0);
             }
             if rise <= NOTHING * height {
@@ -68,7 +71,7 @@ impl StageRun<'_> {
         self.by(Procedure::Integrated);
         for bounce in first + 1..=NUMBERED {
             match self.bounce(rise, gravity, e) {
-                Ok(next) => rise = next,
+                Ok((_, next)) => rise = next,
                 Err(reason) => return Some(Err(reason)),
             }
             self.note(&format!("h_{bounce}"), rise, 0.0);
@@ -76,18 +79,47 @@ impl StageRun<'_> {
         Some(Ok(()))
     }
 
-    /// From one height to the floor, and up to the next.
-    fn bounce(&self, from: f64, gravity: f64, e: f64) -> Result<f64, NothingToSimulate> {
+    /// What one bounce changes, by the speeds towards the floor before it and away from the floor after it.
+    fn note_bounce(&mut self, stage: &Bounces, (number, is_counted): (u32, bool), [before, after]: [f64; 2]) {
+        let Ok(mass) = self.values.mass(&stage.body) else { return };
+        let (impulse, loss) = (mass * (before + after), mass * (before * before - after * after) / 2.0);
+        let numbered = (number <= NUMBERED).then(|| number.to_string());
+        for which in numbered.into_iter().chain(is_counted.then(|| "n".to_owned())) {
+            self.note(&format!("J_{which}"), impulse, 0.0);
+            self.note(&format!("T_lost_{which}"), loss, mass * before * before);
+        }
+        if number == 1 {
+            self.note_here("T_lost", mass * before * before / 2.0, 0.0);
+        }
+    }
+
+    /// From one height to the floor, and up to the next; the speed on the floor, and that height.
+    fn bounce(&self, from: f64, gravity: f64, e: f64) -> Result<(f64, f64), NothingToSimulate> {
         let integrator = Integrator { tolerance: self.tolerance, longest: 8.0 * libm::sqrt(from / gravity) };
         let slope = |_: f64, state: &[f64; 2]| [state[1], -gravity];
         let (time, down) = integrator.event(0.0, [from, 0.0], &slope, &|_, state| state[0])?;
         let (_, top) = integrator.event(time, [0.0, -e * down[1]], &slope, &|_, state| state[1])?;
-        Ok(top[0])
+        Ok((-down[1], top[0]))
+    }
+
+    /// What each of the first bounces changes. As it flies, the body comes back with the speed with which it left.
+    fn first_bounces(&mut self, stage: &Bounces) {
+        let Some(e) = self.values.term(&stage.restitution).ok().filter(|e| *e > 0.0) else { return };
+        let count = self.values.bounces_counted(stage);
+        let mut before = None;
+        for number in 1..=NUMBERED {
+            let Ok(bounce) = self.values.bounce(stage, f64::from(number)) else { return };
+            let arrives = before.unwrap_or(bounce.leaves / e);
+            let is_counted = count.is_some_and(|count| (count - f64::from(number)).abs() < 0.5);
+            self.note_bounce(stage, (number, is_counted), [arrives, bounce.leaves]);
+            before = Some(bounce.leaves);
+        }
     }
 
     /// The flight that follows the n-th bounce: how high it goes, how long it lasts, and how far.
     fn between_bounces(&mut self, stage: &Bounces) -> Result<(), NothingToSimulate> {
-        let Some(count) = stage.count.as_ref().map(|term| self.values.term(term)).transpose()? else { return Ok(()) };
+        self.first_bounces(stage);
+        let Some(count) = self.values.bounces_counted(stage) else { return Ok(()) };
         let (before, after) = (self.values.bounce(stage, count)?, self.values.bounce(stage, count + 1.0)?);
         let flight = after.time - before.time;
         self.note("dt_n", flight, after.time);

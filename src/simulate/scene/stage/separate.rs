@@ -20,6 +20,11 @@ use crate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
 /// The longest step beside the second that a force between parts takes.
 const LONGEST: f64 = 0.25;
 
+/// How often parts that are driven off one other take turns.
+const MOST_ROUNDS: usize = 200;
+/// The share of its velocity by which a part may still change in the last turn.
+const SETTLED: f64 = 1e-13;
+
 /// Two parts that push each other.
 type Pair<'a> = [Pushed<'a>; 2];
 
@@ -32,13 +37,13 @@ impl StageRun<'_> {
             let guide = self.values.guide(name).transpose()?;
             pieces.push(Pushed::new(Particle { guide, ..Particle::free(name, self.values.mass(name)?, whole) }));
         }
-        match (&stage.energy, &stage.relative, &mut pieces[..]) {
+        match (&stage.energy, stage.relatives(), &mut pieces[..]) {
             (Some(energy), _, [one, other]) => {
                 let energy = self.values.term(energy)?;
                 [*one, *other] = self.sprung(&[*one, *other], energy)?;
             }
-            (None, Some(relative), [one, other]) => [*one, *other] = self.driven(&[*one, *other], relative)?,
-            (None, None, pieces) => self.parting(pieces)?,
+            (None, [], pieces) => self.parting(pieces)?,
+            (None, relatives, pieces) => self.driven(pieces, relatives)?,
             _ => return Err(NothingToSimulate::NoMethod),
         }
         self.note_parts(stage, &pieces);
@@ -56,19 +61,41 @@ impl StageRun<'_> {
         self.pushed_apart(pair, spring, along, &Until::Event(&left))
     }
 
+    /// Drives as strongly as each part has to move as seen from the other. What drives one moves the other under the next, so that
+    /// several take turns until none is driven any further.
+    fn driven(&mut self, pieces: &mut [Pushed<'_>], relatives: &[Relative]) -> Result<(), NothingToSimulate> {
+        for _ in 0..MOST_ROUNDS {
+            let before: Vec<Vector> = pieces.iter().map(|piece| piece.after).collect();
+            for relative in relatives {
+                self.driven_off(pieces, relative)?;
+            }
+            let moved = |(piece, before): (&Pushed<'_>, &Vector)| {
+                size(less(piece.after, *before)) > SETTLED * size(piece.after)
+            };
+            if relatives.len() == 1 || !pieces.iter().zip(&before).any(moved) {
+                return Ok(());
+            }
+        }
+        Err(NothingToSimulate::NoMethod)
+    }
+
     /// Drives as strongly as one part has to move as seen from the other.
-    fn driven<'a>(&mut self, pair: &Pair<'a>, relative: &Relative) -> Result<Pair<'a>, NothingToSimulate> {
+    fn driven_off(&mut self, pieces: &mut [Pushed<'_>], relative: &Relative) -> Result<(), NothingToSimulate> {
+        let place =
+            |name: &str| pieces.iter().position(|piece| piece.body.name == name).ok_or(NothingToSimulate::NoStage);
+        let [of, to] = [place(&relative.of)?, place(&relative.to)?];
         let direction = self.values.towards(relative.direction.as_ref())?;
         let speed = self.values.term(&relative.velocity)?;
-        let index = usize::from(relative.of == pair[1].body.name);
         let relative_velocity = |pair: &Pair<'_>| {
             let from = match relative.when {
-                When::After => pair[1 - index].after,
-                When::Before => pair[1 - index].body.velocity,
+                When::After => pair[1].after,
+                When::Before => pair[1].body.velocity,
             };
-            less(pair[index].after, from)
+            less(pair[0].after, from)
         };
-        self.searched(pair, times(speed, direction), &relative_velocity)
+        let pair = self.searched(&[pieces[of], pieces[to]], times(speed, direction), &relative_velocity)?;
+        [pieces[of], pieces[to]] = pair;
+        Ok(())
     }
 
     /// All but one are pushed off that one, each as strongly as it moves afterwards as it is said to.

@@ -16,6 +16,9 @@ use crate::scene::vector::{ZERO, dot, less, part, times, unit};
 /// The share of the mass that one droplet carries away; it is halved to find what ever smaller droplets would do.
 const DROPLET: f64 = 1e-6;
 
+/// The mass of a body that nobody weighs, in kg: its thrust does not depend on it.
+const ANY_MASS: f64 = 1.0;
+
 /// A burn as numbers.
 struct Burn {
     force: f64,
@@ -47,22 +50,27 @@ impl StageRun<'_> {
         let body = stage.body.as_str();
         let (start, end) = match &stage.mass {
             BurningMass::Both([start, end]) => (self.values.term(start)?, self.values.known(Some(end))),
-            BurningMass::Start(start) => (self.values.term(start)?, None),
+            BurningMass::Start(start) => (self.values.term(start).unwrap_or(ANY_MASS), None),
         };
+        let is_weighed = self.values.term(stage.mass.at_start()).is_ok();
         let time = self.values.known(stage.during.as_ref()).or_else(|| self.values.duration().ok());
         let (force, flow) = self.jets(stage, start, end, time)?;
+        self.note_here(&format!("F_{body}"), force, 0.0);
+        self.note_here(&format!("flow_{body}"), flow, 0.0);
+        self.note_term(stage.flow.as_ref(), flow, 0.0);
+        self.note_term(stage.force.as_ref(), force, 0.0);
+        if !is_weighed {
+            return Ok(());
+        }
         let along = part(self.values.towards(stage.direction.as_ref())?, axis);
         let resistance = self.values.or_zero(stage.resistance.as_ref())?;
         let burn = Burn { force, flow, start, weight: self.values.gravity(axis)?, resistance, along };
         let time = match (time, end) {
             (Some(time), _) => time,
             (None, Some(end)) => self.burnt(&burn, end)?,
-            (None, None) => return Err(NothingToSimulate::ValueMissing),
+            // A thrust of which nobody tells how long it lasts: nothing but the force can be spoken of.
+            (None, None) => return Ok(()),
         };
-        self.note_here(&format!("F_{body}"), force, 0.0);
-        self.note_here(&format!("flow_{body}"), flow, 0.0);
-        self.note_term(stage.flow.as_ref(), flow, 0.0);
-        self.note_term(stage.force.as_ref(), force, 0.0);
         self.note_burn(stage, &burn, self.values.velocity_before(body, axis)?, time)
     }
 
