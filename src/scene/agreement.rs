@@ -90,7 +90,7 @@ impl Scene {
 /// The sentence with plurals of the verbs of which `name` is the subject.
 fn with_plural(sentence: &str, name: &str) -> String {
     let mut letters = name.chars();
-    let at_the_start = String::from_iter(letters.next().into_iter().flat_map(char::to_uppercase).chain(letters));
+    let at_the_start: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
     let next = |rest: &str| [name, &at_the_start].into_iter().filter_map(|spelt| rest.find(spelt)).min();
     let (mut said, mut rest) = (String::with_capacity(sentence.len()), sentence);
     while let Some(at) = next(rest) {
