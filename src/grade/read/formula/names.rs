@@ -10,6 +10,9 @@ use super::signs;
 use super::token::{Letter, Place, Token};
 use super::vocabulary::Vocabulary;
 
+/// Names side by side in one word have together no more letters.
+const LONGEST_PRODUCT: usize = 4;
+
 /// The names that a formula may contain, and that of what is asked.
 pub(super) struct Names<'a> {
     known: Vec<Known>,
@@ -76,6 +79,15 @@ impl<'a> Names<'a> {
     /// The meaning of a whole word, where it is one name.
     pub(super) fn whole(&self, word: &[Letter]) -> Option<Meant> {
         self.at(word, 0).find(|(_, length)| *length == word.len()).map(|(meant, _)| meant)
+    }
+
+    /// Whether a short word is several names side by side: `gL`.
+    pub(super) fn is_several(&self, word: &[Letter]) -> bool {
+        word.len() <= LONGEST_PRODUCT && self.whole(word).is_none() && self.is_names(word)
+    }
+
+    fn is_names(&self, word: &[Letter]) -> bool {
+        word.is_empty() || self.at(word, 0).any(|(_, length)| length > 0 && self.is_names(&word[length..]))
     }
 
     /// A word that is one name, in a line of work: there it is no product of others.

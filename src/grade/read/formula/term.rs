@@ -172,19 +172,34 @@ impl Numbers<'_> {
         kept
     }
 
+    /// Whether what stands behind a letter goes on with its product: another quantity, a bracket or a function.
+    fn is_in_product(&self, lexemes: &[Lexeme], at: usize) -> bool {
+        match lexemes.get(at).map(|lexeme| &lexeme.token) {
+            Some(Token::Word(letters)) => self.names.whole(letters).is_some(),
+            Some(Token::Over) => matches!(lexemes.get(at + 1).map(|lexeme| &lexeme.token), Some(Token::Open(_))),
+            Some(Token::Open(_) | Token::Function(_)) => true,
+            _ => false,
+        }
+    }
+
     /// The unit that begins at a token, the longest that can be read, and the token behind it.
     fn unit(&mut self, lexemes: &[Lexeme], from: usize, is_two: bool) -> (Option<Unit>, usize) {
-        let (mut text, mut at, mut words, mut is_name) = (String::new(), from, 0, false);
+        let (mut text, mut at, mut words) = (String::new(), from, 0);
+        let (mut is_name, mut is_split) = (false, false);
         let mut longest = (None, from);
         while let Some(lexeme) = lexemes.get(at) {
             match &lexeme.token {
                 Token::Word(letters) if words < MAX_WORDS => {
+                    let is_several = words == 0 && self.names.is_several(letters);
                     is_name |= self.names.whole(letters).is_some();
                     let is_before_word =
                         matches!(lexemes.get(at + 1).map(|lexeme| &lexeme.token), Some(Token::Word(_)));
                     // `2 g h` is no number of gram hours, and `v^2/(2 g)` holds no mass.
                     let is_gravity = (is_before_word || is_two) && names::text(letters) == "g";
-                    if is_name && (self.letters == Letters::Names || is_gravity) {
+                    let is_factor = words == 0
+                        && self.letters == Letters::Products
+                        && (is_several || is_name && self.is_in_product(lexemes, at + 1));
+                    if is_factor || is_name && (self.letters == Letters::Names || is_gravity) {
                         break;
                     }
                     if words > 0 && !text.ends_with(['/', '*']) {
@@ -192,6 +207,7 @@ impl Numbers<'_> {
                     }
                     text.push_str(&names::text(letters));
                     words += 1;
+                    is_split |= is_several;
                 }
                 Token::Degree if words == 0 => {
                     return (Some(Unit::degree()), at + 1);
@@ -210,7 +226,7 @@ impl Numbers<'_> {
             at += 1;
             if let Ok(unit) = Unit::parse(&text) {
                 longest = (Some(unit), at);
-                self.is_doubtful |= is_name;
+                self.is_doubtful |= is_name || is_split;
             }
         }
         longest

@@ -46,6 +46,8 @@ pub enum Letters {
     Units,
     /// The quantity.
     Names,
+    /// The quantity where another one follows, as in `2 m v`, and the unit elsewhere.
+    Products,
 }
 
 impl<'a> Vocabulary<'a> {
