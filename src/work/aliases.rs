@@ -18,7 +18,7 @@ use super::written::Alphabet;
 const MOST: usize = 6;
 
 /// Other letters for quantities of a kind, by the letter that the problem has.
-const LETTERS: [(&str, &[&str]); 11] = [
+const LETTERS: [(&str, &[&str]); 13] = [
     ("T", &["K", "KE", "E", "E_k", "E_kin"]),
     ("T_rel", &["K_rel", "KE_rel", "E_rel"]),
     ("H", &["L"]),
@@ -30,6 +30,8 @@ const LETTERS: [(&str, &[&str]); 11] = [
     ("areal_rate", &["rate_A"]),
     ("tension", &["T", "S", "F_T"]),
     ("dt", &["Delta_t"]),
+    ("I", &["J"]),
+    ("angle", &["theta", "phi"]),
 ];
 
 /// Greek letters and signs as they stand in the names of quantities.

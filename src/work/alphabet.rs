@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use momentous_expr::Expr;
 use momentous_expr::Symbol;
+use momentous_expr::SymbolEntry;
 use momentous_laws::{Law, angular, energy, force, motion};
 use momentous_model::Instant;
 use momentous_model::Integral;
@@ -15,6 +16,7 @@ use momentous_problem::Worked;
 use momentous_solve::Statement;
 
 use super::ground::Ground;
+use super::spelling::{self, printed};
 use super::vectors::Vectors;
 use super::written::Alphabet;
 
@@ -47,7 +49,9 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
         own_letters: BTreeSet::new(),
         vectors: Vectors::among(&model.symbols),
         limits: BTreeMap::new(),
+        asked: BTreeMap::new(),
     };
+    asked(worked, &mut alphabet);
     functions(worked, &mut alphabet);
     magnitudes(worked, &mut alphabet);
     motions(worked, &mut alphabet);
@@ -58,10 +62,26 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
     once(worked, &mut alphabet);
     across(worked, &mut alphabet);
     components(worked, ground, &mut alphabet);
+    last_members(worked, ground, &mut alphabet);
     members(worked, ground, &mut alphabet);
     alone(worked, ground, &mut alphabet);
     alphabet.vectors = Vectors::among(&alphabet.symbols);
     alphabet
+}
+
+/// What is asked, by the symbol that the sheet prints for it, where that is not its name: `v_{A2}` for the speed.
+fn asked(worked: Worked<'_>, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    for symbol in worked.form.wanted() {
+        let printed = printed(&worked.problem.math_of(symbol).latex());
+        // A size may be written without its bars, where nothing else is called so.
+        for spelt in BTreeSet::from([printed.as_str(), printed.trim_matches('|')]) {
+            let is_name = |other: &SymbolEntry| spelling::letters(&other.name) == *spelt;
+            if !spelt.is_empty() && !model.symbols.iter().any(|(_, entry)| is_name(entry)) {
+                alphabet.asked.insert(spelt.to_owned(), model.symbols.entry(symbol).name.clone());
+            }
+        }
+    }
 }
 
 /// Each letter for a function that the scene integrates, `F(t)`, and the limits of the integrals over a variable.
@@ -257,9 +277,22 @@ fn members(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
         if right.symbols().iter().any(|symbol| model.symbols.entry(*symbol).name.ends_with(&suffix)) {
             continue;
         }
-        for member in 1..=MOST_MEMBERS {
+        let number = worked.variant.given(count).map(|(number, _)| number.to_string());
+        for member in (1..=MOST_MEMBERS).filter(|member| number.as_ref() != Some(&member.to_string())) {
             let term = right.substitute(&|symbol| (symbol == count).then(|| Expr::integer(member)));
             alphabet.name(&format!("{letter}_{member}"), &[term], false);
+        }
+    }
+}
+
+/// The last members of sequences, where their number is on the sheet: `h_3` is what is asked as `h_n`.
+fn last_members(worked: Worked<'_>, ground: &Ground, alphabet: &mut Alphabet) {
+    let model = worked.problem.model();
+    for (symbol, entry) in model.symbols.iter() {
+        let Some((letter, count)) = entry.name.split_once('_') else { continue };
+        let count = model.symbols.find(count).filter(|count| ground.told.contains(count));
+        if let Some((number, _)) = count.and_then(|count| worked.variant.given(count)) {
+            alphabet.name(&format!("{letter}_{number}"), &[symbol.into()], false);
         }
     }
 }

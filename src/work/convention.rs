@@ -11,21 +11,19 @@ impl Judge<'_> {
     /// Takes a line such as `take left as positive`; whether it was one.
     pub(crate) fn turn(&mut self, text: &str) -> bool {
         let line = words(text);
-        let is_convention = line.contains("positive") && !text.contains(['=', '<', '>']);
-        if !is_convention {
+        let has = |signs: [&str; 2]| line.contains(signs[0]) || text.contains(signs[1]);
+        let is_positive = has(["positive", "+ve"]) || text.trim_end().ends_with('+');
+        let is_negative = !is_positive && has(["negative", "-ve"]);
+        if !is_positive && !is_negative || text.contains(['=', '<', '>']) {
             return false;
         }
         let model = self.worked.problem.model();
         let (mut turned, mut is_said) = (Vec::new(), false);
         for (symbol, _) in model.symbols.iter() {
             let Some(senses) = self.worked.problem.turns_with(symbol) else { continue };
-            match named(&line, &senses.positive, &senses.negative) {
-                Some(Named::Positive) => is_said = true,
-                Some(Named::Negative) => {
-                    is_said = true;
-                    turned.push(symbol);
-                }
-                None => {}
+            if let Some(direction) = named(&line, &senses.positive, &senses.negative) {
+                is_said = true;
+                turned.extend(((direction == Named::Positive) == is_negative).then_some(symbol));
             }
         }
         if is_said {
@@ -37,7 +35,7 @@ impl Judge<'_> {
 
 /// The direction that a line takes as positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Named {
+pub(crate) enum Named {
     /// That of the axis.
     Positive,
     /// The other one.
@@ -45,7 +43,7 @@ enum Named {
 }
 
 /// The words of a text, `leftwards` as `left`.
-fn words(text: &str) -> BTreeSet<String> {
+pub(crate) fn words(text: &str) -> BTreeSet<String> {
     let text = text.to_lowercase();
     let words = text.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty());
     words.map(|word| word.trim_end_matches("wards").trim_end_matches("ward").to_owned()).collect()
@@ -53,7 +51,7 @@ fn words(text: &str) -> BTreeSet<String> {
 
 /// Which of two directions a line names, by the words in which they differ: of `along the rail` and `back along the rail` the one or the
 /// other, as `back` stands in it.
-fn named(line: &BTreeSet<String>, positive: &str, negative: &str) -> Option<Named> {
+pub(crate) fn named(line: &BTreeSet<String>, positive: &str, negative: &str) -> Option<Named> {
     let phrases = [positive, negative].map(words);
     let names = |this: usize| {
         let differing: Vec<&String> = phrases[this].difference(&phrases[1 - this]).collect();

@@ -1,5 +1,6 @@
 //! Lines whose sides do not agree, or cannot be tried: why.
 
+use momentous_expr::Expr;
 use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 use momentous_solve::Bounded;
@@ -12,8 +13,9 @@ use super::ground::Place;
 use super::holds::{At, Holds, is_identity};
 use super::judge::Judge;
 use super::meaning::Meanings;
+use super::sides::Compared;
 use super::verdict::Verdict;
-use super::written::Written;
+use super::written::{Statement, Written};
 use super::wrong::WrongSystems;
 
 /// The shares of the way between its limits at which a function is tried.
@@ -76,12 +78,37 @@ impl Judge<'_> {
         is_held.then(|| self.holding(line, place, sets, &here))
     }
 
+    /// The question about a value that is right but for its sign, where the sign is a direction.
+    fn opposite(&self, line: &Written, sets: &[Meanings], at: &At<'_>) -> Option<String> {
+        let mut statements = line.statements();
+        let (Some(Statement { left, compared, right }), None) = (statements.next(), statements.next()) else {
+            return None;
+        };
+        let [positive, negative] = self.senses(line.letter_alone(left)?)?;
+        let is_value = line.number_alone(right).is_some() || has_root(right);
+        if !is_value || *compared != Compared::Equal {
+            return None;
+        }
+        let opposite = Statement { left: left.clone(), compared: *compared, right: -right.clone() };
+        let holds = sets.iter().any(|set| at.statement(line, &opposite, set) <= Holds::AsFigures);
+        holds.then(|| {
+            format!("Does not follow: the size is right, and the sign is not. Is it {positive} or {negative}?")
+        })
+    }
+
     /// Why a line does not hold.
     pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> LineFinding {
         if let Err(clash) = without_clash(line, sets)
             && !line.has_own
         {
             return LineFinding::of(Verdict::Dimensions).because(clash);
+        }
+        if let Some(question) = self.opposite(line, sets, at) {
+            return LineFinding::of(Verdict::DoesNotFollow).because(question);
+        }
+        // An inequality holds with many a mistake.
+        if line.statements().all(|statement| statement.compared != Compared::Equal) {
+            return LineFinding::of(Verdict::DoesNotFollow);
         }
         let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at);
         if !follows.is_empty() {
@@ -102,4 +129,10 @@ impl Judge<'_> {
             None => LineFinding::of(Verdict::DoesNotFollow),
         }
     }
+}
+
+/// Whether a term has a root in it, whose sign is chosen.
+fn has_root(term: &Expr) -> bool {
+    let is_root = matches!(term, Expr::Power(pair) if pair.1.as_number().is_some_and(|exponent| !exponent.is_int()));
+    is_root || term.children().any(has_root)
 }

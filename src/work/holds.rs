@@ -5,6 +5,7 @@ use momentous_expr::Symbol;
 use momentous_grade::WrittenNumber;
 use momentous_grade::half_of_last_place;
 use momentous_quantity::Dimension;
+use momentous_quantity::Rational;
 use momentous_quantity::Unit;
 use momentous_quantity::UnitSystem;
 use momentous_solve::Bounded;
@@ -24,6 +25,9 @@ const UNDECIDED: f64 = 1e-6;
 const ROUNDED: f64 = 0.02;
 /// A value that is written as the last side may be off by this share as by the rounding of its figures.
 const RESULT: f64 = 0.006;
+
+/// The least number of three figures.
+const LEAST_FIGURES: f64 = 100.0;
 
 /// Whether a line holds, from the best to the worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,12 +71,15 @@ pub(crate) struct At<'a> {
 impl At<'_> {
     /// Whether all that a line states holds.
     pub(crate) fn line(&self, line: &Written, meanings: &Meanings) -> Holds {
-        let chain = |chain: &Vec<Statement>| {
-            chain.iter().map(|statement| self.statement(line, statement, meanings)).max().unwrap_or(Holds::Yes)
+        let alternatives = |alternatives: &Vec<Vec<Statement>>| {
+            alternatives.iter().map(|chain| self.chain(line, chain, meanings)).min().unwrap_or(Holds::Yes)
         };
-        let alternatives =
-            |alternatives: &Vec<Vec<Statement>>| alternatives.iter().map(chain).min().unwrap_or(Holds::Yes);
         line.stated.iter().map(alternatives).max().unwrap_or(Holds::Open)
+    }
+
+    /// Whether all statements of a chain hold.
+    pub(crate) fn chain(&self, line: &Written, chain: &[Statement], meanings: &Meanings) -> Holds {
+        chain.iter().map(|statement| self.statement(line, statement, meanings)).max().unwrap_or(Holds::Yes)
     }
 
     /// Whether one statement holds.
@@ -109,8 +116,8 @@ impl At<'_> {
             reach = reach.max(RESULT * evaluate(&statement.left, &value).value.abs());
         }
         let alone = [&statement.left, &statement.right].into_iter().find_map(|side| line.number_alone(side));
-        if let Some((number, half)) = alone.and_then(|number| Some((number, half_of_last_place(&number.value)?))) {
-            reach = reach.max(half.to_f64().value() * self.unit_of(number.unit.as_ref()));
+        if let Some(number) = alone {
+            reach = reach.max(half_of_last_figure(&number.value) * self.unit_of(number.unit.as_ref()));
         }
         let is_nothing = difference.value.abs() <= difference.error + AGREE * size;
         let is_rounded = rounds && difference.value.abs() <= reach.min(ROUNDED * size);
@@ -165,6 +172,22 @@ impl At<'_> {
     fn in_units(&self, value: Bounded, dimension: Dimension) -> Bounded {
         if self.units.is_si() { value } else { value.div(&Bounded::exactly(self.units.size(dimension))) }
     }
+}
+
+/// Half a unit of the last figure of a result of two figures or more; zeros before no point may be no figures, where three are left.
+fn half_of_last_figure(value: &Rational) -> f64 {
+    if let Some(half) = half_of_last_place(value) {
+        return half.to_f64().value();
+    }
+    let size = value.to_f64().value().abs();
+    if size < LEAST_FIGURES / 10.0 {
+        return 0.0;
+    }
+    let mut unit = 1.0;
+    while size >= LEAST_FIGURES * unit * 10.0 && (size / (unit * 10.0)).fract() == 0.0 {
+        unit *= 10.0;
+    }
+    unit / 2.0
 }
 
 /// The value of a number in coherent units.

@@ -54,6 +54,8 @@ pub struct Judge<'a> {
     pub(crate) before: Option<Written>,
     pub(crate) mistakes: Vec<(&'static str, usize)>,
     pub(crate) accepted: Vec<Accepted>,
+    /// What short names stand for since a line held with it.
+    pub(crate) meant: Vec<(Symbol, Expr)>,
     lines: usize,
     /// Whether the line that is judged is written in letters only.
     is_in_letters: bool,
@@ -77,6 +79,7 @@ impl<'a> Judge<'a> {
             before: None,
             mistakes: Vec::new(),
             accepted: Vec::new(),
+            meant: Vec::new(),
             lines: 0,
             is_in_letters: true,
         }
@@ -99,8 +102,12 @@ impl<'a> Judge<'a> {
         };
         let laws: Vec<_> = found.support.laws.iter().filter_map(law).collect();
         // Conservation along each of two axes is named once.
-        let mut names: Vec<&str> = laws.iter().map(|law| law.name).collect();
-        names.dedup();
+        let mut names: Vec<&str> = Vec::new();
+        for law in &laws {
+            if !names.contains(&law.name) {
+                names.push(law.name);
+            }
+        }
         let message = self.message(&found, &names);
         for mistake in &found.mistakes {
             self.mistakes.push((mistake.of.id, self.lines));
@@ -128,8 +135,8 @@ impl<'a> Judge<'a> {
         }
         // Where one is a sentence that cannot be read, the others are judged.
         let (mut left_out, mut is_read) = (None, false);
-        // Of several statements the worst is told, and each may show what it shows.
-        let mut worst: Option<LineFinding> = None;
+        // Of several statements a wrong one is told, of true ones the one that says most, and each may show what it shows.
+        let mut told: Option<LineFinding> = None;
         for part in &parts {
             let found = self.stated(part);
             if found.verdict == Verdict::Unreadable && prose::is_sentence(part) {
@@ -137,20 +144,27 @@ impl<'a> Judge<'a> {
                 continue;
             }
             is_read = true;
-            if let Some(earlier) = &worst {
-                self.accepted.extend(earlier.accepted.clone().filter(|_| found.verdict > earlier.verdict));
-            }
-            match &worst {
-                Some(earlier) if found.verdict <= earlier.verdict => self.accepted.extend(found.accepted),
-                _ => worst = Some(found),
+            self.accepted.extend(found.accepted.clone());
+            let found = LineFinding { accepted: None, ..found };
+            let is_told = told.as_ref().is_none_or(|earlier| {
+                let are_true = earlier.verdict.is_true() && found.verdict.is_true();
+                if are_true { found.verdict < earlier.verdict } else { found.verdict > earlier.verdict }
+            });
+            if is_told {
+                told = Some(found);
             }
         }
         let rest = left_out.filter(|_| !is_read);
-        rest.or(worst).unwrap_or_else(|| LineFinding::of(Verdict::Remark))
+        rest.or(told).unwrap_or_else(|| LineFinding::of(Verdict::Remark))
     }
 
     /// The finding on one statement, or on the equation in it where it is a sentence that cannot be read as a whole.
     pub(crate) fn stated(&mut self, text: &str) -> LineFinding {
+        let text = match self.with_direction(text) {
+            Ok(text) => text,
+            Err(unclear) => return LineFinding::of(Verdict::Unreadable).because(unclear),
+        };
+        let text = text.as_str();
         let found = self.plainly_stated(text);
         if found.verdict != Verdict::Unreadable {
             return found;
@@ -163,7 +177,10 @@ impl<'a> Judge<'a> {
         }
         let mut rest = text.to_owned();
         while let Some(equation) = prose::equation(&rest) {
-            let within = self.plainly_stated(&equation);
+            let within = match self.equation_with_direction(&equation, &rest) {
+                Ok(equation) => self.plainly_stated(&equation),
+                Err(unclear) => LineFinding::of(Verdict::Unreadable).because(unclear),
+            };
             if within.verdict != Verdict::Unreadable {
                 return within;
             }
@@ -214,27 +231,34 @@ impl<'a> Judge<'a> {
         self.take(found, reading)
     }
 
-    /// The finding on one statement, and the reading in which it is found. Where it does not hold, its short names are tried with
-    /// whatever else they may mean.
+    /// The finding on one statement, and the reading in which it is found. Where it does not hold or says nothing new, its short names are
+    /// tried with whatever else they may mean; a name keeps the meaning with which an earlier line held.
     pub(crate) fn tried(&self, text: &str) -> (LineFinding, Option<Written>) {
-        let (found, reading) = match self.tried_as(text, &[], Search::Mistakes) {
+        let (found, first) = match self.tried_as(text, &self.meant, Search::Mistakes) {
             Ok(first) => first,
             Err(found) => return (*found, None),
         };
-        if found.verdict.is_true() || reading.shorts.is_empty() {
-            return (found, Some(reading));
+        let is_empty = matches!(found.verdict, Verdict::Restates | Verdict::Identity) && found.detail.is_empty();
+        if found.verdict.is_true() && !is_empty || first.shorts.is_empty() {
+            return (found, Some(first));
         }
-        for instead in self.alphabet.meanings(&reading) {
+        for instead in self.alphabet.meanings(&first) {
             if let Ok((other, reading)) = self.tried_as(text, &instead, Search::Truth)
-                && other.verdict.is_true()
+                && if is_empty { other.verdict < Verdict::Definition } else { other.verdict.is_true() }
             {
-                return (other, Some(reading));
+                return match self.meant_otherwise(&instead, &reading) {
+                    // What says nothing new stands as it was.
+                    Some(_) if is_empty => (found, Some(first)),
+                    Some(unclear) => (unclear, None),
+                    None => (other, Some(reading)),
+                };
             }
         }
-        let loose = reading.shorts.iter().find(|short| self.alphabet.loose.contains(short));
+        let is_open = |short: &&Symbol| self.alphabet.loose.contains(short) && !self.has_meaning(**short);
+        let loose = first.shorts.iter().find(is_open);
         match loose {
             Some(short) if found.verdict.is_wrong() => (self.asked_back(*short), None),
-            _ => (found, Some(reading)),
+            _ => (found, Some(first)),
         }
     }
 
@@ -265,7 +289,9 @@ impl<'a> Judge<'a> {
         for mut reading in readings.into_iter().chain(in_units) {
             self.measure_results(&mut reading);
             let found = self.judged(&reading, search);
-            if best.as_ref().is_none_or(|(best, _)| found.verdict < best.verdict) {
+            // Units that do not agree are no better than another fault of the reading before.
+            let is_better = |best: &LineFinding| found.verdict < best.verdict && found.verdict != Verdict::Dimensions;
+            if best.as_ref().is_none_or(|(best, _)| is_better(best)) {
                 best = Some((found, reading));
             }
         }
@@ -280,6 +306,7 @@ impl<'a> Judge<'a> {
             let guessed = results(&reading);
             self.accepted.iter_mut().for_each(|accepted| accepted.answers.retain(|answer| !guessed.contains(answer)));
         }
+        self.keep_meanings(&found, &reading);
         self.before = Some(reading);
         found
     }
@@ -307,7 +334,10 @@ impl<'a> Judge<'a> {
         let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
         let best = here.iter().copied().min().unwrap_or(Holds::Open);
         match best {
-            Holds::Yes | Holds::AsFigures => self.holding(line, place, &sets, &here),
+            Holds::Yes | Holds::AsFigures => match self.with_false_alternative(line, place, &sets) {
+                Some(found) => found,
+                None => self.holding(line, place, &sets, &here),
+            },
             Holds::Open => self.open(line, place, &sets),
             Holds::No => {
                 let holds = self.in_units_of_sheet(line, place, &sets);

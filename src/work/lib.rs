@@ -7,11 +7,14 @@
 
 mod aliases;
 mod alphabet;
+mod alternatives;
 mod bare_units;
 mod clash;
 mod convention;
 mod cross;
+mod direction;
 mod elsewhere;
+mod equal_givens;
 mod failing;
 mod found;
 mod ground;
@@ -23,6 +26,7 @@ mod letters;
 mod meaning;
 mod message;
 mod naming;
+mod one_meaning;
 mod own_letters;
 mod planning;
 mod progress;

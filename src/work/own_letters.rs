@@ -1,6 +1,7 @@
 //! Letters that the problem does not have: those that a student introduces, and those that can stand for one quantity only.
 
 use momentous_expr::Expr;
+use momentous_expr::Symbol;
 use momentous_grade::Unreadable;
 use momentous_grade::UnreadableKind;
 use momentous_quantity::Rational;
@@ -33,10 +34,14 @@ impl Judge<'_> {
             return None;
         }
         let is_own = self.alphabet.own_letters.contains(name);
+        let mut has_meaning = is_own && !self.alphabet.is_loose(name);
         let (is_unknown, is_loose) = match term(name, &self.alphabet, self.mark) {
             Err(fault) => (is_unknown_name(&fault), false),
             Ok(_) if name == EULER && self.alphabet.symbols.find(EULER).is_none() => (true, false),
-            Ok((_, line)) => (is_own, !is_own && !line.shorts.is_disjoint(&self.alphabet.loose)),
+            Ok((_, line)) => {
+                has_meaning |= line.shorts.iter().any(|short| self.has_meaning(*short));
+                (is_own, !is_own && !line.shorts.is_disjoint(&self.alphabet.loose))
+            }
         };
         if self.alphabet.vectors.is_vector(name) && !is_loose {
             return None;
@@ -45,6 +50,17 @@ impl Judge<'_> {
         let is_slip = !is_own && self.printed_names().iter().any(|printed| printed.eq_ignore_ascii_case(name));
         if !is_loose && (!is_unknown || is_slip) {
             return None;
+        }
+        // A letter that has a meaning keeps it.
+        if has_meaning {
+            let (found, reading) = self.tried(text);
+            if reading.is_none() && !found.detail.is_empty() {
+                return Some(found);
+            }
+            if let Some(reading) = reading.filter(|_| found.verdict.is_true() || found.verdict.is_wrong()) {
+                let found = if found.verdict.is_wrong() { contradicting(found, name) } else { found };
+                return Some(self.take(found, reading));
+            }
         }
         if is_loose
             && let (found, Some(reading)) = self.tried(text)
@@ -124,11 +140,19 @@ impl Judge<'_> {
             return None;
         }
         let known = self.alphabet.clone();
-        let mut holding: Vec<(Alphabet, LineFinding, Written)> = Vec::new();
         let told = self.ground.told.clone();
         let sought = self.ground.sought();
-        for symbol in told.iter().chain(&sought) {
-            self.alphabet.introduce(&unknown, (*symbol).into());
+        let each = || told.iter().chain(&sought).map(|symbol| (symbol, Expr::from(*symbol)));
+        let has_direction = |symbol: &Symbol| self.senses(*symbol).is_some();
+        // A letter may be a size that is counted against the axis.
+        let sizes: Vec<(&Symbol, Expr)> =
+            each().filter(|(symbol, _)| has_direction(symbol)).map(|(symbol, term)| (symbol, -term)).collect();
+        let mut holding: Vec<(Alphabet, LineFinding, Written)> = Vec::new();
+        for (place, (symbol, stands)) in each().chain(sizes).enumerate() {
+            if place >= told.len() + sought.len() && !holding.is_empty() {
+                break;
+            }
+            self.alphabet.introduce(&unknown, stands);
             let tried = self.tried_as(text, &[], Search::Truth);
             let alphabet = std::mem::replace(&mut self.alphabet, known.clone());
             let Ok((found, reading)) = tried else { continue };
@@ -143,6 +167,14 @@ impl Judge<'_> {
         self.alphabet = alphabet;
         Some(self.take(found, reading))
     }
+}
+
+/// The finding on a line that says of a letter something else than before.
+fn contradicting(found: LineFinding, name: &str) -> LineFinding {
+    if found.verdict != Verdict::DoesNotFollow {
+        return found;
+    }
+    found.because(format!("Does not follow: `{name}` has another value in the lines before."))
 }
 
 /// Whether a side has a name that is not known.

@@ -103,11 +103,11 @@ impl Judge<'_> {
             reason => format!(": {reason}"),
         };
         let equation = match self.ground.system.equations.get(stated.place).map(|equation| &equation.statement) {
-            Some(Statement::Equal { left, right }) => Some([left, right]),
+            Some(Statement::Equal { left, right }) => Some(self.as_counted([left, right])),
             _ => None,
         };
         let text = |numbers: bool| {
-            equation.map_or_else(String::new, |[left, right]| {
+            equation.as_ref().map_or_else(String::new, |[left, right]| {
                 format!("{} = {}", self.text(left, numbers), self.text(right, numbers))
             })
         };
@@ -115,7 +115,7 @@ impl Judge<'_> {
             principle: format!("Use {}{during}{because}.", instance.law.name),
             equation: text(false),
             numbers: text(true),
-            math: equation.map(|sides| self.math(sides)),
+            math: equation.as_ref().map(|[left, right]| self.math([left, right])),
         }
     }
 
@@ -125,13 +125,17 @@ impl Judge<'_> {
         let number = numbers.into_iter().find(|number| number.symbol == wanted);
         let value = number.and_then(|number| {
             let value = round_to_figures(self.worked.answer(number).for_print(), number.figures)?;
+            let value = if self.turned.contains(&wanted) { -value } else { value };
             Some(format!("{name} = {value} {}", self.worked.problem.unit_name(number)).trim_end().to_owned())
         });
         let formula = self.worked.form.parts.iter().find_map(|part| match &part.kind {
             PartKind::Formula(formula) if formula.symbol == wanted => self.worked.formula(formula),
             _ => None,
         });
-        let value = value.or_else(|| Some(format!("{name} = {}", self.text(&formula?, false))));
+        let value = value.or_else(|| {
+            let [_, formula] = self.as_counted([&wanted.into(), &formula?]);
+            Some(format!("{name} = {}", self.text(&formula, false)))
+        });
         NextStep {
             principle: format!("Solve the equations for {name}."),
             equation: String::new(),
@@ -148,12 +152,28 @@ impl Judge<'_> {
         Math::relation(left, Operator::Equals, right)
     }
 
-    /// A term as a student would type it, with the values of what is given or without.
-    fn text(&self, term: &Expr, numbers: bool) -> String {
+    /// The sides of an equation with each quantity as the student counts it, and both with the other sign where fewer signs stand in them then.
+    fn as_counted(&self, sides: [&Expr; 2]) -> [Expr; 2] {
+        let turn = |symbol: Symbol| self.turned.contains(&symbol).then(|| -Expr::from(symbol));
+        let turned = sides.map(|side| side.substitute(&turn));
+        let opposite = [&turned[0], &turned[1]].map(|side| match side {
+            Expr::Sum(terms) => Expr::sum(terms.iter().map(|term| -term.clone())),
+            other => -other.clone(),
+        });
+        let signs =
+            |sides: &[Expr; 2]| -> usize { sides.iter().map(|side| self.text(side, false).matches('-').count()).sum() };
+        if !self.turned.is_empty() && signs(&opposite) < signs(&turned) { opposite } else { turned }
+    }
+
+    /// A term as a student would type it, with the values of what is given or without: those that the sheet prints.
+    pub(crate) fn text(&self, term: &Expr, numbers: bool) -> String {
         let problem = self.worked.problem;
+        let is_printed = |symbol: Symbol| self.worked.form.printed.contains(&symbol);
         self.resolved(term).text_with(&|symbol| {
             let entry = problem.model().symbols.entry(symbol);
-            let given = self.worked.variant.given(symbol).filter(|_| numbers && self.ground.told.contains(&symbol));
+            let given = self.worked.variant.given(symbol).filter(|_| numbers && is_printed(symbol));
+            let given =
+                given.map(|(value, unit)| if self.turned.contains(&symbol) { (-value, unit) } else { (value, unit) });
             match given {
                 Some((value, unit)) if unit.is_none() => format!("({value})"),
                 Some((value, unit)) => format!("({value} {unit})"),

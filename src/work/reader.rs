@@ -36,7 +36,7 @@ pub(crate) enum NoLine {
     NothingBefore,
 }
 
-/// The readings of a line, one as a rule; two where a letter behind a number may be a unit or a quantity. Some short names may stand for
+/// The readings of a line, one as a rule; three where a letter behind a number may be a unit or a quantity. Some short names may stand for
 /// something else instead of what is likeliest.
 pub(crate) fn readings(
     line: &str,
@@ -61,8 +61,9 @@ pub(crate) fn readings(
             match read(Manner { letters: Letters::Units, behind_bars }) {
                 Ok((first, is_doubtful)) => {
                     readings.push(first);
-                    let second = Manner { letters: Letters::Names, behind_bars };
-                    readings.extend(is_doubtful.then(|| read(second).ok()).flatten().map(|(second, _)| second));
+                    let others = [Letters::Products, Letters::Names].into_iter().filter(|_| is_doubtful);
+                    let others = others.filter_map(|letters| read(Manner { letters, behind_bars }).ok());
+                    readings.extend(others.map(|(other, _)| other));
                 }
                 Err(fault) => {
                     first_fault.get_or_insert(fault);
@@ -104,6 +105,8 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn line(mut self, sides: &[Vec<Chain>]) -> Result<(Written, bool), NoLine> {
+        self.written.is_of_root = sides.iter().flatten().any(|chain| chain.is_of_root);
+        self.written.instead = self.instead.to_vec();
         for alternatives in sides {
             let stated = alternatives.iter().map(|chain| self.chain(chain)).collect::<Result<_, _>>()?;
             self.written.stated.push(stated);
@@ -115,8 +118,9 @@ impl Reader<'_> {
         chain.sides.iter().try_for_each(|side| within_length(side))?;
         let written: Vec<String> = chain.sides.iter().map(|side| with_components(side)).collect();
         let along = self.alphabet.vectors.components(&written);
+        let as_printed = || written.iter().map(|side| self.alphabet.asked(side)).collect();
         let mut statements = Vec::new();
-        for sides in along.as_deref().unwrap_or(std::slice::from_ref(&written)) {
+        for sides in along.unwrap_or_else(|| vec![as_printed()]) {
             let terms: Vec<Expr> =
                 sides.iter().enumerate().map(|(place, side)| self.side(place, side)).collect::<Result<_, _>>()?;
             let pairs = terms.windows(2).zip(&chain.signs);

@@ -4,7 +4,9 @@
 const CHANGES: [(&str, &str); 3] = [("\\Delta ", "Δ"), ("Delta ", "Δ"), ("delta ", "Δ")];
 
 /// Commands and signs of LaTeX that only typeset a line, each with the plain text for it.
-const SETTING: [(&str, &str); 23] = [
+const SETTING: [(&str, &str); 25] = [
+    ("\\max", "max"),
+    ("\\min", "min"),
     ("\\dots", "…"),
     ("\\ldots", "…"),
     ("\\cdots", "…"),

@@ -53,6 +53,11 @@ const JOINERS: [&str; 9] =
 /// The words between two solutions, of which one holds.
 const ALTERNATIVES: [&str; 3] = [" or ", "\\text{ or }", "\\text{or}"];
 
+/// Signs of which one or the other holds.
+const BOTH_SIGNS: [&str; 4] = ["±", "\\pm", "+/-", "+-"];
+/// Beginnings of roots.
+const ROOTS: [&str; 3] = ["sqrt", "\\sqrt", "√"];
+
 /// Words that open a line and say nothing of their own.
 const WORDS: [&str; 38] = [
     "so",
@@ -128,6 +133,8 @@ pub(crate) struct Chain {
     pub(crate) sides: Vec<String>,
     /// How each compares with the next.
     pub(crate) signs: Vec<Compared>,
+    /// Whether it is one of two that differ by the sign of a root.
+    pub(crate) is_of_root: bool,
 }
 
 /// A line: statements one after another, of each of which one alternative holds.
@@ -144,15 +151,44 @@ pub(crate) fn sides(line: &str) -> Option<Sides> {
     let sides: Sides = statements
         .iter()
         .map(|statement| {
-            split(statement, &ALTERNATIVES)
+            alternatives(statement)
                 .iter()
-                .flat_map(|text| both_signs(text))
-                .filter_map(|text| chain(&text))
+                .flat_map(|text| {
+                    let is_of_root = is_before_root(text);
+                    both_signs(text).into_iter().filter_map(move |text| Some(Chain { is_of_root, ..chain(&text)? }))
+                })
                 .collect()
         })
         .filter(|alternatives: &Vec<Chain>| !alternatives.is_empty())
         .collect();
     (!sides.is_empty()).then_some(sides)
+}
+
+/// The alternatives of a statement; `v = 3 or 5` says of the same quantity that it is the one or the other.
+fn alternatives(statement: &str) -> Vec<String> {
+    let parts = split(statement, &ALTERNATIVES);
+    let lead = parts.first().and_then(|first| first_sign(first).map(|behind| first[..behind].to_owned()));
+    let is_value = |part: &str| {
+        !compares(part)
+            && part.trim_start().starts_with(|sign: char| sign.is_ascii_digit() || "+-−±√\\(".contains(sign))
+    };
+    let whole = |part: &String| match &lead {
+        Some(lead) if is_value(part) => format!("{lead}{part}"),
+        _ => part.clone(),
+    };
+    parts.iter().map(whole).collect()
+}
+
+/// The place behind the first sign that compares.
+fn first_sign(text: &str) -> Option<usize> {
+    let place = |(sign, _): &(&str, Compared)| text.find(sign).map(|at| (at, usize::MAX - sign.len()));
+    SIGNS.iter().filter_map(place).min().map(|(at, left)| at + (usize::MAX - left))
+}
+
+/// A statement as what stands before its last side, with the sign, and that side.
+pub(crate) fn last_side(statement: &str) -> Option<(&str, &str)> {
+    let place = |(sign, _): &(&str, Compared)| statement.rfind(sign).map(|at| at + sign.len());
+    SIGNS.iter().filter_map(place).max().map(|at| statement.split_at(at))
 }
 
 /// `f d = 4.3 so d = 0.5` as two statements: words part them where each part compares sides.
@@ -206,11 +242,17 @@ fn split(text: &str, marks: &[&str]) -> Vec<String> {
 
 /// `v = ± x` as two statements.
 fn both_signs(text: &str) -> Vec<String> {
-    let marks = ["±", "\\pm", "+/-", "+-"];
-    match marks.iter().find(|mark| text.contains(**mark)) {
+    match BOTH_SIGNS.iter().find(|mark| text.contains(**mark)) {
         Some(mark) => ["+", "-"].map(|sign| text.replace(mark, sign)).to_vec(),
         None => vec![text.to_owned()],
     }
+}
+
+/// Whether both signs stand before a root.
+fn is_before_root(text: &str) -> bool {
+    BOTH_SIGNS.iter().any(|mark| {
+        text.split(mark).skip(1).any(|behind| ROOTS.iter().any(|root| behind.trim_start().starts_with(root)))
+    })
 }
 
 fn chain(text: &str) -> Option<Chain> {
@@ -234,7 +276,7 @@ fn chain(text: &str) -> Option<Chain> {
         rest = &rest[first.len_utf8()..];
     }
     let sides: Vec<String> = sides.iter().map(|side| without_remark(side).to_owned()).collect();
-    (!signs.is_empty()).then_some(Chain { sides, signs })
+    (!signs.is_empty()).then_some(Chain { sides, signs, is_of_root: false })
 }
 
 /// A statement without the words before it: `momentum: `, `so `, `the mass is `. A negation stays, so that it is not read over.

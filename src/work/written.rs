@@ -12,7 +12,7 @@ use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
 use super::sides::Compared;
-use super::spelling::letters;
+use super::spelling::{letters, printed};
 use super::vectors::Vectors;
 
 /// Larger whole numbers are no constants of a formula.
@@ -48,6 +48,8 @@ pub(crate) struct Alphabet {
     pub(crate) vectors: Vectors,
     /// The only limits between which the problem integrates over a variable, by its name.
     pub(crate) limits: BTreeMap<String, [Expr; 2]>,
+    /// The names of what is asked, by the symbols that the sheet prints for it.
+    pub(crate) asked: BTreeMap<String, String>,
 }
 
 impl Alphabet {
@@ -104,9 +106,21 @@ impl Alphabet {
         self.shorten(name, term);
     }
 
+    /// A side as it is read: where it is the symbol that the sheet prints for what is asked, the name of that.
+    pub(crate) fn asked(&self, side: &str) -> String {
+        let printed = printed(side);
+        let known = self.asked.get(&printed).or_else(|| self.asked.get(printed.trim_matches('|')));
+        known.filter(|_| is_one_name(side)).cloned().unwrap_or_else(|| side.to_owned())
+    }
+
     /// Says whether a name may stand for something else, too.
     pub(crate) fn loosen(&mut self, name: &str, is_loose: bool) {
         self.loose.extend(self.symbols.find(name).filter(|_| is_loose));
+    }
+
+    /// Whether a name may stand for something else, too.
+    pub(crate) fn is_loose(&self, name: &str) -> bool {
+        self.symbols.find(name).is_some_and(|symbol| self.loose.contains(&symbol))
     }
 
     /// Takes a letter of the student's own for a number that was worked out.
@@ -195,6 +209,10 @@ pub(crate) struct Written {
     pub(crate) shorts: BTreeSet<Symbol>,
     /// Whether a letter of the student's own stands in it that has lost its dimension.
     pub(crate) has_own: bool,
+    /// Whether its alternatives are the two signs of a root.
+    pub(crate) is_of_root: bool,
+    /// What its short names stand for in this reading, where that is not the likeliest.
+    pub(crate) instead: Vec<(Symbol, Expr)>,
 }
 
 impl Written {
@@ -207,6 +225,8 @@ impl Written {
             last: None,
             shorts: BTreeSet::new(),
             has_own: false,
+            is_of_root: false,
+            instead: Vec::new(),
         };
         let Some(before) = before else { return written };
         // The alphabet may have grown since, so that its new names have the places of those numbers.
@@ -294,6 +314,11 @@ impl Written {
     pub(crate) fn statements(&self) -> impl Iterator<Item = &Statement> {
         self.stated.iter().flatten().flatten()
     }
+}
+
+/// Whether nothing is computed in a side.
+fn is_one_name(side: &str) -> bool {
+    !side.contains(['+', '*', '/', '^', '=']) && !side.trim_start().starts_with('-')
 }
 
 /// Whether a number is such as stands in formulas: `2`, `1/2`, `0.75`.

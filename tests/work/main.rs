@@ -6,6 +6,7 @@ mod algebra;
 mod altered;
 mod consequences;
 mod forms;
+mod kinds;
 mod numbers;
 mod rubric;
 mod solutions;
