@@ -25,10 +25,23 @@ export async function barriers(page) {
 /**
  * What cannot be seen of the page that is shown without scrolling it sideways: what lies beyond the window, what an element hides of what is
  * in it, choices longer than their field, numbers longer than theirs, what runs out of a table's cell, and letters too small to read.
+ *
+ * A window that has just got another size may show a frame of the old layout: a fault is one that is still there afterwards.
  * @param {import("playwright-core").Page} page
  * @returns {Promise<string[]>}
  */
-export function cut_off(page) {
+export async function cut_off(page) {
+  const faults = await cut_off_now(page);
+  if (faults.length === 0) return faults;
+  await page.evaluate(() => new Promise((laid_out) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(laid_out, 200)))));
+  return cut_off_now(page);
+}
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @returns {Promise<string[]>}
+ */
+function cut_off_now(page) {
   return page.evaluate(() => {
     /** The height of the smallest text that can be read, in px. */
     const SMALLEST = 6;
