@@ -16,6 +16,9 @@ use momentous_problem::Worked;
 
 use super::marking::Marking;
 
+/// The most values to which slips in one line may lead, for any of them to be named.
+const MOST_SLIPS: usize = 40;
+
 impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
     pub(super) fn diagnose(&self, report: &mut grade::Report) {
@@ -27,13 +30,18 @@ impl Marking<'_> {
                 continue;
             }
             let exactly = report.verdict == Verdict::RoundingSlip;
-            let explained = self.misjudged(place).or_else(|| {
-                let suspects = self.suspects(place, exactly)?;
-                let possible = self.possible(suspects.clone(), &right);
-                let mistakes = if possible.is_empty() { self.in_one_part(place, suspects) } else { possible };
+            let known = || {
+                let mistakes = self.likely(self.common(), (place, exactly), &right)?;
                 self.diagnosis(unexplained(report.verdict, mistakes))
-            });
-            let Some(diagnosis) = explained else { continue };
+            };
+            let slipped = || {
+                let leaves_open =
+                    matches!(report.verdict, Verdict::Wrong | Verdict::FormulaFactor | Verdict::FormulaDimension);
+                let slips = self.slips.get_or_init(|| self.worked.slips());
+                let tells = leaves_open && self.are_few(slips, place);
+                self.diagnosis(self.likely(slips, (place, true), &right).filter(|_| tells)?)
+            };
+            let Some(diagnosis) = self.misjudged(place).or_else(known).or_else(slipped) else { continue };
             if exactly {
                 // A mistake that gives exactly this value says where it comes from; nothing was rounded.
                 (report.verdict, report.message) = (Verdict::Wrong, grade::not_right());
@@ -50,6 +58,32 @@ impl Marking<'_> {
         }
     }
 
+    /// Whether so few slips change a number that one which leads to an answer is hardly there by chance. Angles lie too close together.
+    fn are_few(&self, slips: &Simulated<'_>, place: usize) -> bool {
+        let Some((PartKind::Number(number), grade::ExpectedKind::Number(right), _)) = self.answered(place) else {
+            return true;
+        };
+        let ways = slips.mistakes().iter().map(|slip| slips.answers(slip, number).len()).sum::<usize>();
+        !right.unit.is_plain_angle() && ways <= MOST_SLIPS
+    }
+
+    /// What comes of the usual mistakes.
+    fn common(&self) -> &Simulated<'_> {
+        self.simulated.get_or_init(|| self.worked.simulated())
+    }
+
+    /// Of some mistakes those that lead to the answer there, and may be made beside what is right.
+    fn likely<'m>(
+        &self,
+        among: &'m Simulated<'_>,
+        (place, exactly): (usize, bool),
+        right: &[bool],
+    ) -> Option<Vec<&'m Mistake>> {
+        let suspects = self.suspects(among, place, exactly)?;
+        let possible = self.possible(among, suspects.clone(), right);
+        Some(if possible.is_empty() { self.in_one_part(among, place, suspects) } else { possible })
+    }
+
     /// What is asked, what is right, and what was answered; of several roots the first alone.
     pub(super) fn answered(&self, place: usize) -> Option<(&PartKind, &grade::ExpectedKind, &grade::Answer)> {
         let expected = self.expected.get(place)?;
@@ -64,12 +98,12 @@ impl Marking<'_> {
     }
 
     /// The mistakes that lead to the answer there, perhaps those alone that lead to it exactly.
-    fn suspects(&self, place: usize, exactly: bool) -> Option<Vec<&Mistake>> {
+    fn suspects<'m>(&self, among: &'m Simulated<'_>, place: usize, exactly: bool) -> Option<Vec<&'m Mistake>> {
         match self.answered(place)? {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), written) => {
                 let answer = diagnose::number(right, written)
                     .filter(|mistaken| !diagnose::is_coarse(right, written, *mistaken))?;
-                let (mistakes, values) = self.outcomes(|all, mistake, add| {
+                let (mistakes, values) = outcomes(among, |mistake, add| {
                     // Numbers that come of other data may be anywhere: nearness alone says nothing of them.
                     let exactly = exactly || mistake.is_of_data();
                     let is_near = |value: f64| {
@@ -79,7 +113,7 @@ impl Marking<'_> {
                             diagnose::is_near(right, answer, value)
                         }
                     };
-                    all.each(mistake, number, &is_near, add);
+                    among.each(mistake, number, &is_near, add);
                 });
                 let further = diagnose::further_figures(right, written);
                 Some(picked(&mistakes, diagnose::matching(right, answer, further, &values)))
@@ -87,27 +121,26 @@ impl Marking<'_> {
             (PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer) => {
                 let answer = diagnose::components(right, answer)?;
                 let (mistakes, values) =
-                    self.outcomes(|all, mistake, add| all.vectors(mistake, vector).into_iter().for_each(add));
+                    outcomes(among, |mistake, add| among.vectors(mistake, vector).into_iter().for_each(add));
                 Some(picked(&mistakes, diagnose::matching_vectors(right, &answer, &values)))
             }
             (PartKind::Formula(formula), grade::ExpectedKind::Formula(right), answer) => {
-                Some(self.of_formula(formula, right, answer))
+                Some(self.of_formula(among, formula, right, answer))
             }
             _ => None,
         }
     }
 
     /// Of some mistakes those that leave the right answers right: who made one of the others has wrong numbers elsewhere, too.
-    fn possible<'m>(&self, mut mistakes: Vec<&'m Mistake>, right: &[bool]) -> Vec<&'m Mistake> {
+    fn possible<'m>(&self, among: &Simulated<'_>, mut mistakes: Vec<&'m Mistake>, right: &[bool]) -> Vec<&'m Mistake> {
         let places = right.iter().enumerate().filter(|(_, is_right)| **is_right);
         for (place, _) in places {
             let Some((PartKind::Number(number), grade::ExpectedKind::Number(expected), _)) = self.answered(place)
             else {
                 continue;
             };
-            let simulated = self.simulated.get_or_init(|| self.worked.simulated());
             let keeps = |mistake: &&Mistake| {
-                let values = simulated.answers(mistake, number);
+                let values = among.answers(mistake, number);
                 mistake.is_of_one_answer()
                     || values.is_empty()
                     || values.iter().any(|value| diagnose::is_near(expected, expected.value, *value))
@@ -118,20 +151,25 @@ impl Marking<'_> {
     }
 
     /// Of mistakes that would have made right answers wrong those that agree in every figure: they were made in this part only.
-    fn in_one_part<'m>(&self, place: usize, mut mistakes: Vec<&'m Mistake>) -> Vec<&'m Mistake> {
+    fn in_one_part<'m>(&self, among: &Simulated<'_>, place: usize, mut mistakes: Vec<&'m Mistake>) -> Vec<&'m Mistake> {
         let Some((PartKind::Number(number), grade::ExpectedKind::Number(right), written)) = self.answered(place) else {
             return Vec::new();
         };
         let Some(answer) = diagnose::number(right, written) else { return Vec::new() };
-        let simulated = self.simulated.get_or_init(|| self.worked.simulated());
         mistakes.retain(|mistake| {
-            simulated.answers(mistake, number).iter().any(|value| diagnose::is_rounded(right, answer, *value))
+            among.answers(mistake, number).iter().any(|value| diagnose::is_rounded(right, answer, *value))
         });
         mistakes
     }
 
     /// The mistakes that lead to exactly this formula, and to no right one.
-    fn of_formula(&self, part: &FormulaPart, right: &grade::ExpectedFormula, answer: &grade::Answer) -> Vec<&Mistake> {
+    fn of_formula<'m>(
+        &self,
+        among: &'m Simulated<'_>,
+        part: &FormulaPart,
+        right: &grade::ExpectedFormula,
+        answer: &grade::Answer,
+    ) -> Vec<&'m Mistake> {
         let is = |formula: &Expr, answer: &grade::Answer| {
             let dimension = formula.dimension(&right.symbols).unwrap_or(right.dimension);
             let wrong = grade::ExpectedFormula { formula: formula.clone(), dimension, ..right.clone() };
@@ -144,20 +182,7 @@ impl Marking<'_> {
             let formulas = self.worked.mistaken_formulas(mistake, part.symbol);
             formulas.iter().any(|formula| is(formula, answer) && !is(formula, &truth))
         };
-        self.worked.mistakes().iter().filter(leads).collect()
-    }
-
-    /// What every mistake makes of an answer.
-    fn outcomes<T>(&self, each: impl Fn(&Simulated<'_>, &Mistake, &mut dyn FnMut(T))) -> (Vec<&Mistake>, Vec<T>) {
-        let simulated = self.simulated.get_or_init(|| self.worked.simulated());
-        let (mut mistakes, mut values) = (Vec::new(), Vec::new());
-        for mistake in self.worked.mistakes() {
-            each(simulated, mistake, &mut |value| {
-                mistakes.push(mistake);
-                values.push(value);
-            });
-        }
-        (mistakes, values)
+        among.mistakes().iter().filter(leads).collect()
     }
 
     /// What is said of the mistakes that lead to an answer; nothing where there are none.
@@ -246,6 +271,18 @@ pub(super) fn hints_on(worked: Worked<'_>, mistakes: &[&Mistake]) -> Vec<String>
         .map(|instance| instance.law);
     let statement = law.map(|law| format!("{} {}", law.statement, law.signs));
     [Some(first), Some(hint), statement].into_iter().flatten().collect()
+}
+
+/// What every mistake makes of an answer.
+fn outcomes<'m, T>(among: &'m Simulated<'_>, each: impl Fn(&Mistake, &mut dyn FnMut(T))) -> (Vec<&'m Mistake>, Vec<T>) {
+    let (mut mistakes, mut values) = (Vec::new(), Vec::new());
+    for mistake in among.mistakes() {
+        each(mistake, &mut |value| {
+            mistakes.push(mistake);
+            values.push(value);
+        });
+    }
+    (mistakes, values)
 }
 
 fn picked<'m>(mistakes: &[&'m Mistake], places: Vec<usize>) -> Vec<&'m Mistake> {

@@ -235,10 +235,12 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
         }
         AskedUnit::Unit(_) => None,
     };
-    let hangs = rules.problem.hanging(number.symbol).map(|senses| [senses.positive, senses.negative]);
+    let hanging = rules.problem.hanging(number.symbol);
+    let of_place = || rules.problem.turns_with(number.symbol);
+    let in_space = hanging.or_else(of_place).map(|senses| [senses.positive, senses.negative]);
     let axis = rules.problem.axis(number.symbol);
     let motion = rules.problem.told_motion(rules.form, number.symbol);
-    let called = grade::Called { name: part.id.clone(), axis, hangs, motion, multiple_of };
+    let called = grade::Called { name: part.id.clone(), axis, in_space, motion, multiple_of };
     let cyclic = is_direction(rules, part, number) && unit.is_plain_angle();
     let is_positive = rules.reference(part).is_none() && rules.problem.model().system.positive.contains(&number.symbol);
     grade::ExpectedNumber {

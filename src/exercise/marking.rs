@@ -44,6 +44,8 @@ pub(super) struct Marking<'a> {
     pub(super) sittings: Sittings<'a>,
     /// What comes of the usual mistakes, once somebody asks.
     pub(super) simulated: OnceCell<Simulated<'a>>,
+    /// What comes of slips in one line, once no usual mistake explains an answer.
+    pub(super) slips: OnceCell<Simulated<'a>>,
 }
 
 impl Marker {
@@ -75,6 +77,7 @@ impl Marker {
             parts: Vec::with_capacity(count),
             sittings,
             simulated: OnceCell::new(),
+            slips: OnceCell::new(),
         };
         for (position, (part, blank)) in worked.form.parts.iter().zip(blanks.iter_mut()).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);

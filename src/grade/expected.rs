@@ -93,8 +93,9 @@ pub struct Called {
     pub name: String,
     /// The axis along which it is counted, of a component: `-x` says its direction then, and `-y` does not.
     pub axis: Option<char>,
-    /// The directions in space, positive first, of what hangs on a string along which it is counted: `downwards`, `upwards`.
-    pub hangs: Option<[String; 2]>,
+    /// The directions in space, positive first: of what hangs on a string along which it is counted, `downwards`, `upwards`, and of a
+    /// place.
+    pub in_space: Option<[String; 2]>,
     /// Whether the motion that the sheet tells goes in the positive direction: `back` and `in the same direction` are said of it.
     pub motion: Option<bool>,
     /// The quantity of which it is asked as a multiple.

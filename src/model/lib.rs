@@ -40,6 +40,7 @@ mod reason;
 mod rotor;
 mod shown;
 mod single_bounce;
+mod slipped;
 mod space;
 mod speeds;
 mod spoken_term;

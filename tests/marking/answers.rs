@@ -23,7 +23,7 @@ fn number(unit: &str, senses: &str) -> ExpectedKind {
     });
     let unit = if multiple_of.is_some() { "" } else { unit };
     let called = multiple_of.map(|own| {
-        Arc::new(Called { name: String::new(), axis: None, hangs: None, motion: None, multiple_of: Some(own) })
+        Arc::new(Called { name: String::new(), axis: None, in_space: None, motion: None, multiple_of: Some(own) })
     });
     let senses = senses.split_once(" | ").map(|(plus, minus)| [plus.to_owned(), minus.to_owned()]);
     let unit = Unit::parse(unit).unwrap_or_else(|fault| panic!("{unit}: {fault}"));

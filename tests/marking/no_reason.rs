@@ -12,6 +12,7 @@ use momentous::problem::{PartKind, compile, load};
 #[test]
 fn values_without_a_reason_are_hardly_ever_named() {
     let (mut wrong, mut named) = (0_u32, 0_u32);
+    let mut codes: BTreeMap<&str, u32> = BTreeMap::new();
     for source in Bank::built_in().sources().step_by(4) {
         let problem = Arc::new(compile(load(source.clone()).unwrap(), None).unwrap());
         let exercise = Exercise::draw(&problem, 0, 311).unwrap();
@@ -28,9 +29,11 @@ fn values_without_a_reason_are_hardly_ever_named() {
                 if matches!(own.verdict, Verdict::Wrong | Verdict::UnitMissing) {
                     wrong += 1;
                     named += u32::from(own.diagnosis.is_some());
+                    let code = own.diagnosis.as_ref().and_then(|diagnosis| diagnosis.codes.first());
+                    *codes.entry(code.copied().unwrap_or_default()).or_default() += 1;
                 }
             }
         }
     }
-    assert!(wrong > 1000 && 50 * named <= wrong, "{named} of {wrong}");
+    assert!(wrong > 1000 && 50 * named <= wrong, "{named} of {wrong}: {codes:?}");
 }

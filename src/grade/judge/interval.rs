@@ -70,6 +70,7 @@ fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &Interval
                 pounds_as_mass: false,
                 sense: None,
                 heading: None,
+                unjudged: None,
             };
             Some(number::judge(&asked.number, &number))
         }

@@ -41,6 +41,8 @@ pub struct NumberAnswer {
     pub sense: Option<Sense>,
     /// A direction that was written in words, without doubt: `36° from +x towards +y`.
     pub heading: Option<String>,
+    /// A direction beside a value of which the size alone is asked, and judged.
+    pub unjudged: Option<String>,
 }
 
 /// A vector, by its components along the axes of the question.
@@ -210,6 +212,7 @@ impl NumberAnswer {
         let number = echo_number(&self.number, self.written);
         let unit = self.unit.as_ref().map(|unit| unit.spoken(number.trim_start_matches('-') != "1"));
         let sense = self.sense.as_ref().map(|sense| sense.word.clone());
-        join([Some(number), unit, sense].into_iter().flatten())
+        let unjudged = self.unjudged.as_ref().map(|words| format!("(the size alone is judged, not \"{words}\")"));
+        join([Some(number), unit, sense, unjudged].into_iter().flatten())
     }
 }

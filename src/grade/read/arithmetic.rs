@@ -62,6 +62,15 @@ struct Reader<'text> {
     parts: usize,
 }
 
+/// Whether a bracket with a calculation stands directly here; with a single number it is an uncertainty, `4.65(3)`.
+fn begins_calculation(text: &str) -> bool {
+    let Some(inner) = text.strip_prefix('(').filter(|inner| begins_number(inner)) else { return false };
+    inner
+        .split(')')
+        .next()
+        .is_some_and(|inner| inner.trim_start_matches(['+', '-', ' ']).contains(['+', '-', '*', '/', '·', '×']))
+}
+
 impl<'text> Reader<'text> {
     fn rest(&self) -> &'text str {
         &self.text[self.at..]
@@ -146,13 +155,20 @@ impl<'text> Reader<'text> {
             rest.strip_prefix(['*', '×', '·']).filter(|behind| !behind.starts_with('*') && begins_number(behind));
         let over = rest.strip_prefix('/').filter(|behind| begins_number(behind));
         // The letter stands for a product before a power of ten only.
-        let is_hexadecimal = rest.len() == self.rest().len() && self.text[..self.at].ends_with('0');
+        let is_zero = |before: &str| !before.ends_with(|last: char| last.is_ascii_digit() || ".,'".contains(last));
+        let is_hexadecimal =
+            rest.len() == self.rest().len() && self.text[..self.at].strip_suffix('0').is_some_and(is_zero);
         let letter = rest.strip_prefix(['x', 'X']).filter(|behind| begins_ten(behind) && !is_hexadecimal);
         let (operator, behind) = match (times.or(letter), over) {
             (Some(behind), _) => (Operator::Times, behind),
             (_, Some(behind)) => (Operator::Over, behind),
             _ if begins_word(rest) => (Operator::Juxtaposed, rest),
             _ if self.text[..self.at].ends_with(')') && rest.starts_with('(') && begins_number(rest) => {
+                (Operator::Juxtaposed, rest)
+            }
+            _ if self.text[..self.at].ends_with(|last: char| last.is_ascii_digit())
+                && begins_calculation(self.rest()) =>
+            {
                 (Operator::Juxtaposed, rest)
             }
             _ => return None,

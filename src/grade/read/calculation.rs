@@ -55,6 +55,7 @@ pub(super) fn read(text: &str, asked: &Unit, mark: DecimalMark) -> Option<At<Num
         pounds_as_mass: false,
         sense: None,
         heading: None,
+        unjudged: None,
     }))
 }
 

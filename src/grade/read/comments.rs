@@ -27,7 +27,7 @@ const OF_TIMES: [&str; 9] = [
     "after the collision",
 ];
 /// Behind a length.
-const OF_LENGTHS: [&str; 10] = [
+const OF_LENGTHS: [&str; 22] = [
     "deep",
     "high",
     "long",
@@ -38,6 +38,18 @@ const OF_LENGTHS: [&str; 10] = [
     "in length",
     "above the ground",
     "above the floor",
+    "apart",
+    "away",
+    "lower",
+    "less",
+    "further",
+    "further on",
+    "farther",
+    "from the start",
+    "from where it started",
+    "from where it stood",
+    "from its start",
+    "in diameter",
 ];
 /// Behind an energy.
 const OF_ENERGIES: [&str; 5] = ["of energy", "of kinetic energy", "of mechanical energy", "of heat", "as heat"];
@@ -56,6 +68,8 @@ const OF_SIZES: [&str; 12] = [
     "in the opposite direction",
     "opposite direction",
 ];
+/// The dimensions of what never points anywhere.
+const WITHOUT_DIRECTION: [Dimension; 4] = [Dimension::NONE, Dimension::ENERGY, Dimension::TIME, Dimension::MASS];
 /// Points of the compass between its sides, of a vector whose size is asked.
 const BETWEEN_SIDES: [&str; 12] = [
     "north-east",
@@ -80,7 +94,7 @@ const INTO: [&str; 14] = [
     "material",
 ];
 /// The things that are counted.
-const COUNTED: [&str; 14] = [
+const COUNTED: [&str; 17] = [
     "bounce",
     "bounces",
     "rebound",
@@ -95,6 +109,9 @@ const COUNTED: [&str; 14] = [
     "jumps",
     "throw",
     "throws",
+    "time",
+    "times",
+    "x",
 ];
 /// Before what is counted by its place.
 const BEFORE_PLACES: [&str; 4] = ["after", "the", "on", "at"];
@@ -109,15 +126,16 @@ const PLACES: [&str; 13] = [
 /// How a place ends that is written with digits.
 const ENDS_OF_PLACES: [&str; 4] = ["st", "nd", "rd", "th"];
 
-/// The end of the value before a comment.
-pub(super) fn start(text: &str, asked: Asked<'_>) -> Option<usize> {
+/// The end of the value before a comment, and the direction that it says of a size.
+pub(super) fn start<'t>(text: &'t str, asked: Asked<'_>) -> Option<(usize, Option<&'t str>)> {
     let text = text.trim_end_matches(ENDS);
     let starts: Vec<usize> = text.match_indices(' ').map(|(at, _)| at).collect();
     // The longest comment counts.
     let from = starts.len().saturating_sub(MOST_WORDS);
-    starts[from..].iter().copied().find(|at| {
-        let comment = text[*at..].trim_matches([' ', '(', ')', ',', '.', ';']);
-        says_nothing(comment, asked) || says_direction_of_size(comment, asked)
+    starts[from..].iter().copied().find_map(|at| {
+        let comment = text[at..].trim_matches([' ', '(', ')', ',', '.', ';']);
+        let direction = Some(comment).filter(|comment| says_direction_of_size(comment, asked));
+        (direction.is_some() || says_nothing(comment, asked)).then_some((at, direction))
     })
 }
 
@@ -136,8 +154,10 @@ fn says_nothing(comment: &str, asked: Asked<'_>) -> bool {
 
 /// Whether a comment is a direction where only a size is asked for.
 fn says_direction_of_size(comment: &str, asked: Asked<'_>) -> bool {
-    let is_size = asked.senses.is_none() && asked.unit.dimension() != Dimension::NONE;
-    is_size
+    let has_direction = !WITHOUT_DIRECTION.contains(&asked.unit.dimension());
+    asked.senses.is_none()
+        && asked.in_space.is_none()
+        && has_direction
         && (OF_SIZES.contains(&comment.to_lowercase().as_str())
             || is_between_sides(comment)
             || !direction::is_compass_letter(comment) && direction::read(comment, None, None) == Phrase::Other)
@@ -158,10 +178,14 @@ pub(super) fn counted(text: &str, asked: Asked<'_>) -> Option<NumberAnswer> {
     let mut words = lower.split_whitespace().skip_while(|word| BEFORE_PLACES.contains(word));
     let (number, noun) = (words.next()?, words.next());
     let in_words = || NUMBERS.iter().chain(&PLACES).position(|word| *word == number).map(|place| place % NUMBERS.len());
-    let digits = ENDS_OF_PLACES.iter().find_map(|end| number.strip_suffix(end)).unwrap_or(number);
+    let mut ends_of_numbers = ENDS_OF_PLACES.iter().chain(&["x", "×"]);
+    let digits = ends_of_numbers.find_map(|end| number.strip_suffix(end)).unwrap_or(number);
     let is_written = digits.len() <= 6 && !digits.is_empty() && digits.bytes().all(|next| next.is_ascii_digit());
     let count = if is_written { digits.parse::<usize>().ok() } else { in_words() }?;
-    let ends = words.next().is_none() && noun.is_none_or(|noun| COUNTED.contains(&noun));
+    // `9 bounces on the bench`
+    let place: Vec<&str> = words.collect();
+    let is_place = place.is_empty() || matches!(place[..], ["on" | "off" | "against", "the", _]);
+    let ends = is_place && noun.is_none_or(|noun| COUNTED.contains(&noun));
     ends.then(|| NumberAnswer {
         number: Number::exact(Rational::from(count)),
         written: Written::Computed,
@@ -170,5 +194,6 @@ pub(super) fn counted(text: &str, asked: Asked<'_>) -> Option<NumberAnswer> {
         pounds_as_mass: false,
         sense: None,
         heading: None,
+        unjudged: None,
     })
 }

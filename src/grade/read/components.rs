@@ -90,6 +90,7 @@ fn directed(piece: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At
             pounds_as_mass: false,
             sense: Some(sense),
             heading: None,
+            unjudged: None,
         };
         return Some(Ok((axis, part)));
     }

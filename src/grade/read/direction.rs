@@ -15,7 +15,7 @@ const DIRECTIONS: &[&[&str]] = &[
     &["clockwise", "cw", "↻"],
     &["counter-clockwise", "counterclockwise", "anticlockwise", "anti-clockwise", "ccw", "↺"],
     &["forward", "forwards", "ahead"],
-    &["backward", "backwards", "back"],
+    &["backward", "backwards", "back", "rearward", "rearwards"],
 ];
 
 /// Directions that are told by a motion, and whether they go along with it.
@@ -72,6 +72,10 @@ const FILLERS: &[&str] = &[
     "speed",
     "velocity",
     "of",
+    "vertically",
+    "horizontally",
+    "straight",
+    "side",
 ];
 
 /// The meaning of a phrase about direction.
@@ -146,6 +150,11 @@ fn along_axis(bare: &str, phrase: &str) -> Option<(bool, Option<char>)> {
         (Some(letter), None) if letter.is_alphabetic() => Some((positive, Some(letter))),
         _ => None,
     }
+}
+
+/// Whether a direction is that in which what moves ahead goes.
+pub(super) fn is_ahead(direction: &str) -> bool {
+    same(&bare(direction), "ahead")
 }
 
 /// Whether a phrase begins with a direction and goes on, perhaps with an axis: `back along the table`.

@@ -129,6 +129,7 @@ impl Endings {
             pounds_as_mass: ending.pounds_as_mass,
             sense: ending.sense.clone(),
             heading: None,
+            unjudged: None,
         };
         Some((Ok(Answer::Number(answer)), in_words))
     }

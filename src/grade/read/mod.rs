@@ -32,6 +32,7 @@ mod unreadable;
 mod value;
 mod vector;
 mod vulgar;
+mod wrapping;
 mod yes_or_no;
 
 pub use answer::{
@@ -65,11 +66,13 @@ use super::expected::ExpectedKind;
 /// # Errors
 /// Where the text cannot be read, or in two ways; the fault says where and what to write instead.
 pub fn read(text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Result<Answer, Unreadable> {
-    match asked {
+    let (before, text) = wrapping::unwrapped(text, asked);
+    let answer = match asked {
         ExpectedKind::Number(number) => quantity::read(text, number, mark).map(Answer::Number),
         ExpectedKind::Vector(vector) => vector::read(text, vector, mark).map(Answer::Vector),
         ExpectedKind::Formula(formula) => formula::read(text, formula, mark).map(Answer::Formula),
         ExpectedKind::Interval(interval) => interval::read(text, interval, mark).map(Answer::Interval),
         ExpectedKind::Choice { question, options, .. } => choice::read(text, question, options).map(Answer::Choice),
-    }
+    };
+    answer.map_err(|fault| Unreadable { at: fault.at + before, ..fault })
 }

@@ -45,7 +45,11 @@ pub(super) struct Numeral {
 /// # Errors
 /// Where points, commas or underscores have no reading or two, with their place in the text.
 pub(super) fn read(text: &str, mark: DecimalMark) -> Result<Numeral, (usize, UnreadableKind)> {
-    let (written, mut length) = grouped_by_spaces(text);
+    let (mut written, mut length) = grouped_by_spaces(text);
+    // `1.7333...`: the rest of the digits is not told.
+    if let Some(end) = written.strip_suffix("...").map(str::len) {
+        written.truncate(end);
+    }
     if text[length..].starts_with('_') {
         return Err((length, UnreadableKind::Underscore));
     }
@@ -55,6 +59,7 @@ pub(super) fn read(text: &str, mark: DecimalMark) -> Result<Numeral, (usize, Unr
     let exponent = exponent_length(&text[length..]);
     plain.push_str(&text[length..length + exponent]);
     length += exponent;
+    length += if text[length..].starts_with('…') { '…'.len_utf8() } else { 0 };
     let decimal = Decimal::parse(&plain).map_err(|fault| match fault {
         DecimalFault::NotANumber { .. } => (0, UnreadableKind::Marks),
         DecimalFault::TooManyDigits | DecimalFault::ExponentTooLarge => (0, UnreadableKind::TooLarge),

@@ -43,6 +43,7 @@ const REPLACED: &[(&str, &str)] = &[
     ("\\;", " "),
     ("\\ ", " "),
     ("$", ""),
+    (":=", "="),
 ];
 
 /// Commands of LaTeX with an argument, and what opens the bracket that is read instead.
@@ -79,7 +80,7 @@ impl Plain {
         }
         let capacity = answer.len() + 1;
         let mut plain = Self { text: String::with_capacity(capacity), places: Vec::with_capacity(capacity) };
-        if answer.bytes().all(|byte| byte.is_ascii() && !b"\\$^{}~\t\n\r".contains(&byte)) {
+        if answer.bytes().all(|byte| byte.is_ascii() && !b"\\$^{}~:\t\n\r".contains(&byte)) {
             // Nothing to replace: the common case.
             plain.text.push_str(answer);
             plain.places.extend(0..=answer.len());

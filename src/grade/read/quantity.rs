@@ -86,5 +86,6 @@ fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Result<Numb
         pounds_as_mass: false,
         sense: None,
         heading: Some(words),
+        unjudged: None,
     })
 }

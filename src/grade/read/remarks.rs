@@ -102,6 +102,9 @@ pub(super) fn read(
     mark: DecimalMark,
     fault: (usize, UnreadableKind),
 ) -> At<NumberAnswer> {
+    if let Some(answer) = end_of_chain(text, asked, mark) {
+        return answer;
+    }
     if let Some(answer) = in_brackets(text, asked, mark) {
         return answer;
     }
@@ -127,8 +130,9 @@ pub(super) fn read(
     if let Some(count) = comments::counted(bare, asked) {
         return Ok(count);
     }
-    let comment = comments::start(bare, asked).filter(|end| !bare[..*end].trim().is_empty());
-    if let Some(end) = comment {
+    let comment = comments::start(bare, asked).filter(|(end, _)| !bare[..*end].trim().is_empty());
+    let unjudged = comment.and_then(|(_, direction)| direction).map(str::to_owned);
+    if let Some((end, _)) = comment {
         to = from + end;
         while let Some(end) = before_remark(&text[from..to], asked) {
             to = from + end;
@@ -157,6 +161,7 @@ pub(super) fn read(
         Ok(value) if comment.is_some() && value.signed && asked.senses.is_none() => {
             Err((from, UnreadableKind::SignAndDirection))
         }
+        Ok(value) => Ok(NumberAnswer { unjudged, ..value }),
         again => again,
     };
     let again = again.or_else(|fault| in_several_units(inner, asked, mark).ok_or(fault));
@@ -173,6 +178,51 @@ fn in_several_units(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<N
         let value = calculation::read(&text[..at], asked.unit, mark)?.ok()?;
         (!value.signed).then_some(NumberAnswer { sense: Some(sense), ..value })
     })
+}
+
+/// `m g h = 9.81 J`, `0.450 m = 45.0 cm`: the value at the end of a chain of equations, which every value in the chain has to be.
+fn end_of_chain(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
+    let (chain, last) = text.rsplit_once(['=', '≈'])?;
+    let links: Vec<&str> = chain.split(['=', '≈']).map(str::trim).filter(|link| !link.is_empty()).collect();
+    // A name alone is read with its value, and told where it is another's.
+    if links.is_empty() || links.len() == 1 && is_name(links[0]) || text.contains(['<', '>', '?']) {
+        return None;
+    }
+    // `v - 1 = 3` is an equation for something.
+    if links.iter().any(|link| has_number_beside_letters(link)) {
+        return None;
+    }
+    if links.first().is_some_and(|first| is_name(first) && is_another(first, asked.name)) {
+        return Some(Err((0, UnreadableKind::OtherName(asked.name.to_owned()))));
+    }
+    let at = text.len() - last.trim_start().len();
+    let value = value::read(last.trim(), asked, mark).ok()?;
+    let in_unit = |value: &NumberAnswer| {
+        let unit = value.unit.as_ref().filter(|unit| unit.dimension() == asked.unit.dimension());
+        value.directed().to_f64() * unit.map_or(1.0, |unit| unit.factor().to_f64() / asked.unit.factor().to_f64())
+    };
+    let is_other = |link: &&str| {
+        value::read(link, asked, mark)
+            .is_ok_and(|linked| (in_unit(&linked) - in_unit(&value)).abs() > ROUNDED_IN_CHAIN * in_unit(&value).abs())
+    };
+    if links.iter().any(|link| is_other(&link)) {
+        return Some(Err((at, UnreadableKind::SecondNumber)));
+    }
+    Some(Ok(value))
+}
+
+/// How far the values of a chain may be apart, as a share.
+const ROUNDED_IN_CHAIN: f64 = 0.01;
+
+/// Whether a bare number is added to letters.
+fn has_number_beside_letters(link: &str) -> bool {
+    let is_number = |term: &str| term.trim().parse::<f64>().is_ok();
+    link.contains(char::is_alphabetic) && link.split(['+', '-']).any(is_number)
+}
+
+/// Whether a link of a chain is a name: `v`, `v_A2`, `N`.
+fn is_name(link: &str) -> bool {
+    link.starts_with(char::is_alphabetic) && link.chars().all(|next| next.is_alphanumeric() || "_{}.,'′".contains(next))
 }
 
 /// `-3.16 m/s (to the left)`: a value with its sign, and in brackets what the sign means.
@@ -210,7 +260,7 @@ fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Numbe
 /// `-3.2 î m/s`: a component with the unit vector of its axis; what turns has that of the axis about which it turns.
 pub(super) fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
     let [(axis, start, end)] = unit_vectors(text)[..] else { return None };
-    let (senses, letter) = (asked.senses?, AXES.get(axis)?);
+    let (senses, letter) = (asked.senses.or(asked.in_space)?, AXES.get(axis)?);
     if !text[..start].contains(|before: char| before.is_ascii_digit()) {
         return None;
     }
@@ -228,11 +278,11 @@ pub(super) fn behind_name(text: &str, asked: &str) -> Result<Option<usize>, Unre
     let (name, start) = (text[..at].trim(), at + sign.len_utf8());
     if name.is_empty()
         || name.len() > LONGEST_NAME
-        || !name.starts_with(|first: char| first.is_alphabetic() || "|∆Δ".contains(first))
+        || !name.starts_with(|first: char| first.is_alphabetic() || "|‖\\∆Δ".contains(first))
     {
         return Ok(None);
     }
-    let belongs = |next: char| next.is_alphanumeric() || "_{}|∆Δ.,' ̂⃗()".contains(next);
+    let belongs = |next: char| next.is_alphanumeric() || "_{}|‖\\∆Δ.,'′ ̂⃗()".contains(next);
     if !name.chars().all(belongs) || text[start..].contains(EQUALS) {
         return Ok(None);
     }
@@ -309,6 +359,7 @@ fn in_words(text: &str, asked: Asked<'_>) -> Option<NumberAnswer> {
         pounds_as_mass: false,
         sense: None,
         heading: None,
+        unjudged: None,
     })
 }
 

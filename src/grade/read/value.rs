@@ -30,8 +30,8 @@ pub(super) struct Asked<'a> {
     pub(super) senses: Option<&'a [String; 2]>,
     /// The axis along which it is counted.
     pub(super) axis: Option<char>,
-    /// The same two directions in space, where the axis follows a string.
-    hangs: Option<&'a [String; 2]>,
+    /// The same two directions in space, where the axis follows a string; those of a place, whose sign says them.
+    pub(super) in_space: Option<&'a [String; 2]>,
     /// Whether what is told to move moves in the positive direction.
     motion: Option<bool>,
     pub(super) name: &'a str,
@@ -43,31 +43,39 @@ impl<'a> Asked<'a> {
         let called = number.called.as_ref();
         let name = called.map_or("", |called| &called.name);
         let axis = called.and_then(|called| called.axis);
-        let hangs = called.and_then(|called| called.hangs.as_ref());
+        let in_space = called.and_then(|called| called.in_space.as_ref());
         let motion = called.and_then(|called| called.motion);
-        Self { unit: &number.unit, senses: number.senses.as_ref(), axis, hangs, motion, name }
+        Self { unit: &number.unit, senses: number.senses.as_ref(), axis, in_space, motion, name }
     }
 
     /// Nothing but a unit.
     pub(super) fn in_unit(unit: &'a Unit) -> Self {
-        Self { unit, senses: None, axis: None, hangs: None, motion: None, name: "" }
+        Self { unit, senses: None, axis: None, in_space: None, motion: None, name: "" }
     }
 
     /// The meaning of a phrase about direction.
     pub(super) fn direction(&self, phrase: &str) -> Phrase {
         let said = direction::read(phrase, self.senses, self.axis);
-        let in_space = || self.hangs.and_then(|hangs| direction::read(phrase, Some(hangs), None).declared());
+        let in_space = |axis| self.in_space.and_then(|words| direction::read(phrase, Some(words), axis).declared());
         // Of a force the same direction may be that of another.
         let is_velocity = self.unit.dimension() == Dimension::VELOCITY;
         let of_motion = || {
             let (along, names_it) = direction::along_motion(phrase)?;
-            Some(along == self.motion?).filter(|_| is_velocity || names_it)
+            let motion = self.motion.or(self.senses.filter(|[plus, _]| direction::is_ahead(plus)).map(|_| true));
+            Some(along == motion?).filter(|_| is_velocity || names_it)
+        };
+        let declared = |positive: bool, [plus, minus]: &[String; 2]| {
+            Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() })
         };
         match (&said, self.senses) {
-            (Phrase::Other, Some([plus, minus])) => in_space().or_else(of_motion).map_or(said, |positive| {
-                Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() })
-            }),
-            (Phrase::None, None) if direction::begins(phrase) => Phrase::Other,
+            (Phrase::Other, Some(senses)) => {
+                in_space(None).or_else(of_motion).map_or(said, |positive| declared(positive, senses))
+            }
+            (_, None) => match self.in_space.zip(in_space(self.axis)) {
+                Some((words, positive)) => declared(positive, words),
+                None if said == Phrase::None && direction::begins(phrase) => Phrase::Other,
+                None => said,
+            },
             _ => said,
         }
     }
@@ -118,6 +126,7 @@ pub(super) fn read(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Result<Nu
         pounds_as_mass,
         sense,
         heading: None,
+        unjudged: None,
     })
 }
 
@@ -132,7 +141,16 @@ fn ratio(first: &str, second: &str, mark: DecimalMark) -> Option<NumberAnswer> {
     check_size(&number).ok()?;
     let signed = number.is_negative();
     let written = Written::Computed;
-    Some(NumberAnswer { number, written, signed, unit: None, pounds_as_mass: false, sense: None, heading: None })
+    Some(NumberAnswer {
+        number,
+        written,
+        signed,
+        unit: None,
+        pounds_as_mass: false,
+        sense: None,
+        heading: None,
+        unjudged: None,
+    })
 }
 
 /// A pound is a force, unless only a mass makes sense of it.

@@ -108,6 +108,7 @@ pub const BOUNCE_PATH: &[WrongForm] = &[
     WrongForm { of: &ONE_WAY, write: |law| series(law, |_| Expr::one()) },
     WrongForm { of: &FIRST_TWICE, write: |law| series(law, |_| Expr::integer(2)) },
     WrongForm { of: &FIRST_FORGOTTEN, write: |law| series(law, |ratio| Expr::integer(2) * ratio) },
+    WrongForm { of: &ONE_OFF, write: one_off },
 ];
 
 /// Wrong forms of the duration of a flight.

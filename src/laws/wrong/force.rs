@@ -10,10 +10,14 @@ use super::geometry::TANGENT_INVERTED;
 use super::geometry::tangent_inverted;
 use super::integral::ENDS_AVERAGED;
 use super::integral::HALF_PEAK;
+use super::integral::INSTANT_FOR_DURATION;
+use super::integral::NOT_HALVED;
 use super::integral::PART;
 use super::integral::VALUE_TIMES_TIME;
 use super::integral::ends_averaged;
 use super::integral::half_peak;
+use super::integral::instant_for_duration;
+use super::integral::not_halved;
 use super::integral::part_of_the_area;
 use super::integral::value_times_time;
 use super::momentum::GRAVITY_REVERSED;
@@ -104,6 +108,8 @@ pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
     WrongForm { of: &HALF_PEAK, write: half_peak },
     WrongForm { of: &PART, write: part_of_the_area },
+    WrongForm { of: &NOT_HALVED, write: not_halved },
+    WrongForm { of: &INSTANT_FOR_DURATION, write: instant_for_duration },
     WrongForm { of: &FROM_ZERO, write: from_zero },
     WrongForm { of: &super::friction::FRICTION_FORGOTTEN, write: friction_forgotten },
 ];

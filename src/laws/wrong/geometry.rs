@@ -52,6 +52,20 @@ pub const ADDED: Misconception = Misconception {
     ask: "What is the angle between the two components? How long is the arrow that they form?",
     hint: "Perpendicular components are the legs of a right-angled triangle.",
 };
+/// Squares of perpendicular parts subtracted.
+pub const SQUARES_SUBTRACTED: Misconception = Misconception {
+    id: "squares-subtracted",
+    does: "subtracts the squares of perpendicular components instead of adding them",
+    ask: "Which side of the right-angled triangle is asked: the longest, or a leg?",
+    hint: "The square of the longest side is the sum of the squares of both legs.",
+};
+/// The root of the sum of squares forgotten.
+pub const MAGNITUDE_ROOT: Misconception = Misconception {
+    id: "root-of-magnitude-forgotten",
+    does: "gives the sum of the squares of the components without its root",
+    ask: "Which unit has your sum? What is left to do with it?",
+    hint: "The sum of the squares is the square of the magnitude.",
+};
 /// The angle to the other axis.
 pub const OTHER_AXIS: Misconception = Misconception {
     id: "angle-from-other-axis",
@@ -126,11 +140,15 @@ pub const HEIGHT_IN_BOWL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, wr
 pub const COMPONENTS: &[WrongForm] = &[
     WrongForm { of: &SINE_COSINE, write: sine_and_cosine },
     WrongForm { of: &WHOLE, write: whole },
-    WrongForm { of: &ADDED, write: added_in_components },
+    WrongForm { of: &ADDED, write: |law| from_legs_in_components(law, sum_of_legs) },
+    WrongForm { of: &SQUARES_SUBTRACTED, write: |law| from_legs_in_components(law, difference_of_squares) },
+    WrongForm { of: &MAGNITUDE_ROOT, write: |law| from_legs_in_components(law, sum_of_squares) },
 ];
 /// Wrong forms of a magnitude.
 pub const MAGNITUDE: &[WrongForm] = &[
-    WrongForm { of: &ADDED, write: added },
+    WrongForm { of: &ADDED, write: |law| from_legs(law, sum_of_legs) },
+    WrongForm { of: &SQUARES_SUBTRACTED, write: |law| from_legs(law, difference_of_squares) },
+    WrongForm { of: &MAGNITUDE_ROOT, write: |law| from_legs(law, sum_of_squares) },
     WrongForm { of: &COMPONENT_FOR_MAGNITUDE, write: one_component },
     WrongForm { of: &SIZES, write: sizes },
 ];
@@ -186,18 +204,36 @@ fn size(leg: &Expr) -> Expr {
     Expr::apply(Function::Abs, leg.clone())
 }
 
-fn added(law: &Taught<'_>) -> Vec<Wrong> {
-    let sum = legs(&law.sides.1).map(|legs| Expr::sum(legs.iter().map(size)));
-    sum.map(|sum| Wrong::from((law.left(), sum))).into_iter().collect()
+fn sum_of_legs(legs: &[Expr]) -> Expr {
+    Expr::sum(legs.iter().map(size))
 }
 
-/// The magnitude as a sum, where it is found from components and a direction.
-fn added_in_components(law: &Taught<'_>) -> Vec<Wrong> {
+fn sum_of_squares(legs: &[Expr]) -> Expr {
+    Expr::sum(legs.iter().map(|leg| leg.clone().powi(2)))
+}
+
+/// The root of the first square without the others, or of the others without the first.
+fn difference_of_squares(legs: &[Expr]) -> Expr {
+    let squares = legs.iter().enumerate().map(|(place, leg)| {
+        let square = leg.clone().powi(2);
+        if place == 0 { square } else { -square }
+    });
+    size(&Expr::sum(squares)).sqrt()
+}
+
+/// Something else in the place of the root of the squares.
+fn from_legs(law: &Taught<'_>, wrong: fn(&[Expr]) -> Expr) -> Vec<Wrong> {
+    legs(&law.sides.1).map(|legs| Wrong::from((law.left(), wrong(&legs)))).into_iter().collect()
+}
+
+/// The same where the magnitude is found from components and a direction.
+fn from_legs_in_components(law: &Taught<'_>, wrong: fn(&[Expr]) -> Expr) -> Vec<Wrong> {
     let factors = factors(&law.sides.1);
     let magnitudes = law.beside("magnitude").filter(|(magnitude, _)| factors.contains(magnitude));
-    let sums = magnitudes.filter_map(|(magnitude, root)| Some((magnitude.clone(), legs(root)?)));
-    sums.filter(|(_, legs)| legs.contains(&law.sides.0))
-        .map(|(magnitude, legs)| Wrong::from((magnitude, Expr::sum(legs.iter().map(size)))))
+    let roots = magnitudes.filter_map(|(magnitude, root)| Some((magnitude.clone(), legs(root)?)));
+    roots
+        .filter(|(_, legs)| legs.contains(&law.sides.0))
+        .map(|(magnitude, legs)| Wrong::from((magnitude, wrong(&legs))))
         .collect()
 }
 

@@ -8,6 +8,7 @@ use momentous_quantity::Rational;
 use super::Misconception;
 use super::Taught;
 use super::Wrong;
+use super::rewrite::all_but_one;
 use super::rewrite::one;
 
 /// One value of a changing force.
@@ -37,6 +38,21 @@ pub const PART: Misconception = Misconception {
     does: "counts only a part of the area under the graph of the force",
     ask: "From which moment to which does the force act? Which parts of the area under its graph have you counted?",
     hint: "Divide the area into pieces from the first moment to the last, and add all of them.",
+};
+
+/// A triangle as a rectangle.
+pub const NOT_HALVED: Misconception = Misconception {
+    id: "triangle-not-halved",
+    does: "takes a triangle under the graph for the rectangle around it",
+    ask: "Which shape has each part of the area under the graph? Which of them are triangles?",
+    hint: "A triangle has half the area of the rectangle around it.",
+};
+/// An instant for a duration.
+pub const INSTANT_FOR_DURATION: Misconception = Misconception {
+    id: "instant-for-duration",
+    does: "multiplies by an instant where a duration belongs",
+    ask: "When does each part of the graph begin, and when does it end? How long does it last?",
+    hint: "A duration is the difference of two instants.",
 };
 
 /// A value of what changes, times the whole time: that at the end, at the start, half-way, and where its pieces meet.
@@ -71,25 +87,74 @@ pub(super) fn half_peak(law: &Taught<'_>) -> Vec<Wrong> {
     tops.iter().map(|time| Wrong::from((law.left(), half(time)))).collect()
 }
 
-/// Half of the area, as up to the middle of a graph that rises and falls alike; of a graph in pieces, each piece alone, as if its ends
-/// were joined by a line.
+/// Half of the area, as up to the middle of a graph that rises and falls alike; of a graph in pieces, each piece alone, and all without
+/// one of them.
 pub(super) fn part_of_the_area(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(graph) = Graph::of(law) else { return Vec::new() };
-    let corners = graph.corners();
-    if corners.is_empty() {
+    let pieces: Vec<Expr> = graph.pieces().iter().map(Piece::area).collect();
+    if pieces.len() < 2 {
         return one((law.left(), Expr::ratio(1, 2) * law.right()));
     }
-    let [low, high] = graph.ends;
-    let ends: Vec<Expr> = std::iter::once(low.clone()).chain(corners).chain([high.clone()]).collect();
-    let area = |from: &Expr, to: &Expr| {
-        let mean = Expr::ratio(1, 2) * (graph.at(from) + graph.at(to));
-        mean.simplify() * (to.clone() - from.clone())
+    let without_one = if pieces.len() > 2 { all_but_one(&Expr::Sum(pieces.clone().into())) } else { Vec::new() };
+    pieces.into_iter().chain(without_one).map(|part| Wrong::from((law.left(), part))).collect()
+}
+
+/// The triangles under a graph in pieces taken for rectangles: all of them, and each alone.
+pub(super) fn not_halved(law: &Taught<'_>) -> Vec<Wrong> {
+    altered_pieces(law, &|piece| {
+        let ends = [piece.first.is_zero(), piece.last.is_zero()];
+        (ends[0] != ends[1]).then(|| (piece.first.clone() + piece.last.clone()) * piece.duration())
+    })
+}
+
+/// The instants at which the pieces of a graph end taken for their durations.
+pub(super) fn instant_for_duration(law: &Taught<'_>) -> Vec<Wrong> {
+    let mut ways = altered_pieces(law, &|piece| (!piece.from.is_zero()).then(|| piece.mean() * piece.to.clone()));
+    ways.truncate(1);
+    ways
+}
+
+/// The area under a graph in pieces with another one in the place of some of them: of all of these, and of each alone.
+fn altered_pieces(law: &Taught<'_>, other: &dyn Fn(&Piece) -> Option<Expr>) -> Vec<Wrong> {
+    let Some(graph) = Graph::of(law) else { return Vec::new() };
+    let pieces = graph.pieces();
+    let others: Vec<Option<Expr>> = pieces.iter().map(other).collect();
+    let altered: Vec<usize> = (0..pieces.len()).filter(|place| others[*place].is_some()).collect();
+    if pieces.len() < 2 || altered.is_empty() {
+        return Vec::new();
+    }
+    let area = |is_altered: &dyn Fn(usize) -> bool| {
+        let areas = pieces.iter().zip(&others).enumerate();
+        Expr::sum(areas.map(|(place, (piece, other))| match other {
+            Some(other) if is_altered(place) => other.clone(),
+            _ => piece.area(),
+        }))
     };
-    let pieces = ends.windows(2).filter_map(|piece| match piece {
-        [from, to] => Some(area(from, to)),
-        _ => None,
-    });
-    pieces.map(|piece| Wrong::from((law.left(), piece))).collect()
+    let alone = altered.iter().filter(|_| altered.len() > 1);
+    let each = alone.map(|chosen| area(&|place| place == *chosen));
+    std::iter::once(area(&|_| true)).chain(each).map(|sum| Wrong::from((law.left(), sum))).collect()
+}
+
+/// A piece of a graph, as if its ends were joined by a line.
+struct Piece {
+    from: Expr,
+    to: Expr,
+    first: Expr,
+    last: Expr,
+}
+
+impl Piece {
+    fn duration(&self) -> Expr {
+        self.to.clone() - self.from.clone()
+    }
+
+    fn mean(&self) -> Expr {
+        (Expr::ratio(1, 2) * (self.first.clone() + self.last.clone())).simplify()
+    }
+
+    fn area(&self) -> Expr {
+        self.mean() * self.duration()
+    }
 }
 
 /// What changes, against time or position.
@@ -116,6 +181,22 @@ impl<'a> Graph<'a> {
     fn middle(&self) -> Expr {
         let [low, high] = self.ends;
         Expr::ratio(1, 2) * (low.clone() + high.clone())
+    }
+
+    /// Its pieces in order; one where it has no corner.
+    fn pieces(&self) -> Vec<Piece> {
+        let [low, high] = self.ends;
+        let ends: Vec<Expr> = std::iter::once(low.clone()).chain(self.corners()).chain([high.clone()]).collect();
+        let piece = |ends: &[Expr]| match ends {
+            [from, to] => Some(Piece {
+                from: from.clone(),
+                to: to.clone(),
+                first: self.at(from).simplify(),
+                last: self.at(to).simplify(),
+            }),
+            _ => None,
+        };
+        ends.windows(2).filter_map(piece).collect()
     }
 
     /// The places at which one piece ends and another begins.

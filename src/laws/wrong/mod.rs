@@ -12,6 +12,7 @@ pub mod friction;
 pub mod geometry;
 pub mod integral;
 pub mod kinematics;
+pub mod line_slip;
 pub mod mass_centre;
 pub mod momentum;
 pub mod motion;
@@ -51,6 +52,7 @@ pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
     rows.push(("Using the data", once(&mut data::ALTERED.iter().map(|row| row.of))));
     rows.push(("Answering another question", once(&mut data::TAKEN.iter().copied().chain([&data::OTHER_ROOT]))));
     rows.push(("Writing the answer", once(&mut reading::SLIPS.iter().map(|row| row.of))));
+    rows.push(("Slips in one line", once(&mut line_slip::LINE_SLIPS.iter().map(|slip| slip.of))));
     rows.push(("Judging a scene", once(&mut concept::CONCEPTS.iter().copied())));
     rows.retain(|(_, kinds)| !kinds.is_empty());
     rows

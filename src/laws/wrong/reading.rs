@@ -158,6 +158,8 @@ pub enum SlipOf {
     Between,
     /// To every number that is counted.
     Count,
+    /// To every other number but a direction.
+    Size,
 }
 
 /// Every slip.

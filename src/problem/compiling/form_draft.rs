@@ -204,6 +204,7 @@ impl FormDraft {
             forward,
             solver,
             mistakes: Mistakes::default(),
+            slips: Mistakes::default(),
             sensitivities: Sensitivities::default(),
             followings: Followings::default(),
             cache: FormCache::default(),

@@ -100,6 +100,8 @@ pub struct Form {
     pub(crate) weighed: Option<Regimes>,
     /// The consequences of the common mistakes; planned when a wrong answer first asks for them.
     pub(crate) mistakes: Mistakes,
+    /// The consequences of slips in one line; planned when no common mistake explains a wrong answer.
+    pub(crate) slips: Mistakes,
     /// How answers move with the values on the way; worked out when a wrong answer first asks for it.
     pub(crate) sensitivities: Sensitivities,
     /// The consequences of earlier answers; planned when a wrong answer first asks for them.

@@ -30,15 +30,23 @@ use super::restricted::Restricted;
 use super::solver::Solver;
 use super::taken::taken;
 
+/// How the mistakes of one way in which a scene can go are planned.
+pub(super) type Plans = fn(&Problem, &Form, &Leaf) -> Planned;
+
 impl Mistakes {
-    fn of_leaf(&self, problem: &Problem, form: &Form, leaf: usize) -> Option<&Planned> {
-        let all = self.0.get_or_init(|| form.solver.leaves().iter().map(|leaf| planned(problem, form, leaf)).collect());
+    pub(super) fn of_leaf(&self, plans: Plans, problem: &Problem, form: &Form, leaf: usize) -> Option<&Planned> {
+        let all = self.0.get_or_init(|| form.solver.leaves().iter().map(|leaf| plans(problem, form, leaf)).collect());
         all.get(leaf)
     }
 }
 
+/// The equations from which the answers follow.
+pub(super) fn used(leaf: &Leaf) -> BTreeSet<usize> {
+    leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect()
+}
+
 fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
-    let used: BTreeSet<usize> = leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect();
+    let used = used(leaf);
     let wanted: Vec<Symbol> = form.wanted().collect();
     let inputs: Vec<Symbol> = form.told.iter().copied().collect();
     let mut batch = BatchWriter::new(&inputs);
@@ -80,7 +88,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
 }
 
 /// The programs for a system with wrong equations; nothing where no answer depends on these.
-fn solved(
+pub(super) fn solved(
     system: &System,
     wrong: &BTreeSet<usize>,
     (told, wanted): (&BTreeSet<Symbol>, &[Symbol]),
@@ -151,6 +159,6 @@ impl<'a> Worked<'a> {
     }
 
     pub(super) fn planned(&self) -> Option<&'a Planned> {
-        self.form.mistakes.of_leaf(self.problem, self.form, self.variant.leaf())
+        self.form.mistakes.of_leaf(planned, self.problem, self.form, self.variant.leaf())
     }
 }

@@ -7,5 +7,6 @@ pub(super) mod mistake;
 pub(super) mod mistakes;
 pub(super) mod restricted;
 pub(super) mod simulated;
+pub(super) mod slips;
 pub(super) mod solver;
 pub(super) mod taken;

@@ -19,6 +19,7 @@ use super::super::sampling::variant::Worked;
 use super::mistake::Made;
 use super::mistake::Misread;
 use super::mistake::Mistake;
+use super::mistake::Planned;
 
 /// A formula and a program give the same within this share.
 const SAME: f64 = 1e-9;
@@ -31,10 +32,26 @@ const UNMOVED: f64 = 0.01;
 #[derive(Debug)]
 pub struct Simulated<'a> {
     worked: Worked<'a>,
+    planned: Option<&'a Planned>,
     batch: Option<BatchValues<'a>>,
 }
 
-impl Simulated<'_> {
+impl<'a> Simulated<'a> {
+    pub(super) fn new(worked: Worked<'a>, planned: Option<&'a Planned>) -> Self {
+        let batch = planned.and_then(|planned| {
+            let given = |symbol: &Symbol| worked.variant.value(*symbol).map(|given| given.value);
+            let inputs: Option<Vec<f64>> = planned.inputs.iter().map(given).collect();
+            Some(planned.batch.run(&inputs?))
+        });
+        Self { worked, planned, batch }
+    }
+
+    /// The mistakes.
+    #[must_use]
+    pub fn mistakes(&self) -> &'a [Mistake] {
+        self.planned.map_or(&[], |planned| planned.list.as_slice())
+    }
+
     /// The answers to a part by a mistake, in the unit of the question; none where it cannot be made there.
     #[must_use]
     pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
@@ -83,12 +100,11 @@ impl Simulated<'_> {
             }
             Made::Written(to, written) => {
                 let fits = match to {
-                    SlipOf::Signed => {
-                        self.worked.planned().is_some_and(|planned| planned.directed.contains(&number.symbol))
-                    }
+                    SlipOf::Signed => self.planned.is_some_and(|planned| planned.directed.contains(&number.symbol)),
                     SlipOf::Angle => is_in_degrees(number) && !self.is_between(number),
                     SlipOf::Between => is_in_degrees(number) && self.is_between(number),
                     SlipOf::Count => number.whole,
+                    SlipOf::Size => !number.whole && !is_in_degrees(number),
                 };
                 told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut keep);
             }
@@ -212,12 +228,7 @@ impl<'a> Worked<'a> {
     /// Makes every mistake with the numbers of this variant.
     #[must_use]
     pub fn simulated(&self) -> Simulated<'a> {
-        let batch = self.planned().and_then(|planned| {
-            let given = |symbol: &Symbol| self.variant.value(*symbol).map(|given| given.value);
-            let inputs: Option<Vec<f64>> = planned.inputs.iter().map(given).collect();
-            Some(planned.batch.run(&inputs?))
-        });
-        Simulated { worked: *self, batch }
+        Simulated::new(*self, self.planned())
     }
 
     /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.
