@@ -106,7 +106,7 @@ fn form_audit(
         Promise::Prints => printed::prints(problem, position, drawn, renderer),
         Promise::Told => told(problem, form),
         Promise::Draws => draws(&samples),
-        Promise::Determined => determined(&samples),
+        Promise::Determined => determined(&samples, problem.contradicted(position, drawn)),
         Promise::Certified => answers::certified(&columns),
         Promise::Varies => answers::varies(&columns, variants, &form.meant),
         Promise::NotZero => answers::not_zero(&columns),
@@ -204,8 +204,12 @@ fn variety(samples: &Samples, meant: &[Meant]) -> Outcome {
 }
 
 /// A variant is drawn only where exactly one solution breaks no condition of its scene, so what was drawn is the proof; a choice is
-/// open where values are neither equal within the precision of the data nor clearly different.
-fn determined(samples: &Samples) -> Outcome {
+/// open where values are neither equal within the precision of the data nor clearly different. Values that the answers do not need may
+/// contradict the others nevertheless.
+fn determined(samples: &Samples, contradicted: Option<(u64, String)>) -> Outcome {
+    if let Some((seed, how)) = contradicted {
+        return Outcome::Broken(format!("with seed {seed}, {how}"));
+    }
     let unclear = samples.drawn.iter().find_map(|sample| sample.unclear.as_ref());
     match unclear {
         _ if samples.drawn.is_empty() => Outcome::NotChecked("nothing was drawn"),

@@ -61,7 +61,11 @@ const SAID: &[(Promise, &str, &str)] = &[
     (Promise::Prints, "prints", "texts, hints, solution and key can be written in every format"),
     (Promise::Told, "told", "the sheet prints every value that the answers need"),
     (Promise::Draws, "draws", "every seed gives a variant within a bounded number of attempts"),
-    (Promise::Determined, "determined", "what is asked has exactly one solution, and nothing in it is unphysical"),
+    (
+        Promise::Determined,
+        "determined",
+        "what is asked has exactly one solution, whichever way the scene goes, no drawn values contradict each other, and nothing in it is unphysical",
+    ),
     (Promise::Certified, "certified", "the error of every answer is bounded, and small"),
     (Promise::Varies, "varies", "each answer differs from seed to seed"),
     (Promise::Variety, "variety", "seeds give different sheets, and different answers"),

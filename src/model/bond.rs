@@ -109,6 +109,20 @@ fn called_surface(scene: &Scene, surface: &str) -> String {
     name.unwrap_or_else(|| format!("the {surface}"))
 }
 
+/// Whether strings that are jerked pull bodies straight off a surface, which can only push.
+fn lifts_off(scene: &Scene, stage: &Stage, surface: &str, bodies: &[&str]) -> bool {
+    let Stage::Taut(taut) = stage else { return false };
+    let Some(normal) = scene.surfaces.get(surface).and_then(|surface| scene.axes.pointed(&surface.normal.0)) else {
+        return false;
+    };
+    let first_axis = scene.axes.rectangular().first().map(|(axis, _)| (*axis, 1));
+    taut.pulls().into_iter().all(|([first, second], along)| {
+        let Some((axis, sign)) = along.map_or(first_axis, |along| scene.axes.pointed(&along.0)) else { return false };
+        let lifts = |sign| (axis, sign) == normal;
+        (!bodies.contains(&first) || lifts(sign)) && (!bodies.contains(&second) || lifts(-sign))
+    })
+}
+
 /// The bonds that the stages before one have left.
 fn before(scene: &Scene, index: usize) -> Vec<Bond<'_>> {
     let mut bonds: Vec<Bond<'_>> = Vec::new();
@@ -197,7 +211,8 @@ impl<'a> Bond<'a> {
         let leaves = matches!(stage, Stage::Flight(_) | Stage::Fall(_));
         let goes_on = || self.bodies.iter().all(|body| named.contains(body));
         match self.kind {
-            Kind::Stuck | Kind::OnSurface(_) | Kind::Coupled => false,
+            Kind::Stuck | Kind::Coupled => false,
+            Kind::OnSurface(surface) => lifts_off(scene, stage, surface, &self.bodies),
             Kind::OnArm => leaves,
             Kind::OnString => {
                 matches!(stage, Stage::Impact(_) | Stage::Flight(_) | Stage::Fall(_) | Stage::Slide(_) | Stage::Taut(_))
@@ -245,15 +260,18 @@ impl<'a> Bond<'a> {
             return false;
         }
         match self.kind {
-            Kind::OnSurface(_) => matches!(
-                stage,
-                Stage::Flight(_)
-                    | Stage::Fall(_)
-                    | Stage::Bounces(_)
-                    | Stage::Impact(_)
-                    | Stage::Blow(_)
-                    | Stage::Taut(_)
-            ),
+            Kind::OnSurface(surface) => {
+                let acts = matches!(
+                    stage,
+                    Stage::Flight(_)
+                        | Stage::Fall(_)
+                        | Stage::Bounces(_)
+                        | Stage::Impact(_)
+                        | Stage::Blow(_)
+                        | Stage::Taut(_)
+                );
+                acts && !lifts_off(scene, stage, surface, &self.bodies)
+            }
             Kind::OnArm if matches!(stage, Stage::Rotate(_) | Stage::Strike(_)) => !acts_on_all,
             Kind::OnArm => !drifts && !self.is_released_by(scene, stage),
             Kind::Coupled if matches!(stage, Stage::Tow(_)) || !lasts => !acts_on_all,

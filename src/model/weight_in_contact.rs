@@ -15,6 +15,7 @@ use super::Reason;
 use super::contact_weight::ContactWeight;
 use super::frame::Direction;
 use super::frame::Frame;
+use super::guide::Guided;
 use super::guide::dot;
 
 /// A contact that may last as long as is given.
@@ -46,8 +47,8 @@ impl Builder<'_> {
                 Plane::Vertical => "let an axis point up or down, such as `y: upwards`, or remove `include`",
             };
             Some(("weight does not act along the axes of this scene", help))
-        } else if self.guided(body).is_some() {
-            Some(("the weight of a guided body is balanced by its guide", "remove `include`"))
+        } else if self.guided(body).is_some_and(|guide| self.weight_along(&guide).is_zero()) {
+            Some(("the weight of a body on a level guide is balanced by the guide", "remove `include`"))
         } else {
             None
         };
@@ -57,14 +58,19 @@ impl Builder<'_> {
             return None;
         }
         let time = self.contact_time(contact)?;
-        let fall = |position| self.downwards(position).map(|down| (position, down));
-        let falls: Vec<(usize, i64)> = (0..self.axes.len()).filter_map(fall).collect();
         let gained = self.gravity() * time;
-        let component = |position: usize| {
-            let down = falls.iter().find(|(axis, _)| *axis == position);
-            down.map_or_else(Expr::zero, |(_, down)| Expr::integer(*down) * gained.clone())
-        };
-        Some((0..self.axes.len()).map(component).collect())
+        let part = |part: Expr| if part.is_zero() { part } else { part * gained.clone() };
+        Some(self.straight_down().into_iter().map(part).collect())
+    }
+
+    /// The components of a unit vector that points down.
+    fn straight_down(&self) -> Vec<Expr> {
+        (0..self.axes.len()).map(|position| self.downwards(position).map_or_else(Expr::zero, Expr::integer)).collect()
+    }
+
+    /// The share of weight along a guide.
+    fn weight_along(&self, guide: &Guided) -> Expr {
+        dot(&self.straight_down(), &self.components(&guide.along)).simplify()
     }
 
     /// The terms that weight adds to a velocity along and across a normal; none where it adds nothing.
@@ -96,13 +102,15 @@ impl Builder<'_> {
         let Some(time) = acts.then(|| self.contact_time(contact)).flatten() else { return };
         let included = contact.include.is_some_and(|include| !include.is_empty());
         for (before, after) in bodies {
-            if self.guided(before).is_some() {
+            let along = self.guided(before).map(|guide| self.weight_along(&guide));
+            if along.as_ref().is_some_and(Expr::is_zero) {
                 continue;
             }
             let [from, to] = [(before, contact.index + 1), (after, contact.index + 2)]
                 .map(|(body, instant)| self.velocities(body, instant));
             let change = to.into_iter().zip(from).map(|(to, from)| to - from).collect();
-            let fall = self.gravity() * time.clone();
+            let fall = [self.gravity(), time.clone()].into_iter().chain(along.filter(|along| !along.is_one()));
+            let fall = Expr::product(fall);
             let contact_weight =
                 ContactWeight { stage: contact.index, on: (*before).to_owned(), included, fall, change };
             if !included {

@@ -180,6 +180,33 @@ impl Axes {
         }
     }
 
+    /// The axis along which (1) or against which (-1) words point: `to the left`, `up`, `-x`.
+    ///
+    /// ```
+    /// use momentous_scene::{Axes, Axis};
+    /// let axes: Axes = serde_json::from_str(r#"{ "x": "to the right", "y": "upwards" }"#).unwrap();
+    /// assert_eq!(axes.pointed("left"), Some((Axis::X, -1)));
+    /// assert_eq!(axes.pointed("+y"), Some((Axis::Y, 1)));
+    /// assert_eq!(axes.pointed("30 deg above +x"), None);
+    /// ```
+    #[must_use]
+    pub fn pointed(&self, text: &str) -> Option<(Axis, i64)> {
+        let text = text.trim();
+        self.rectangular().into_iter().find_map(|(axis, senses)| {
+            let said = |phrase: &str, sign: char| {
+                text == phrase
+                    || phrase.strip_prefix("to the ") == Some(text)
+                    || phrase.strip_suffix("wards") == Some(text)
+                    || text.strip_prefix(sign) == Some(axis.letter())
+            };
+            if text == axis.letter() || said(&senses.positive, '+') {
+                Some((axis, 1))
+            } else {
+                said(&senses.negative, '-').then_some((axis, -1))
+            }
+        })
+    }
+
     /// Whether the axes are known to be left-handed: two of a plane where the turn from x to y is clockwise as the plane is usually seen,
     /// from the front or from above, or three in space.
     ///

@@ -157,6 +157,17 @@ impl Scene {
         if parts.is_empty() { vec![body] } else { parts.into_iter().flat_map(|part| self.members(part)).collect() }
     }
 
+    /// The words for the two directions across the guide of a body, the positive one a quarter of a turn counter-clockwise from it; none
+    /// where neither axis runs along the guide.
+    #[must_use]
+    pub fn across_guide(&self, body: &str) -> Option<Senses> {
+        let guide = self.members(body).into_iter().find_map(|member| self.bodies.get(member)?.guide.as_ref())?;
+        let (along, sign) = self.axes.pointed(&guide.along.0)?;
+        let (other, senses) = self.axes.rectangular().into_iter().find(|(axis, _)| *axis != along)?;
+        let turned = if other > along { sign } else { -sign };
+        Some(if turned > 0 { senses } else { Senses { positive: senses.negative, negative: senses.positive } })
+    }
+
     /// How a body is called in a sentence: `the boat`, `Ana, Ben and the boat together`.
     #[must_use]
     pub fn called(&self, body: &str) -> String {

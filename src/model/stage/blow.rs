@@ -51,8 +51,15 @@ impl Builder<'_> {
             }
         }
         if let Some(guide) = &guide {
-            let because = format!("{} gives {name} an impulse", stage.by);
-            self.momentum_along_guide(guide, index, std::slice::from_ref(&components), &because);
+            let (because, weight) = match &gained {
+                None => (format!("{} gives {name} an impulse", stage.by), None),
+                Some(gained) => (
+                    format!("{} and weight give {name} impulses", stage.by),
+                    Some(gained.iter().map(|gained| mass.clone() * gained.clone()).collect()),
+                ),
+            };
+            let acting: Vec<Vec<Expr>> = [components.clone()].into_iter().chain(weight).collect();
+            self.momentum_along_guide(guide, index, &acting, &because);
         }
         if axes.len() > 1 {
             self.resultant(index, body, &components, &format!("the impulse on {name} from {}", stage.by));

@@ -2,6 +2,7 @@
 
 use crate::Agent;
 use crate::Builder;
+use crate::Effect;
 use crate::Impulse;
 use crate::Influence;
 use crate::Name;
@@ -77,7 +78,7 @@ impl Builder<'_> {
         } else {
             self.bounces_after_arrival(index, stage, [&e, count.as_ref().unwrap_or(&Expr::one())], path);
         }
-        self.acts(Influence::outside(index, &stage.body, stage.surface()));
+        self.floor_acts(index, stage);
         self.impulses.push(Impulse {
             stage: index,
             on: stage.body.clone(),
@@ -96,6 +97,16 @@ impl Builder<'_> {
         let is_free = known.is_none_or(|known| self.symbols.entry(known).dimension == Dimension::NONE);
         let name = Name::of(QuantityKind::Own(COUNTED.to_owned()), "");
         is_free.then(|| self.symbol_of(name, Dimension::NONE, NUMBER).into())
+    }
+
+    /// A smooth level floor acts upwards only; on a slope, weight acts along the floor as well.
+    fn floor_acts(&mut self, index: usize, stage: &Bounces) {
+        let is_level = stage.incline.is_none() && self.weight_has_a_component();
+        let along = |position| {
+            if is_level && self.downwards(position).is_none() { Effect::Of(Expr::zero()) } else { Effect::Open }
+        };
+        let force = (0..self.axes.len()).map(along).collect();
+        self.acts(Influence { force, ..Influence::outside(index, &stage.body, stage.surface()) });
     }
 
     fn bounces_after_a_drop(&mut self, index: usize, stage: &Bounces, e: &Expr, count: Option<&Expr>) {

@@ -1,6 +1,8 @@
 //! Free fall through a height.
 
 use crate::Builder;
+use crate::Effect;
+use crate::Influence;
 use crate::QuantityKind;
 use crate::Reason;
 use momentous_expr::Expr;
@@ -47,7 +49,11 @@ impl Builder<'_> {
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));
         }
         let weight = self.weight_on(index, body);
-        self.acts(weight);
+        // Along a string over a pulley no axis points down.
+        let along_string =
+            on_string.map(|down| vec![Effect::Of(Expr::product([Expr::integer(down), self.mass(body), gravity]))]);
+        let force = along_string.unwrap_or(weight.force);
+        self.acts(Influence { force, ..weight });
         self.note_impulse(index, body, "weight", impulse);
         self.neglect("air resistance", "the problem gives none");
     }

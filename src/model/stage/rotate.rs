@@ -109,11 +109,20 @@ impl Builder<'_> {
     /// The force of the arm, which does work where the distances change; between several bodies it acts like one on another.
     fn arm_acts(&mut self, index: usize, stage: &Rotate, held: &[(&str, &Arm)], moment: Option<&Expr>, path: &Path) {
         let centre = self.point(&stage.about);
+        // An arm that turns steadily pushes nothing along its path.
+        let changes = |(_, arm): &(&str, &Arm)| matches!(arm, Arm::Changing(_));
+        let turns_unevenly = stage.is_driven() || held.iter().any(changes);
         if let Some(rotor) = &stage.rotor {
             self.acts(
                 Influence::outside(index, rotor, format!("the force at {centre}")).workless().through(&stage.about),
             );
             self.turned_by(index, rotor, &centre, moment);
+            let carried: Vec<&str> = held.iter().map(|(body, _)| *body).collect();
+            if !carried.is_empty() && turns_unevenly {
+                let names: Vec<String> = carried.iter().map(|body| self.called(body)).collect();
+                let reaction = Influence::outside(index, rotor, format!("the force of {}", list(&names)));
+                self.acts(Influence { work: Work::OfForce, ..reaction.by(&carried) });
+            }
         }
         for (body, arm) in held {
             let others: Vec<&str> = stage.turning().into_iter().filter(|other| other != body).collect();
@@ -137,7 +146,7 @@ impl Builder<'_> {
             // A child on a carousel is held by the carousel.
             let held_by: Vec<&str> = stage.rotor.iter().map(String::as_str).collect();
             self.acts(influence.by(&held_by));
-            if !others.is_empty() {
+            if !others.is_empty() && turns_unevenly {
                 let between = Influence::outside(index, body, "the arm").by(&others);
                 self.acts(Influence { work: Work::OfForce, ..between });
             }

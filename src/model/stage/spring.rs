@@ -79,15 +79,35 @@ impl Builder<'_> {
         self.neglect("the mass of the spring", "it is light");
     }
 
-    /// A body that a spring carries deforms it by its weight, which acts along a vertical axis.
-    fn presses_on_spring(&mut self, pan: &str, path: &Path) {
-        if self.downwards(0).is_none() {
+    /// A body that a spring carries deforms it by its weight, which acts along a vertical axis. Whether the stage leads upwards,
+    /// which relaxes the spring first.
+    fn presses_on_spring(&mut self, stage: &Spring, pan: &str, path: &Path) -> bool {
+        let Some(down) = self.downwards(0) else {
             let message =
                 format!("{} does not deform the spring: its weight does not act along the axis", self.called(pan));
             let help =
                 "write the deformation at the start, `from: d`, or let the axis point up or down in a vertical plane";
-            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.clone()));
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("carried")));
+            return false;
+        };
+        let rises = self.sense(stage.direction.as_ref(), path) == -down;
+        let told = match (rises, stage.travel.is_some(), stage.releases() && stage.until.is_none()) {
+            (true, false, false) => Some((
+                "to",
+                "on its way up from rest the body relaxes the spring, and may stretch it then",
+                "write how far it moves, `travel: s`; or leave out `to`, for a spring that relaxes",
+            )),
+            (false, _, true) => Some((
+                "carried",
+                "on its way down from rest the body presses the spring further, which does not relax",
+                "write how far it moves, `travel: s`, or `direction: upwards`",
+            )),
+            _ => None,
+        };
+        if let Some((key, message, help)) = told {
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key(key)));
         }
+        rises
     }
 
     fn deformation(&mut self, index: usize, stage: &Spring, stiffness: &Expr, path: &Path) -> Deformation {
@@ -100,9 +120,10 @@ impl Builder<'_> {
         let before = length(self, stage.from.as_ref(), &from, "from");
         let after = length(self, stage.to.as_ref(), &to, "to");
         let travel = length(self, stage.travel.as_ref(), "the increase in the deformation of the spring", "travel");
+        let mut rises = false;
         let before = match &stage.carried {
             Some(pan) => {
-                self.presses_on_spring(pan, &path.key("carried"));
+                rises = self.presses_on_spring(stage, pan, path);
                 let deformation = before.unwrap_or_else(|| {
                     self.positive(self.in_stage(QuantityKind::SpringDeformation, pan, index), from).into()
                 });
@@ -115,7 +136,8 @@ impl Builder<'_> {
         };
         let deformation = match (after, travel) {
             (_, Some(travel)) => {
-                let after = (before.clone() + travel.clone()).simplify();
+                let deformed = if rises { -travel.clone() } else { travel.clone() };
+                let after = (before.clone() + deformed).simplify();
                 Deformation { before, after, travel }
             }
             (Some(after), None) => {
@@ -170,11 +192,14 @@ impl Builder<'_> {
             let deformed = [&deformation.before, &deformation.after][side];
             on_the_way.mass.clone() * way.energies[side].clone() + energy::of_spring(stiffness, deformed)
         });
-        if stage.may_relax() && on_the_way.acts() {
+        if stage.may_relax() && on_the_way.acts() && stage.carried.is_none() {
             self.further_or_back(&name, &on_the_way, &energies, &deformation.travel);
         } else {
             let length =
                 if stage.releases() { -deformation.travel.clone() } else { deformation.travel.clone() }.simplify();
+            if stage.carried.is_some() {
+                self.require(length.clone(), Relation::AtLeast, Expr::zero(), Reason::SpringRelaxes);
+            }
             let (law, because, sides) = self.energies_on_the_way(&name, &on_the_way, &energies, &length);
             if !stops {
                 let moving = on_the_way.mass.clone() * way.energies[1].clone();

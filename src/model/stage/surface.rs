@@ -8,6 +8,8 @@ use crate::Reason;
 use crate::frame::Frame;
 use crate::weight_in_contact::Lasting;
 use momentous_expr::Expr;
+use momentous_fault::Code;
+use momentous_fault::Fault;
 use momentous_fault::Path;
 use momentous_laws::momentum;
 use momentous_laws::restitution;
@@ -53,9 +55,14 @@ impl Builder<'_> {
         }
         let lasting =
             Lasting { index, duration: stage.duration.as_ref(), include: Some(&stage.include), path: contact.path };
-        let gained = self.included_weight(&lasting, body);
-        let [fallen, slid] = gained.as_ref().map_or([None, None], |gained| self.turned_into(gained, &frame));
         let guide = self.guided(body);
+        if guide.is_some() && !stage.include.is_empty() {
+            let fault = Fault::new(Code::Value, "an impact of a guided body on a surface cannot include weight");
+            let help = "remove it; write `allow: [weight-neglected]` if weight is not small";
+            self.faults.push(fault.help(help).at_path(contact.path.key("include")));
+        }
+        let gained = if guide.is_none() { self.included_weight(&lasting, body) } else { None };
+        let [fallen, slid] = gained.as_ref().map_or([None, None], |gained| self.turned_into(gained, &frame));
         if let (Some(from), Some(to), None) = (&start.across, &end.across, &guide) {
             if let Some(slid) = slid {
                 let because = format!("{wall} is smooth, and only weight exerts an impulse on {name} along it");

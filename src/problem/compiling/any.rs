@@ -85,8 +85,11 @@ pub(crate) fn check(model: &Model, form: &Form) -> Vec<Fault> {
 
 /// Whether a quantity is proven to be the same whatever a given is, as one way of the scene is planned.
 pub(crate) fn is_independent(leaf: &Leaf, symbol: Symbol, given: Symbol) -> bool {
-    Sources::of(leaf).never_use(leaf, &[symbol], given)
-        || written_in_givens(leaf, symbol, &mut BTreeMap::new()).is_some_and(|term| does_not_depend(&term, given))
+    let sources = Sources::of(leaf);
+    let mut written = BTreeMap::new();
+    sources.never_use(leaf, &[symbol], given)
+        || written_in_givens(leaf, symbol, &mut written)
+            .is_some_and(|term| Slopes::new(leaf, &sources, &written, given).are_zero(&term))
 }
 
 /// The symbols that may be anything and on which the value of a quantity may depend, as a form solves it.
@@ -145,7 +148,8 @@ impl Proof<'_> {
             let unit = written_in_givens(leaf, unit, written);
             term = term.zip(unit).map(|(term, unit)| (term / unit).simplify());
         }
-        open.retain(|known| !term.as_ref().is_some_and(|term| does_not_depend(term, known.symbol)));
+        let are_zero = |term: &Expr, given: Symbol| Slopes::new(leaf, sources, written, given).are_zero(term);
+        open.retain(|known| !term.as_ref().is_some_and(|term| are_zero(term, known.symbol)));
         open
     }
 }
@@ -226,13 +230,49 @@ impl Sources {
     }
 }
 
-/// Whether the slope of a term with respect to a quantity is zero, proven by algebra.
-fn does_not_depend(term: &Expr, symbol: Symbol) -> bool {
-    if !term.contains(symbol) {
-        return true;
+/// The proof by algebra that slopes with respect to one given are zero: those of a term, and of every root among which a quantity in
+/// it was chosen.
+struct Slopes<'a> {
+    leaf: &'a Leaf,
+    sources: &'a Sources,
+    written: &'a BTreeMap<Symbol, Expr>,
+    given: Symbol,
+    /// What is known of quantities that were chosen among roots: until it is proven, nothing.
+    chosen: BTreeMap<Symbol, bool>,
+}
+
+impl<'a> Slopes<'a> {
+    fn new(leaf: &'a Leaf, sources: &'a Sources, written: &'a BTreeMap<Symbol, Expr>, given: Symbol) -> Self {
+        Self { leaf, sources, written, given, chosen: BTreeMap::new() }
     }
-    let slope = term.differentiate(symbol);
-    equal(&slope, &Expr::zero())
+
+    /// Whether a term is the same whatever the given is. Recursion is at most as deep as the plan has steps.
+    fn are_zero(&mut self, term: &Expr) -> bool {
+        let is_flat = !term.contains(self.given) || equal(&term.differentiate(self.given), &Expr::zero());
+        is_flat && term.symbols().into_iter().all(|symbol| symbol == self.given || self.is_same(symbol))
+    }
+
+    /// Whether a quantity that stands in a term is the same: it is given, or so is each root that it may be.
+    fn is_same(&mut self, symbol: Symbol) -> bool {
+        if !self.sources.0.get(&symbol).is_some_and(|from| from.contains(&self.given)) {
+            return true;
+        }
+        if let Some(known) = self.chosen.get(&symbol) {
+            return *known;
+        }
+        self.chosen.insert(symbol, false);
+        let roots = self.leaf.audit.plan.steps.iter().flat_map(|step| &step.roots);
+        let values = roots.flat_map(|root| &root.values).filter(|(unknown, _)| *unknown == symbol);
+        let is_same = values.map(|(_, closed)| closed).all(|closed| match closed {
+            Closed::Formula(formula) => {
+                let term = formula.substitute(&|symbol| self.written.get(&symbol).cloned()).simplify();
+                self.are_zero(&term)
+            }
+            Closed::FirstInteger { .. } | Closed::BracketedRoot { .. } => false,
+        });
+        self.chosen.insert(symbol, is_same);
+        is_same
+    }
 }
 
 /// A quantity as a term in what is given, through every step of the plan; `None` where a step has no single formula.

@@ -43,7 +43,9 @@ use super::super::sampling::no_variant::Rejection;
 use super::super::sampling::sampler::Sampler;
 use super::super::sampling::stream::Streams;
 use super::any;
+use super::consistent::Differing;
 use super::consistent::inconsistent;
+use super::consistent::told_otherwise;
 use super::form_draft::FormDraft;
 use super::idle;
 use super::planned::Built;
@@ -86,17 +88,29 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
             return inconsistent(problem, form, &sampler).map(|fault| fault.at_path(path));
         };
         let code = match reason.rejection() {
-            Some(Rejection::Several(count)) => {
-                let fault = Fault::new(Code::UnderDetermined, format!("the values have {count} admissible solutions"));
+            Some(several @ (Rejection::Several(_) | Rejection::GoesOtherwise { .. })) => {
+                let (message, every) = match several {
+                    Rejection::Several(count) => (
+                        format!("the values have {count} admissible solutions"),
+                        "; or ask for every one: `roots: all`",
+                    ),
+                    otherwise => (format!("the values have several admissible solutions: {otherwise}"), ""),
+                };
+                let fault = Fault::new(Code::UnderDetermined, message);
                 let example = sampler
                     .between_solutions()
                     .map_or_else(|| ", under `where`".to_owned(), |between| format!(": `where: [{between}]`"));
-                let help = format!(
-                    "say which is meant by a condition that the other one breaks{example}; or ask for every one: `roots: all`"
-                );
+                let help = format!("say which is meant by a condition that the other one breaks{example}{every}");
                 return Some(fault.help(help).at_path(path));
             }
-            Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
+            Some(Rejection::Contradiction { .. }) => {
+                if let Some(Differing { values, help }) = told_otherwise(problem, form, &sampler) {
+                    let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));
+                    let message = format!("the values have no admissible solution{why}: {values}");
+                    return Some(Fault::new(Code::OverDetermined, message).help(help).at_path(path));
+                }
+                Code::OverDetermined
+            }
             _ => Code::Unphysical,
         };
         let is_not_real = matches!(reason.rejection(), Some(Rejection::NotReal(_)));

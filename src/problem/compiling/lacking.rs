@@ -92,7 +92,7 @@ impl Lacking<'_> {
         let known: BTreeSet<Symbol> = self.stuck.known.iter().copied().chain([symbol]).collect();
         planner.plan(self.system, &known, self.wanted).is_ok_and(|plan| {
             let audit = planner.audit(self.system, &known, &plan);
-            let leaf = Leaf { words: Vec::new(), system: self.system.clone(), audit };
+            let leaf = Leaf { words: Vec::new(), in_common: 0, system: self.system.clone(), audit };
             self.wanted.iter().all(|wanted| any::is_independent(&leaf, *wanted, symbol))
         })
     }

@@ -11,12 +11,14 @@ use momentous_solve::Bounded;
 use momentous_solve::Cause;
 use momentous_solve::Condition;
 use momentous_solve::Equation;
+use momentous_solve::Exact;
 use momentous_solve::Outcome;
 use momentous_solve::Plan;
 use momentous_solve::Planner;
 use momentous_solve::Precision;
 use momentous_solve::Program;
 use momentous_solve::Real;
+use momentous_solve::Reason;
 use momentous_solve::Step;
 use momentous_solve::Stuck;
 use momentous_solve::System;
@@ -37,6 +39,8 @@ pub struct Leaf {
     pub words: Vec<String>,
     /// The equations and conditions of this way.
     pub system: System,
+    /// How many of the conditions do not tell this way from the others; they come first.
+    pub in_common: usize,
     /// The plan, and what only judging needs.
     pub audit: Audit,
 }
@@ -87,6 +91,7 @@ impl Regimes {
         let mut leaves = Vec::new();
         let mut programs = Vec::new();
         let mut first = None;
+        let mut hidden: Vec<(Vec<String>, Unplanned)> = Vec::new();
         let mut systems = model.systems();
         // Where a net force is zero, the time cannot be found from the change of momentum, but from the distance.
         if !model.distances.is_empty() {
@@ -101,18 +106,24 @@ impl Regimes {
             system.equations.extend(equations.iter().cloned());
             // Those of the way, which tell it from the others, and the author's.
             let mut judging = system.conditions.split_off(model.system.conditions.len());
+            let own = judging.clone();
             judging.extend(conditions.iter().cloned());
             judging.retain(applies);
             system.conditions.retain(applies);
+            let in_common = system.conditions.len();
             system.conditions.extend(judging.iter().cloned());
             let planned = match planner.plan(&system, told, wanted) {
                 Ok(planned) => planned,
                 Err(stuck) => {
-                    first.get_or_insert(Unplanned::Stuck {
-                        stuck: Box::new(stuck),
-                        system: Box::new(system),
-                        wanted: wanted.to_vec(),
-                    });
+                    let is_hidden = matches!(stuck.reason, Reason::NoTactic { .. })
+                        && !words.is_empty()
+                        && !is_told_apart(planner, model, told, &own);
+                    let (stuck, system, wanted) = (Box::new(stuck), Box::new(system), wanted.to_vec());
+                    let unplanned = Unplanned::Stuck { stuck, system, wanted };
+                    if is_hidden {
+                        hidden.push((words, unplanned.clone()));
+                    }
+                    first.get_or_insert(unplanned);
                     continue;
                 }
             };
@@ -126,9 +137,14 @@ impl Regimes {
             let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
                 .map_err(|unknown| Unplanned::Unknown(unknown.to_string()))?;
             programs.push(program);
-            leaves.push(Leaf { words, system, audit });
+            leaves.push(Leaf { words, system, in_common, audit });
         }
         if let (true, Some(unplanned)) = (leaves.is_empty(), first) {
+            return Err(unplanned);
+        }
+        // Values may lead to a way that no method solves, and nobody would know.
+        let is_left_out = |(words, _): &(Vec<String>, Unplanned)| leaves.iter().all(|leaf| leaf.words != *words);
+        if let Some((_, unplanned)) = hidden.into_iter().find(is_left_out) {
             return Err(unplanned);
         }
         Ok(Self { leaves, tree: Tree { leaves: programs }, inputs })
@@ -147,6 +163,12 @@ impl Regimes {
         self.leaves.get(position).unwrap_or(&self.leaves[0])
     }
 
+    /// Whether every condition that tells a way from the others is judged.
+    fn is_judged(&self, position: usize) -> bool {
+        let in_common = self.leaf(position).in_common;
+        self.tree.leaves.get(position).is_some_and(|program| program.unchecked().iter().all(|place| *place < in_common))
+    }
+
     /// The programs.
     #[must_use]
     pub fn tree(&self) -> &Tree {
@@ -163,6 +185,13 @@ impl Regimes {
 /// Whether the equation at that place of a system has that tag.
 fn is_tagged(system: &System, place: usize, tag: usize) -> bool {
     system.equations.get(place).is_some_and(|equation| equation.tag == tag)
+}
+
+/// Whether what tells one way from the others is told, or follows whichever way the scene goes: then what is asked decides nothing.
+fn is_told_apart(planner: &mut Planner, model: &Model, told: &BTreeSet<Symbol>, judging: &[Condition]) -> bool {
+    let sides = judging.iter().flat_map(|condition| [&condition.left, &condition.right]);
+    let open: BTreeSet<Symbol> = sides.flat_map(Expr::symbols).filter(|symbol| !told.contains(symbol)).collect();
+    open.is_empty() || planner.plan(&model.system, told, &open.into_iter().collect::<Vec<_>>()).is_ok()
 }
 
 /// The audit of a plan, in which whatever those conditions compare is found, too, where it follows: none is passed over.
@@ -216,16 +245,24 @@ impl Scratch {
         if !self.take(regimes, |symbol| inputs.get(symbol.index()).and_then(Input::bounded)) {
             return 0;
         }
-        let exact = || {
-            let input = |symbol: &Symbol| {
-                let domain = domains.get(symbol.index()).and_then(Option::as_ref);
-                inputs.get(symbol.index()).and_then(|input| input.exact(domain))
-            };
-            // Every input has a value here, so none is left out.
-            regimes.inputs.iter().filter_map(input).collect()
-        };
+        let exact = || exact(regimes, inputs, domains);
         self.taken = regimes.tree.solve_from(&self.inputs, &exact, &mut self.workspace);
         self.survivors(regimes)
+    }
+
+    /// The ways behind the one that was taken in which the scene could go as well, from the same inputs: whatever tells each from the
+    /// others is judged.
+    pub(crate) fn others(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> Vec<usize> {
+        let Some(taken) = self.taken.filter(|taken| taken + 1 < regimes.leaves.len()) else { return Vec::new() };
+        let exact = || exact(regimes, inputs, domains);
+        let mut others = regimes.tree.solve_others(taken, &self.inputs, &exact, &mut self.workspace);
+        others.retain(|other| regimes.is_judged(*other));
+        others
+    }
+
+    /// Looks at another of the ways that were solved; gives the one that was taken.
+    pub(crate) fn turn_to(&mut self, leaf: usize) -> usize {
+        self.taken.replace(leaf).unwrap_or(leaf)
     }
 
     /// The same for a limiting case, in which conditions may hold with nothing to spare, in floating point alone.
@@ -313,6 +350,15 @@ impl Scratch {
         });
         dead.collect()
     }
+}
+
+/// The inputs without rounding: every one has a value, so none is left out.
+fn exact(regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> Vec<Exact> {
+    let input = |symbol: &Symbol| {
+        let domain = domains.get(symbol.index()).and_then(Option::as_ref);
+        inputs.get(symbol.index()).and_then(|input| input.exact(domain))
+    };
+    regimes.inputs.iter().filter_map(input).collect()
 }
 
 /// A root that is not a solution.

@@ -18,6 +18,7 @@ use momentous_solve::Plan;
 use momentous_solve::Planner;
 use momentous_solve::Reason;
 use momentous_solve::System;
+use momentous_solve::Ties;
 
 use super::super::language::ask;
 use super::super::language::entries::Entries;
@@ -52,6 +53,23 @@ pub(crate) struct Answered {
     pub parts: Vec<(usize, Part)>,
     /// The symbols that can be found: the worked solution shows how.
     pub found: Vec<Symbol>,
+}
+
+/// What the planner says of one way in which the scene can go.
+struct Way {
+    /// The laws by which what is sought follows there.
+    laws: Option<String>,
+    /// What would be enough to know beside what is told.
+    enough: Vec<Vec<Symbol>>,
+    /// Whether what is told decides if it is the way that is taken.
+    is_judged: bool,
+}
+
+impl Way {
+    /// A way in which what is sought does not follow.
+    fn open(enough: Vec<Vec<Symbol>>) -> Self {
+        Self { laws: None, enough, is_judged: false }
+    }
 }
 
 /// Reads which quantity is meant.
@@ -117,6 +135,11 @@ pub(crate) fn answered(
         Origin::Drawn(_) | Origin::Any => None,
     });
     let fixed: BTreeMap<Symbol, Expr> = fixed.collect();
+    // Where no example with all values is found, those that are zero matter most.
+    let zeros: BTreeMap<Symbol, Expr> =
+        fixed.iter().filter(|(_, value)| value.is_zero()).map(|(symbol, value)| (*symbol, value.clone())).collect();
+    let any = known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
+    let with_any: BTreeSet<Symbol> = told.iter().copied().chain(any).collect();
     for sought in sought {
         let name = &model.symbols.entry(sought.symbol).name;
         let fault =
@@ -130,30 +153,55 @@ pub(crate) fn answered(
             system.equations.extend(equations.iter().cloned());
             system.conditions.extend(conditions.iter().cloned());
             let plan = planner.plan(&system, told, &[sought.symbol]);
-            system.fixed.extend(fixed.clone());
-            if plan.is_err() && planner.is_fixed(&system, told, sought.symbol) {
-                let message = format!("`{name}` follows from what is given, but no known method shows how");
-                return Err(fault(Code::Stuck, message, "ask about another quantity that follows as well"));
-            }
-            ways.push(plan.map(|plan| laws(model, &system, &plan)));
+            let ties_with =
+                |fixed: &BTreeMap<Symbol, Expr>| Ties::new(&System { fixed: fixed.clone(), ..system.clone() });
+            let ties = Some(ties_with(&fixed)).filter(|ties| !ties.are_unknown()).unwrap_or_else(|| ties_with(&zeros));
+            let way = match plan {
+                Ok(_) if ties.leave_open(sought.symbol, told) => Way::open(Vec::new()),
+                Ok(plan) => Way { laws: Some(laws(model, &system, &plan)), ..Way::open(Vec::new()) },
+                Err(_) if ties.fix(sought.symbol, told) => {
+                    let Ok(plan) = planner.plan(&system, &with_any, &[sought.symbol]) else {
+                        let message = format!("`{name}` follows from what is given, but no known method shows how");
+                        return Err(fault(Code::Stuck, message, "ask about another quantity that follows as well"));
+                    };
+                    Way { laws: Some(laws(model, &system, &plan)), ..Way::open(Vec::new()) }
+                }
+                Err(stuck) if ties.leave_open(sought.symbol, told) => match stuck.reason {
+                    Reason::Underdetermined { enough, .. } => Way::open(enough),
+                    Reason::NoTactic { .. } | Reason::Contradiction { .. } => Way::open(Vec::new()),
+                },
+                Err(stuck) => match stuck.reason {
+                    Reason::Underdetermined { enough, .. } => Way::open(enough),
+                    Reason::NoTactic { .. } | Reason::Contradiction { .. } => {
+                        let help = "describe the scene by other quantities, or ask about another";
+                        let message = format!("it cannot be decided whether `{name}` can be found");
+                        return Err(fault(Code::Stuck, message, help));
+                    }
+                },
+            };
+            // Only the way that its conditions tell from the others matters, where they can be judged.
+            let compared: Vec<Symbol> = system
+                .conditions
+                .iter()
+                .skip(model.system.conditions.len())
+                .flat_map(|condition| [condition.left.symbols(), condition.right.symbols()])
+                .flatten()
+                .filter(|symbol| !told.contains(symbol))
+                .collect();
+            let is_judged = compared.is_empty() || planner.plan(&system, told, &compared).is_ok();
+            ways.push(Way { is_judged, ..way });
         }
-        let reason = ways.iter().find_map(|way| way.as_ref().ok());
-        let verdict = match (reason, ways.iter().find_map(|way| way.as_ref().err())) {
-            (Some(laws), _) => {
+        let open = ways.iter().find(|way| way.laws.is_none());
+        let verdict = match (ways.iter().find_map(|way| way.laws.as_ref()), open) {
+            (Some(laws), None) => {
                 answered.found.push(sought.symbol);
                 (true, format!("it follows from what is given by {laws}"))
             }
-            (None, Some(stuck)) => match &stuck.reason {
-                Reason::Underdetermined { enough, .. } => (false, lacking(model, sought.symbol, enough)),
-                Reason::NoTactic { .. } | Reason::Contradiction { .. } => {
-                    let help = "describe the scene by other quantities, or ask about another";
-                    return Err(fault(
-                        Code::Stuck,
-                        format!("it cannot be decided whether `{name}` can be found"),
-                        help,
-                    ));
-                }
-            },
+            (Some(_), Some(_)) if ways.iter().any(|way| way.laws.is_some() && way.is_judged) => {
+                let message = format!("whether `{name}` can be found depends on which way the scene goes");
+                return Err(fault(Code::Stuck, message, "ask about another quantity"));
+            }
+            (_, Some(open)) => (false, lacking(model, sought.symbol, &open.enough)),
             (None, None) => continue,
         };
         let behind = if verdict.0 { &concept::ENOUGH_OVERLOOKED } else { &concept::EQUATIONS_NOT_COUNTED };

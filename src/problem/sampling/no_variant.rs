@@ -78,12 +78,27 @@ pub enum Rejection {
     /// They leave nothing of a mass that is asked.
     #[error("`{0}` would be zero, and no mass is: the other values hold for any mass, and do not determine it")]
     Vanishing(String),
+    /// They leave no time for a stage whose duration is asked.
+    #[error("`{0}` would be zero, and then nothing has happened: the other values do not determine it")]
+    NoTime(String),
     /// They leave a quantity without a value that a text of the form prints; the quantity's name.
     #[error("`{0}` has no value with these numbers, and a text prints it")]
     Unprinted(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
     Several(usize),
+    /// They let the scene go in two ways, in which what is asked has different values: what happens in the one, and in the other.
+    #[error(
+        "there is one solution in which {}, and one in which {}",
+        words(taken, "it goes so"),
+        words(other, "it goes otherwise")
+    )]
+    GoesOtherwise {
+        /// What happens in the way that was taken.
+        taken: String,
+        /// What happens in the other.
+        other: String,
+    },
     /// They leave a choice without its one right option.
     #[error("{0}")]
     Options(String),
@@ -157,6 +172,10 @@ fn within(stage: Option<&str>) -> String {
 
 fn for_what(names: &[String]) -> String {
     if names.is_empty() { String::new() } else { format!(" for {}", names.join(", ")) }
+}
+
+fn words<'a>(words: &'a str, otherwise: &'a str) -> &'a str {
+    if words.is_empty() { otherwise } else { words }
 }
 
 fn among(names: &[String]) -> String {

@@ -43,7 +43,7 @@ impl Sampler<'_> {
     }
 
     /// The position of the first way to whose end a body does not get in a solution.
-    fn way_back(&self, solution: usize) -> Option<usize> {
+    pub(super) fn way_back(&self, solution: usize) -> Option<usize> {
         let words = &self.form.solver.leaf(self.scratch.leaf()).words;
         let is_allowed = |reason: &Reason| reason.warning().is_some_and(|warning| self.form.allowed.contains(&warning));
         let is_taken =

@@ -24,6 +24,10 @@ impl Sampler<'_> {
     /// Why the numbers solved last have no admissible solution.
     pub(super) fn why(&self) -> Option<Rejection> {
         let several = self.scratch.survivors(&self.form.solver);
+        if let Some(rival) = &self.rival {
+            let [taken, other] = rival.words.clone();
+            return Some(Rejection::GoesOtherwise { taken, other });
+        }
         if self.form.accepts(several) {
             if let Some(refused) = self.refused() {
                 return Some(refused);
@@ -149,7 +153,10 @@ impl Sampler<'_> {
 
     /// One solution, or any number of them where every one is asked for; and nothing that is asked is without a meaning there.
     pub(super) fn is_admissible(&self, solutions: usize) -> bool {
-        (self.form.accepts(solutions) || self.is_asked_alike()) && self.has_intervals() && self.refused().is_none()
+        (self.form.accepts(solutions) || self.is_asked_alike())
+            && self.rival.is_none()
+            && self.has_intervals()
+            && self.refused().is_none()
     }
 
     /// Whether fixed numbers have several solutions, and what is asked is the same in all of them: a swing that passes a place on its
@@ -176,7 +183,7 @@ impl Sampler<'_> {
         let zero_unit = || self.zero_unit().map(|unit| Rejection::ZeroUnit(name(unit)));
         let lost = || self.lost_direction().map(|direction| self.no_direction(direction));
         let undefined = || self.undefined().map(|asked| Rejection::Undefined(name(asked)));
-        let vanishing = || self.vanishing().map(|asked| Rejection::Vanishing(name(asked)));
+        let vanishing = || self.vanishing().map(|asked| self.nothing(asked));
         let unprinted = || self.unprinted().map(|printed| Rejection::Unprinted(name(printed)));
         let misfit = || self.misfit().map(Rejection::Options);
         let turned = || self.turned_back().map(|reason| self.broken(reason.clone(), None));
@@ -229,14 +236,21 @@ impl Sampler<'_> {
         asked.find(|symbol| self.answer(*symbol).is_some_and(|value| !value.error.is_finite()))
     }
 
-    /// A mass that is asked and comes out as nothing: its equations then hold for any mass.
+    /// A mass or a duration that is asked and comes out as nothing: its equations then hold for any mass, or nothing has happened yet.
     fn vanishing(&self) -> Option<Symbol> {
         let (model, positive) = (self.problem.model(), &self.form.solver.leaf(self.scratch.leaf()).system.positive);
         let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
         asked.find(|symbol| {
-            let is_mass = model.symbols.entry(*symbol).dimension == Dimension::MASS && positive.contains(symbol);
-            is_mass && self.answer(*symbol).is_some_and(Bounded::is_zero)
+            let dimension = model.symbols.entry(*symbol).dimension;
+            let never_is = [Dimension::MASS, Dimension::TIME].contains(&dimension) && positive.contains(symbol);
+            never_is && self.answer(*symbol).is_some_and(Bounded::is_zero)
         })
+    }
+
+    fn nothing(&self, asked: Symbol) -> Rejection {
+        let entry = self.problem.model().symbols.entry(asked);
+        let name = entry.name.clone();
+        if entry.dimension == Dimension::TIME { Rejection::NoTime(name) } else { Rejection::Vanishing(name) }
     }
 
     /// A quantity whose value a text prints, and which has none.

@@ -22,6 +22,7 @@ use super::super::language::known::Origin;
 use super::super::language::text::Text;
 use super::no_variant::MOST_ATTEMPTS;
 use super::no_variant::NoVariant;
+use super::other_way::Rival;
 use super::stream::Scheme;
 use super::stream::Words;
 use super::variant::Variant;
@@ -35,8 +36,8 @@ pub struct Sampler<'p> {
     position: usize,
     words: Words,
     drawn: Vec<u64>,
-    inputs: Vec<Input>,
-    domains: Vec<Option<Domain>>,
+    pub(super) inputs: Vec<Input>,
+    pub(super) domains: Vec<Option<Domain>>,
     pub(super) scratch: Scratch,
     pub(super) forward: Scratch,
     pub(super) weighing: Scratch,
@@ -52,6 +53,8 @@ pub struct Sampler<'p> {
     changed: Vec<(usize, Input)>,
     /// Whether any of its numbers is drawn.
     pub(super) is_drawn: bool,
+    /// Another way in which the scene could go with the numbers solved last.
+    pub(super) rival: Option<Rival>,
     rejected: u64,
     indistinct: BTreeMap<&'p str, u64>,
     ill_chosen: BTreeMap<&'p str, u64>,
@@ -91,6 +94,7 @@ impl<'p> Sampler<'p> {
             told: planned.known.iter().enumerate().filter(|(_, known)| planned.told.contains(&known.symbol)).collect(),
             changed: Vec::new(),
             is_drawn: planned.known.iter().any(|known| matches!(known.origin, Origin::Drawn(_))),
+            rival: None,
             rejected: 0,
             indistinct: BTreeMap::new(),
             ill_chosen: BTreeMap::new(),
@@ -277,6 +281,7 @@ impl<'p> Sampler<'p> {
         self.scratch.run(&self.form.solver, &self.inputs, &self.domains);
         self.rule_out_ways_back();
         let count = self.scratch.survivors(&self.form.solver);
+        self.rival = if count > 0 { self.find_rival() } else { None };
         match &self.form.weighed {
             Some(weighed) if count > 0 && self.weighing.run(weighed, &self.inputs, &self.domains) == 0 => 0,
             _ => count,
@@ -285,10 +290,17 @@ impl<'p> Sampler<'p> {
 
     /// The values asked in each further solution, where there is one.
     fn others(&self) -> Vec<(Symbol, Vec<Bounded>)> {
-        if self.scratch.survivors(&self.form.solver) < 2 || self.is_asked_alike() {
+        let rival = self.rival.iter().flat_map(|rival| &rival.values);
+        if self.rival.is_none() && (self.scratch.survivors(&self.form.solver) < 2 || self.is_asked_alike()) {
             return Vec::new();
         }
-        let others = |symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol));
+        let others = |symbol| {
+            let further = rival.clone().filter(|(listed, _)| *listed == symbol).map(|(_, value)| *value);
+            (
+                symbol,
+                self.scratch.other_values(&self.form.solver, symbol).into_iter().chain(further).collect::<Vec<_>>(),
+            )
+        };
         self.form.wanted().map(others).filter(|(_, values)| !values.is_empty()).collect()
     }
 

@@ -269,6 +269,9 @@ impl Problem {
     pub fn senses(&self, symbol: Symbol) -> Option<Senses> {
         let scene = &self.loaded().draft.scene;
         let name = Some(self.model().name(symbol)).filter(|name| !name.is_plain())?;
+        if name.kind == QuantityKind::GuideImpulse {
+            return scene.across_guide(&name.subject);
+        }
         let is_directed = match name.kind {
             ref kind if kind.is_velocity() => true,
             QuantityKind::Momentum | QuantityKind::Impulse | QuantityKind::MeanForce => true,

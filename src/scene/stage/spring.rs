@@ -28,7 +28,8 @@ pub struct Spring {
     /// By how much the spring is deformed at the end. Default: not at all, unless `travel` says otherwise.
     #[serde(default)]
     pub to: Option<Term>,
-    /// The increase in the deformation of the spring during the stage; instead of `to`.
+    /// The increase in the deformation of the spring during the stage; instead of `to`. On the way up from where the spring `carried` a
+    /// body, how far it moves.
     #[serde(default)]
     pub travel: Option<Term>,
     /// The body (a pan, a platform) that the spring carried at rest before the stage, whose weight deforms it at the start.

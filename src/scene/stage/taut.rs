@@ -54,8 +54,14 @@ impl Taut {
     /// The bodies at the ends of each of its strings, the second ahead of the first.
     #[must_use]
     pub fn ends(&self) -> Vec<[&str; 2]> {
-        let single = self.between.iter().map(|both| both.each_ref().map(String::as_str));
-        single.chain(self.strings.iter().map(JerkedString::ends)).collect()
+        self.pulls().into_iter().map(|(ends, _)| ends).collect()
+    }
+
+    /// The same, with the direction of each string from the first to the second, where it is told.
+    #[must_use]
+    pub fn pulls(&self) -> Vec<([&str; 2], Option<&Term>)> {
+        let single = self.between.iter().map(|both| (both.each_ref().map(String::as_str), self.along.as_ref()));
+        single.chain(self.strings.iter().map(|string| (string.ends(), string.along.as_ref()))).collect()
     }
 
     /// The bodies that are jerked, each once.

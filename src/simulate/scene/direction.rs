@@ -52,20 +52,7 @@ impl Values<'_> {
 
     /// Words for a direction along or against an axis.
     fn along_axis(&self, text: &str) -> Option<Vector> {
-        let text = text.trim();
-        self.scene.axes.rectangular().into_iter().find_map(|(axis, senses)| {
-            let said = |phrase: &str, sign: char| {
-                text == phrase
-                    || phrase.strip_prefix("to the ") == Some(text)
-                    || phrase.strip_suffix("wards") == Some(text)
-                    || text.strip_prefix(sign) == Some(axis.letter())
-            };
-            let unit = unit(axis);
-            if text == axis.letter() || said(&senses.positive, '+') {
-                Some(unit)
-            } else {
-                said(&senses.negative, '-').then(|| times(-1.0, unit))
-            }
-        })
+        let (axis, sign) = self.scene.axes.pointed(text)?;
+        Some(if sign < 0 { times(-1.0, unit(axis)) } else { unit(axis) })
     }
 }

@@ -31,6 +31,12 @@ impl Ties {
         Self { places: places.collect(), structure }
     }
 
+    /// Whether no place was found at which the equations hold, so that nothing is known of them.
+    #[must_use]
+    pub fn are_unknown(&self) -> bool {
+        self.places.is_empty()
+    }
+
     /// Whether a quantity has no freedom left where others are given, itself not counted.
     #[must_use]
     pub fn fix(&self, symbol: Symbol, given: &BTreeSet<Symbol>) -> bool {

@@ -57,6 +57,25 @@ impl Tree {
         })
     }
 
+    /// The leaves behind the one that was taken which have solutions from the same inputs, too.
+    pub fn solve_others(
+        &self,
+        taken: usize,
+        inputs: &[Bounded],
+        exact: &dyn Fn() -> Vec<Exact>,
+        workspace: &mut TreeWorkspace,
+    ) -> Vec<usize> {
+        let behind = self.leaves.iter().zip(&mut workspace.leaves).enumerate().skip(taken + 1);
+        let others = behind.filter_map(|(place, (leaf, memory))| {
+            let outcome = leaf.solve_from(inputs, exact, memory);
+            let is_certain = outcome.survivors() > 0 && outcome.values().all(|(_, value)| value.error.is_finite());
+            is_certain.then_some(place)
+        });
+        let others = others.collect();
+        workspace.tried = self.leaves.len();
+        others
+    }
+
     /// The same for a limiting case, by [`Program::solve_limit`].
     pub fn solve_limit(&self, inputs: &[Bounded], workspace: &mut TreeWorkspace) -> Option<usize> {
         self.first(workspace, &|leaf, memory| Solved {

@@ -1,5 +1,6 @@
 //! A spring that a body runs into or is pushed away by, or a spring between two bodies.
 
+use momentous_scene::Axis;
 use momentous_scene::stage::{Ends, Spring};
 
 use crate::scene::course::{Goal, Until};
@@ -16,7 +17,8 @@ impl StageRun<'_> {
         let stiffness = self.values.term(&stage.stiffness)?;
         let from = self.deformed(stage, stiffness)?;
         let to = self.values.known(stage.to.as_ref());
-        let sense = if stage.releases() || to.is_some_and(|to| to < from) { -1.0 } else { 1.0 };
+        let rises = self.rises_from_rest(stage, axis)?;
+        let sense = if rises || stage.releases() || to.is_some_and(|to| to < from) { -1.0 } else { 1.0 };
         match stage.ends().ok_or(NothingToSimulate::NoStage)? {
             Ends::Fixed(body) => {
                 let mass = self.values.mass(body)?;
@@ -63,7 +65,8 @@ impl StageRun<'_> {
         let deformed = |state: &[f64; N]| system.forces[0].deformation(state).unwrap_or(0.0);
         let from = deformed(&system.state());
         // What is pressed gets shorter until somebody says it is short enough; what is let go, until it is relaxed.
-        let travel = self.values.known(stage.travel.as_ref()).map(|travel| from + travel);
+        let ways = if stage.carried.is_some() { sense } else { 1.0 };
+        let travel = self.values.known(stage.travel.as_ref()).map(|travel| from + ways * travel);
         let to = travel.or_else(|| self.values.known(stage.to.as_ref())).or(stage.releases().then_some(0.0));
         let lightest = system.particles.iter().filter_map(|particle| particle.mass).fold(f64::INFINITY, f64::min);
         let period = libm::sqrt(lightest / self.values.term(&stage.stiffness)?);
@@ -85,7 +88,7 @@ impl StageRun<'_> {
         let stiffness = self.values.term(&stage.stiffness)?;
         self.note_stored([from, to], |deformed| stiffness * deformed);
         self.note_term(stage.to.as_ref(), to, from);
-        self.note_term(stage.travel.as_ref(), to - from, to);
+        self.note_term(stage.travel.as_ref(), ways * (to - from), to);
         self.note_duration(None, end.time);
         Ok(())
     }
@@ -99,6 +102,12 @@ impl StageRun<'_> {
                 self.note(&name, force(deformed / 2.0) * deformed, 0.0);
             }
         }
+    }
+
+    /// Whether a body moves up from where the spring carried it at rest, which relaxes the spring first.
+    fn rises_from_rest(&self, stage: &Spring, axis: Axis) -> Result<bool, NothingToSimulate> {
+        let along = self.values.sense(stage.direction.as_ref(), axis)?;
+        Ok(stage.carried.is_some() && self.values.gravity(axis)? * along < 0.0)
     }
 
     /// By how much the spring is deformed at the start: told, or under the weight of what it carried at rest.
