@@ -15,6 +15,7 @@ pub(super) mod sampler;
 pub(super) mod samples;
 pub(super) mod say;
 pub(super) mod secret;
+mod sense;
 pub(super) mod sign;
 pub(super) mod stream;
 pub(super) mod variant;

@@ -7,7 +7,7 @@ use momentous_quantity::Dimension;
 use momentous_scene::Senses;
 
 use super::super::compiling::planned::Problem;
-use super::say::senses_of;
+use super::sense::senses_of;
 
 /// The meaning of a quantity's sign.
 #[derive(Clone, Debug, PartialEq, Eq)]
