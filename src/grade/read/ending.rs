@@ -66,7 +66,13 @@ impl<'t> Plain<'t> {
         let decimal = points == 0 || points == 1 && mark != DecimalMark::Comma;
         let begins = |next: char| next.is_alphabetic() && !matches!(next, 'x' | 'X') || "°%/([".contains(next);
         let apart = ending.trim_start().chars().next().is_none_or(begins) && !ending.starts_with(['e', 'E']);
-        (well && decimal && apart && ending.len() <= LONGEST_ENDING).then_some(Self { sign, digits, ending })
+        // What stands behind an equals sign has to agree with the number before it.
+        let is_alone = !ending.contains(['=', '≈']);
+        (well && decimal && apart && is_alone && ending.len() <= LONGEST_ENDING).then_some(Self {
+            sign,
+            digits,
+            ending,
+        })
     }
 
     fn number(&self) -> Option<(Number, Written)> {
@@ -156,7 +162,8 @@ impl Ending {
     fn of(plain: &Plain<'_>, answer: &NumberAnswer) -> Option<Self> {
         let (number, written) = plain.number()?;
         // Of a zero nobody knows whether it was multiplied by something.
-        if number.is_zero() || number != answer.number || written != answer.written || answer.heading.is_some() {
+        let says_more = answer.heading.is_some() || answer.unjudged.is_some();
+        if number.is_zero() || number != answer.number || written != answer.written || says_more {
             return None;
         }
         let words = |plural| {
