@@ -10,7 +10,7 @@ use super::drawn;
 
 #[derive(Deserialize)]
 struct Kind {
-    kind: String,
+    shows: String,
     problem: String,
     seed: u64,
     lines: Vec<Line>,
@@ -35,12 +35,12 @@ fn each_kind_of_line_is_judged_as_a_tutor_would() {
         let judged: Vec<_> = kind.lines.iter().map(|line| judge.line(&line.text)).collect();
         for (line, judged) in kind.lines.iter().zip(&judged) {
             if serde_yaml::to_value(judged.verdict).unwrap() != line.verdict {
-                apart.push(format!("{}: {}: {:?}: {}", kind.kind, line.text, judged.verdict, judged.message));
+                apart.push(format!("{}: {}: {:?}: {}", kind.shows, line.text, judged.verdict, judged.message));
             }
         }
         let (report, _) = judge.conclude(judged);
         if report.points != kind.points {
-            apart.push(format!("{}: {}: {} points", kind.kind, kind.problem, report.points));
+            apart.push(format!("{}: {}: {} points", kind.shows, kind.problem, report.points));
         }
     }
     assert!(apart.is_empty(), "{}", apart.join("\n"));

@@ -205,7 +205,7 @@ fn end_of_chain(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Nu
         value::read(link, asked, mark)
             .is_ok_and(|linked| (in_unit(&linked) - in_unit(&value)).abs() > ROUNDED_IN_CHAIN * in_unit(&value).abs())
     };
-    if links.iter().any(|link| is_other(&link)) {
+    if links.iter().any(is_other) {
         return Some(Err((at, UnreadableKind::SecondNumber)));
     }
     Some(Ok(value))
