@@ -35,11 +35,8 @@ impl Marking<'_> {
                 self.diagnosis(unexplained(report.verdict, mistakes))
             };
             let slipped = || {
-                let leaves_open =
-                    matches!(report.verdict, Verdict::Wrong | Verdict::FormulaFactor | Verdict::FormulaDimension);
-                let slips = self.slips.get_or_init(|| self.worked.slips());
-                let tells = leaves_open && self.are_few(slips, place);
-                self.diagnosis(self.likely(slips, (place, true), &right).filter(|_| tells)?)
+                let slips = self.slips(place, report.verdict)?;
+                self.diagnosis(self.likely(slips, (place, true), &right)?)
             };
             let Some(diagnosis) = self.misjudged(place).or_else(known).or_else(slipped) else { continue };
             if exactly {
@@ -58,13 +55,21 @@ impl Marking<'_> {
         }
     }
 
-    /// Whether so few slips change a number that one which leads to an answer is hardly there by chance. Angles lie too close together.
-    fn are_few(&self, slips: &Simulated<'_>, place: usize) -> bool {
-        let Some((PartKind::Number(number), grade::ExpectedKind::Number(right), _)) = self.answered(place) else {
-            return true;
+    /// What comes of slips in one line, where the verdict leaves open what is wrong and one that leads to the answer is hardly there by
+    /// chance: angles lie too close together, and so do the values of many slips.
+    fn slips(&self, place: usize, verdict: Verdict) -> Option<&Simulated<'_>> {
+        if !matches!(verdict, Verdict::Wrong | Verdict::FormulaFactor | Verdict::FormulaDimension) {
+            return None;
+        }
+        let number = match self.answered(place)? {
+            (PartKind::Number(_), grade::ExpectedKind::Number(right), _) if right.unit.is_plain_angle() => return None,
+            (PartKind::Number(number), ..) => Some(number),
+            _ => None,
         };
-        let ways = slips.mistakes().iter().map(|slip| slips.answers(slip, number).len()).sum::<usize>();
-        !right.unit.is_plain_angle() && ways <= MOST_SLIPS
+        let slips = self.slips.get_or_init(|| self.worked.slips());
+        let answers = |slip: &Mistake| number.map_or(0, |number| slips.answers(slip, number).len());
+        let count: usize = slips.mistakes().iter().map(answers).sum();
+        (count <= MOST_SLIPS).then_some(slips)
     }
 
     /// What comes of the usual mistakes.

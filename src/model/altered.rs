@@ -22,7 +22,7 @@ use super::Mistaken;
 use super::Model;
 use super::Name;
 use super::QuantityKind;
-use super::mistaken::unit_acceleration;
+use super::mistaken::one_unit;
 
 /// The powers of length and time in forces and how fast they grow, in impulses, and in moments and how fast they grow.
 const FORCES: [(i8, i8); 5] = [(1, -2), (1, -3), (1, -1), (2, -2), (2, -3)];
@@ -259,7 +259,7 @@ impl Model {
 /// One unit of some givens.
 fn one(givens: Givens, units: UnitSystem) -> Expr {
     match givens {
-        Givens::Gravity => unit_acceleration(units),
+        Givens::Gravity => one_unit(Dimension::ACCELERATION, units),
         Givens::Masses
         | Givens::MassesOfOneEquation
         | Givens::Velocities

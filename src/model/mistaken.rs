@@ -10,7 +10,10 @@ use momentous_laws::wrong::Misconception;
 use momentous_laws::wrong::Taught;
 use momentous_laws::wrong::Wrong;
 use momentous_laws::wrong::geometry::ANYWHERE;
+use momentous_quantity::Decimal;
+use momentous_quantity::Dimension;
 use momentous_quantity::UnitSystem;
+use momentous_quantity::coherent_unit;
 use momentous_solve::Equation;
 use momentous_solve::Statement;
 use momentous_solve::System;
@@ -34,12 +37,19 @@ pub struct Mistaken {
 }
 
 /// One way of getting one equation wrong.
-struct WrongUse {
+pub(super) struct WrongUse {
     of: &'static Misconception,
     equation: usize,
     instance: usize,
     variant: usize,
     wrong: Wrong,
+}
+
+impl WrongUse {
+    /// An equation, at a position in its system and of the law at a position among the instances, in a wrong form.
+    pub(super) fn new(of: &'static Misconception, (equation, instance): (usize, usize), wrong: Sides) -> Self {
+        Self { of, equation, instance, variant: 0, wrong: wrong.into() }
+    }
 }
 
 impl Model {
@@ -57,12 +67,7 @@ impl Model {
         ways.sort_by_key(|way| way.of.id);
         let mut mistaken = Vec::new();
         for alike in ways.chunk_by(|one, other| one.of == other.of) {
-            let mut add = |chosen: &[&WrongUse]| {
-                let Some(first) = chosen.first() else { return };
-                let (system, wrong) = self.in_place(system, used, chosen);
-                let places = chosen.len();
-                mistaken.push(Mistaken { of: first.of, instance: Some(first.instance), places, wrong, system });
-            };
+            let mut add = |chosen: &[&WrongUse]| mistaken.extend(self.with_wrong(system, used, chosen));
             for way in alike {
                 add(&[way]);
             }
@@ -97,7 +102,7 @@ impl Model {
                 Statement::FirstInteger { .. } => None,
             })
             .collect();
-        let unit_acceleration = unit_acceleration(units);
+        let unit_acceleration = one_unit(Dimension::ACCELERATION, units);
         let integral = instance.integral.as_ref();
         let law = Taught {
             sides: &sides,
@@ -119,7 +124,15 @@ impl Model {
         ways.collect()
     }
 
-    fn sides(&self, system: &System, equation: usize) -> Option<(usize, &Instance, Sides)> {
+    /// The used equations with some of them got wrong in the same way; nothing where none is.
+    pub(super) fn with_wrong(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&WrongUse]) -> Option<Mistaken> {
+        let first = chosen.first()?;
+        let (system, wrong) = self.in_place(system, used, chosen);
+        Some(Mistaken { of: first.of, instance: Some(first.instance), places: chosen.len(), wrong, system })
+    }
+
+    /// The sides of an equation, with the law that it is and its position among the instances; `None` where it counts.
+    pub(super) fn sides(&self, system: &System, equation: usize) -> Option<(usize, &Instance, Sides)> {
         let stated = system.equations.get(equation)?;
         let instance = self.instances.get(stated.tag)?;
         match &stated.statement {
@@ -159,10 +172,7 @@ impl Model {
     }
 }
 
-/// One unit of acceleration, as a multiple of that of the International System.
-pub(super) fn unit_acceleration(units: UnitSystem) -> Expr {
-    match units {
-        UnitSystem::Si => Expr::one(),
-        UnitSystem::Us => Expr::ratio(3048, 10_000),
-    }
+/// One coherent unit of a dimension, as a multiple of that of the International System.
+pub(super) fn one_unit(dimension: Dimension, units: UnitSystem) -> Expr {
+    Expr::measured(&Decimal::from_scaled(1, 0), &coherent_unit(dimension, units))
 }

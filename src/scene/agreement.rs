@@ -64,13 +64,7 @@ impl Scene {
     /// A sentence whose verbs agree with what is their subject: `the vanes are smooth and turn the jet`.
     #[must_use]
     pub fn in_agreement(&self, sentence: &str) -> String {
-        let bodies = self.bodies.values().map(|body| body.name.as_str());
-        let streams = self
-            .stages
-            .iter()
-            .filter_map(|stage| if let Stage::Stream(stream) = stage { Some(stream.by.as_str()) } else { None });
-        let plurals = bodies.chain(streams).filter(|name| is_plural(name));
-        plurals.fold(sentence.to_owned(), |sentence, name| with_plural(&sentence, name))
+        self.plurals().fold(sentence.to_owned(), |sentence, name| with_plural(&sentence, name))
     }
 
     /// Whether a body has a plural as its name.
@@ -82,8 +76,17 @@ impl Scene {
     /// Whether anything has a plural as its name.
     #[must_use]
     pub fn has_plurals(&self) -> bool {
-        let streams = self.stages.iter().any(|stage| matches!(stage, Stage::Stream(stream) if is_plural(&stream.by)));
-        streams || self.bodies.values().any(|body| is_plural(&body.name))
+        self.plurals().next().is_some()
+    }
+
+    /// The names of bodies, and of what streams meet, that are plurals.
+    fn plurals(&self) -> impl Iterator<Item = &str> {
+        let bodies = self.bodies.values().map(|body| body.name.as_str());
+        let streams = self
+            .stages
+            .iter()
+            .filter_map(|stage| if let Stage::Stream(stream) = stage { Some(stream.by.as_str()) } else { None });
+        bodies.chain(streams).filter(|name| is_plural(name))
     }
 }
 

@@ -14,29 +14,29 @@ impl Judge<'_> {
         self.meant.iter().any(|(known, _)| *known == short)
     }
 
+    /// What a short name stands for: as a line has it, or else as everywhere.
+    fn meaning<'m>(&'m self, short: Symbol, instead: &'m [(Symbol, Expr)]) -> Option<&'m Expr> {
+        instead.iter().chain(&self.alphabet.short).find(|(known, _)| *known == short).map(|(_, meaning)| meaning)
+    }
+
     /// Keeps what the short names of a line stand for, where it says something of the scene.
     pub(crate) fn keep_meanings(&mut self, found: &LineFinding, line: &Written) {
         if !matches!(found.verdict, Verdict::Follows | Verdict::Answer | Verdict::AsFigures) {
             return;
         }
         for short in &line.shorts {
-            let meaning = line.instead.iter().chain(&self.alphabet.short).find(|(known, _)| known == short);
-            if let Some((_, meaning)) = meaning
+            if let Some(meaning) = self.meaning(*short, &line.instead).cloned()
                 && !self.has_meaning(*short)
             {
-                self.meant.push((*short, meaning.clone()));
+                self.meant.push((*short, meaning));
             }
         }
     }
 
     /// The question about a letter with which a line holds only where it stands for something else than before; `None` where there is none.
     pub(crate) fn meant_otherwise(&self, instead: &[(Symbol, Expr)], line: &Written) -> Option<LineFinding> {
-        let meaning = |short: Symbol| {
-            let all = instead.iter().chain(&self.alphabet.short);
-            all.into_iter().find(|(known, _)| *known == short).map(|(_, meaning)| meaning)
-        };
         let changed = self.meant.iter().find(|(short, before)| {
-            line.shorts.contains(short) && meaning(*short).is_some_and(|meaning| meaning != before)
+            line.shorts.contains(short) && self.meaning(*short, instead).is_some_and(|meaning| meaning != before)
         });
         let (short, before) = changed?;
         let letter = &self.alphabet.symbols.entry(*short).name;

@@ -199,7 +199,7 @@ fn end_of_chain(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Nu
     let value = value::read(last.trim(), asked, mark).ok()?;
     let in_unit = |value: &NumberAnswer| {
         let unit = value.unit.as_ref().filter(|unit| unit.dimension() == asked.unit.dimension());
-        value.directed().to_f64() * unit.map_or(1.0, |unit| unit.factor().to_f64() / asked.unit.factor().to_f64())
+        value.directed().to_f64() * unit.map_or(1.0, |unit| unit.in_terms_of(asked.unit).to_f64())
     };
     let is_other = |link: &&str| {
         value::read(link, asked, mark)

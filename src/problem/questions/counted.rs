@@ -1,8 +1,6 @@
 //! Counting: the first or the last whole number for which a condition holds.
 
 use momentous_expr::Expr;
-use momentous_expr::Leaf;
-use momentous_expr::LeafKind;
 use momentous_expr::name_math;
 use momentous_fault::Code;
 use momentous_fault::Fault;
@@ -18,6 +16,8 @@ use momentous_solve::Relation;
 use super::super::language::ask::Count;
 use super::super::language::comparison::split_relation;
 use super::super::language::condition::are_comparable;
+use super::choices::comparing::in_words;
+use super::choices::comparing::laid_out;
 use super::choices::comparing::than;
 use super::part::AskedUnit;
 use super::part::Named;
@@ -59,7 +59,9 @@ pub(crate) fn counted(
     if !are_comparable(builder, text, [&left, &right], &path) {
         return None;
     }
-    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
+    let set = |side: &Expr| format!("${}$", laid_out(builder, side).latex());
+    let words =
+        [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written, &set));
     let condition = format!("{} is {} {}", words[0], than(relation), words[1]);
     let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(Because::to_string);
     let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
@@ -97,20 +99,6 @@ pub(crate) fn counted(
         every_root: false,
     };
     Some((name.to_owned(), label, PartKind::Number(kind)))
-}
-
-/// A side of the condition as a noun phrase: the meaning of a quantity, a value as the author wrote it, or a formula.
-fn in_words(builder: &Builder<'_>, side: &Expr, written: &str) -> String {
-    match side {
-        Expr::Symbol(symbol) if !builder.symbols().entry(*symbol).meaning.is_empty() => {
-            builder.symbols().entry(*symbol).meaning.clone()
-        }
-        _ if side.symbols().iter().any(|symbol| builder.is_literal(*symbol)) => written.to_owned(),
-        _ => {
-            let named = |symbol| Leaf { math: name_math(&builder.symbols().entry(symbol).name), kind: LeafKind::Name };
-            format!("${}$", side.layout(&named).latex())
-        }
-    }
 }
 
 /// `e^n` for `e^(n + 1 - 1)`.

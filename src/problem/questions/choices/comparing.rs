@@ -3,6 +3,7 @@
 use momentous_expr::Expr;
 use momentous_expr::Leaf;
 use momentous_expr::LeafKind;
+use momentous_expr::Math;
 use momentous_expr::Symbol;
 use momentous_expr::name_math;
 use momentous_fault::Code;
@@ -49,7 +50,12 @@ pub(crate) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path
     let condition = condition(builder, text, Reason::Asked, path)?;
     let (left, relation, right) = (condition.left, condition.relation, condition.right);
     let written = split_relation(text).map_or(["", ""], |(left, _, right)| [left, right]);
-    let words = [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written));
+    let plain = |side: &Expr| match side {
+        Expr::Symbol(symbol) => builder.symbols().entry(*symbol).name.clone(),
+        other => laid_out(builder, other).plain(),
+    };
+    let words =
+        [(&left, written[0]), (&right, written[1])].map(|(side, written)| in_words(builder, side, written, &plain));
     let said = format!("{} {} {}", words[0], than(relation), words[1]);
     let mut quantities = left.symbols();
     quantities.extend(right.symbols());
@@ -94,19 +100,18 @@ pub(crate) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Opti
     Some((label, PartKind::Choice(ChoicePart::Order(symbols))))
 }
 
-/// A side of a comparison as a noun phrase: the meaning of a quantity, or what the author wrote.
-fn in_words(builder: &Builder<'_>, side: &Expr, written: &str) -> String {
-    let typeset = || {
-        let named = |symbol| Leaf { math: name_math(&builder.symbols().entry(symbol).name), kind: LeafKind::Name };
-        side.layout(&named).plain()
-    };
+/// A side of a comparison as a noun phrase: the meaning of a quantity, a value as the author wrote it, or a formula as it is set there.
+pub(crate) fn in_words(builder: &Builder<'_>, side: &Expr, written: &str, set: &dyn Fn(&Expr) -> String) -> String {
     match side {
-        Expr::Symbol(symbol) => {
-            let entry = builder.symbols().entry(*symbol);
-            if entry.meaning.is_empty() { entry.name.clone() } else { entry.meaning.clone() }
+        Expr::Symbol(symbol) if !builder.symbols().entry(*symbol).meaning.is_empty() => {
+            builder.symbols().entry(*symbol).meaning.clone()
         }
-        // A value with its unit stands as the author wrote it.
-        _ if side.symbols().iter().any(|symbol| builder.is_literal(*symbol)) => written.to_owned(),
-        _ => typeset(),
+        _ if side.symbols().iter().any(|symbol| builder.is_literal(*symbol)) => written.trim().to_owned(),
+        other => set(other),
     }
+}
+
+/// A formula in the names of its quantities.
+pub(crate) fn laid_out(builder: &Builder<'_>, side: &Expr) -> Math {
+    side.layout(&|symbol| Leaf { math: name_math(&builder.symbols().entry(symbol).name), kind: LeafKind::Name })
 }
