@@ -104,7 +104,7 @@ impl Builder<'_> {
 
     /// Every component of the velocity of a body is zero at the end of a stage.
     pub(super) fn comes_to_rest(&mut self, index: usize, body: &str) {
-        let because = format!("{} comes to rest", self.called(body));
+        let because = format!("{} to rest", self.does(body, ["comes", "come"]));
         for velocity in self.velocities(body, index + 2) {
             self.law(&kinematics::REST, Some(index), because.clone(), (velocity, Expr::zero()));
         }

@@ -198,7 +198,8 @@ impl Builder<'_> {
             let length =
                 if stage.releases() { -deformation.travel.clone() } else { deformation.travel.clone() }.simplify();
             if stage.carried.is_some() {
-                self.require(length.clone(), Relation::AtLeast, Expr::zero(), Reason::SpringRelaxes);
+                let reason = Reason::MovesBack(name.clone());
+                self.require(length.clone(), Relation::AtLeast, Expr::zero(), reason);
             }
             let (law, because, sides) = self.energies_on_the_way(&name, &on_the_way, &energies, &length);
             if !stops {
