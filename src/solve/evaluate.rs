@@ -34,7 +34,8 @@ pub fn evaluate<R: Real>(term: &Expr, value: &dyn Fn(Symbol) -> R) -> R {
             let at = evaluate(&piecewise.variable, value);
             let reaches = |until: &Option<Expr>| {
                 let rest = |until: &Expr| at.sub(&evaluate(until, value)).sign();
-                until.as_ref().is_none_or(|until| matches!(rest(until), Sign::Negative | Sign::Zero))
+                let is_end = |until: &Expr| *until == piecewise.variable;
+                until.as_ref().is_none_or(|until| is_end(until) || matches!(rest(until), Sign::Negative | Sign::Zero))
             };
             let piece = piecewise.pieces.iter().find(|(until, _)| reaches(until));
             piece.map_or_else(R::not_real, |(_, piece)| evaluate(piece, value))

@@ -18,7 +18,7 @@ use super::written::Alphabet;
 const MOST: usize = 6;
 
 /// Other letters for quantities of a kind, by the letter that the problem has.
-const LETTERS: [(&str, &[&str]); 13] = [
+const LETTERS: [(&str, &[&str]); 14] = [
     ("T", &["K", "KE", "E", "E_k", "E_kin"]),
     ("T_rel", &["K_rel", "KE_rel", "E_rel"]),
     ("H", &["L"]),
@@ -29,10 +29,14 @@ const LETTERS: [(&str, &[&str]); 13] = [
     ("a", &["rate_v"]),
     ("areal_rate", &["rate_A"]),
     ("tension", &["T", "S", "F_T"]),
-    ("dt", &["Delta_t"]),
+    ("dt", &["Delta_t", "t", "T"]),
+    ("path", &["s", "d"]),
     ("I", &["J"]),
     ("angle", &["theta", "phi"]),
 ];
+
+/// The letter that stands for nothing but an impulse.
+const IMPULSE: &str = "J";
 
 /// Greek letters and signs as they stand in the names of quantities.
 const GREEK: [(&str, &str); 12] = [
@@ -57,12 +61,15 @@ struct Alias {
     terms: Vec<Expr>,
     /// The number of them that are told, asked or used for the answers.
     likely: usize,
+    /// Whether the only one of these is asked.
+    is_asked: bool,
 }
 
 impl Alias {
     /// Whether it is often used for something else: a letter alone, and one of several meanings.
     fn is_loose(&self) -> bool {
-        letters(&self.name).chars().count() == 1 || self.terms.len() > 1 && self.likely != 1
+        let is_usual = self.likely == 1 && (self.is_asked || self.name == IMPULSE);
+        letters(&self.name).chars().count() == 1 && !is_usual || self.terms.len() > 1 && self.likely != 1
     }
 }
 
@@ -90,11 +97,14 @@ impl Aliases {
     /// The same, with what is told, asked or used for the answers before the rest.
     pub(crate) fn ranked(mut self, worked: Worked<'_>, ground: &Ground) -> Self {
         let mut likely: BTreeSet<Symbol> = ground.used_symbols();
-        likely.extend(ground.told.iter().copied().chain(worked.form.wanted()));
+        let wanted: BTreeSet<Symbol> = worked.form.wanted().collect();
+        likely.extend(ground.told.iter().chain(&wanted));
         let is_unlikely = |term: &Expr| !term.symbols().iter().all(|symbol| likely.contains(symbol));
         for alias in self.0.values_mut() {
             alias.terms.sort_by_key(is_unlikely);
             alias.likely = alias.terms.iter().filter(|term| !is_unlikely(term)).count();
+            alias.is_asked =
+                alias.terms.first().is_some_and(|term| wanted.iter().any(|symbol| *term == (*symbol).into()));
             alias.terms.truncate(MOST);
         }
         self
@@ -106,6 +116,7 @@ impl Aliases {
             name: name.to_owned(),
             terms: Vec::new(),
             likely: 0,
+            is_asked: false,
         });
         if !alias.terms.contains(term) {
             alias.terms.push(term.clone());
@@ -161,16 +172,32 @@ impl Aliases {
             if key == primes {
                 continue;
             }
+            // The letter of a body may be written small: `va`.
+            let capital = if self.0.contains_key(&key) { None } else { self.with_capital(&key) };
+            if let Some(alias) = &capital {
+                alphabet.name(word, &alias.terms, alias.is_loose());
+                continue;
+            }
             let components = ["", "x", "y", "z"].map(|axis| format!("{key}{axis}"));
             for (place, key) in components.iter().enumerate() {
                 let alias = self.0.get(key).filter(|alias| place == 0 || alias.name.contains('.'));
                 if let Some(alias) = alias {
                     // A prime may stand anywhere in a name, which is read as it is written.
                     let name = if primes.is_empty() { &alias.name } else { word };
-                    alphabet.name(name, &alias.terms, alias.is_loose());
+                    let product = (place == 0).then(|| alphabet.product(word)).flatten();
+                    let terms: Vec<Expr> = alias.terms.iter().cloned().chain(product).collect();
+                    alphabet.name(name, &terms, alias.is_loose());
                 }
             }
         }
+    }
+
+    /// The name that is written with a small letter for a body: `va2` for `v_A2`.
+    fn with_capital(&self, key: &str) -> Option<&Alias> {
+        let (place, body) = key.char_indices().skip(1).find(|(_, sign)| sign.is_alphabetic())?;
+        let is_one = body.is_ascii_lowercase() && !key[place + 1..].contains(char::is_alphabetic);
+        let capital = || format!("{}{}{}", &key[..place], body.to_ascii_uppercase(), &key[place + 1..]);
+        is_one.then(|| self.0.get(&capital())).flatten()
     }
 
     /// Whether there is such a name.

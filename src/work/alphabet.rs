@@ -49,6 +49,8 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
         own_letters: BTreeSet::new(),
         vectors: Vectors::among(&model.symbols),
         limits: BTreeMap::new(),
+        variables: variables(worked, ground),
+        instants: instants(worked),
         asked: BTreeMap::new(),
     };
     asked(worked, &mut alphabet);
@@ -67,6 +69,24 @@ pub(crate) fn alphabet(worked: Worked<'_>, ground: &Ground) -> Alphabet {
     alone(worked, ground, &mut alphabet);
     alphabet.vectors = Vectors::among(&alphabet.symbols);
     alphabet
+}
+
+/// The instant of each quantity that belongs to one.
+fn instants(worked: Worked<'_>) -> BTreeMap<Symbol, usize> {
+    let model = worked.problem.model();
+    let instant = |symbol: Symbol| match model.name(symbol).instant {
+        Some(Instant::Number(instant)) => Some((symbol, instant)),
+        _ => None,
+    };
+    model.symbols.iter().filter_map(|(symbol, _)| instant(symbol)).collect()
+}
+
+/// The letters that have no value: over which forces are integrated, as the time.
+fn variables(worked: Worked<'_>, ground: &Ground) -> BTreeSet<Symbol> {
+    let mut valued: BTreeSet<Symbol> = ground.equations.iter().flat_map(|stated| stated.residual.symbols()).collect();
+    valued.extend(&ground.told);
+    let symbols = worked.problem.model().symbols.iter().map(|(symbol, _)| symbol);
+    symbols.filter(|symbol| !valued.contains(symbol)).collect()
 }
 
 /// What is asked, by the symbol that the sheet prints for it, where that is not its name: `v_{A2}` for the speed.

@@ -7,14 +7,21 @@ use super::judge::Judge;
 /// Words that tell no direction.
 const LITTLE_WORDS: [&str; 5] = ["from", "to", "the", "of", "a"];
 
+/// Words that say where an axis goes.
+const AXIS_WORDS: [&str; 5] = ["axis", "points", "pointing", "goes", "runs"];
+
 impl Judge<'_> {
     /// Takes a line such as `take left as positive`; whether it was one.
     pub(crate) fn turn(&mut self, text: &str) -> bool {
         let line = words(text);
+        let end = text.trim_end_matches([' ', '.', ')']);
+        // `left = +` compares nothing.
+        let sides = end.trim_end_matches(['+', '-', '−']).trim_end().trim_end_matches('=');
         let has = |signs: [&str; 2]| line.contains(signs[0]) || text.contains(signs[1]);
-        let is_positive = has(["positive", "+ve"]) || text.trim_end().ends_with('+');
-        let is_negative = !is_positive && has(["negative", "-ve"]);
-        if !is_positive && !is_negative || text.contains(['=', '<', '>']) {
+        let is_axis = line.contains("x") && AXIS_WORDS.iter().any(|word| line.contains(*word));
+        let is_positive = has(["positive", "+ve"]) || end.ends_with('+');
+        let is_negative = !is_positive && (has(["negative", "-ve"]) || end.ends_with(['-', '−']));
+        if !is_positive && !is_negative && !is_axis || sides.contains(['=', '<', '>']) {
             return false;
         }
         let model = self.worked.problem.model();

@@ -52,9 +52,14 @@ impl Judge<'_> {
             };
             SHARES.map(at_share).into_iter().max().unwrap_or(Holds::Open)
         };
+        // What belongs to one instant is something else at another.
+        let model = self.worked.problem.model();
+        let is_momentary =
+            |symbol: &Symbol| symbol.index() < model.symbols.len() && model.name(*symbol).instant.is_some();
         match sets.iter().map(holds).min()? {
             Holds::Yes | Holds::AsFigures => Some(Verdict::Restates),
             Holds::Open => None,
+            Holds::No if line.quantities().iter().any(is_momentary) => None,
             Holds::No => Some(Verdict::DoesNotFollow),
         }
     }
@@ -80,17 +85,20 @@ impl Judge<'_> {
 
     /// The question about a value that is right but for its sign, where the sign is a direction.
     fn opposite(&self, line: &Written, sets: &[Meanings], at: &At<'_>) -> Option<String> {
-        let mut statements = line.statements();
-        let (Some(Statement { left, compared, right }), None) = (statements.next(), statements.next()) else {
-            return None;
-        };
-        let [positive, negative] = self.senses(line.letter_alone(left)?)?;
-        let is_value = line.number_alone(right).is_some() || has_root(right);
-        if !is_value || *compared != Compared::Equal {
+        let [alternatives] = line.stated.as_slice() else { return None };
+        let [chain] = alternatives.as_slice() else { return None };
+        let letter = line.letter_alone(&chain.first()?.left)?;
+        let [positive, negative] = self.senses(letter)?;
+        let is_value = |side: &Expr| line.number_alone(side).is_some() || has_root(side);
+        let are_equal = chain.iter().all(|statement| statement.compared == Compared::Equal);
+        if !are_equal || !chain.iter().any(|statement| is_value(&statement.right)) {
             return None;
         }
-        let opposite = Statement { left: left.clone(), compared: *compared, right: -right.clone() };
-        let holds = sets.iter().any(|set| at.statement(line, &opposite, set) <= Holds::AsFigures);
+        let turned = |symbol: Symbol| (symbol == letter).then(|| -Expr::from(letter));
+        let opposite =
+            |statement: &Statement| Statement { left: statement.left.substitute(&turned), ..statement.clone() };
+        let opposite: Vec<Statement> = chain.iter().map(opposite).collect();
+        let holds = sets.iter().any(|set| at.chain(line, &opposite, set) <= Holds::AsFigures);
         holds.then(|| {
             format!("Does not follow: the size is right, and the sign is not. Is it {positive} or {negative}?")
         })
@@ -110,7 +118,7 @@ impl Judge<'_> {
         if line.statements().all(|statement| statement.compared != Compared::Equal) {
             return LineFinding::of(Verdict::DoesNotFollow);
         }
-        let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at);
+        let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at, &self.mistakes);
         if !follows.is_empty() {
             return LineFinding { mistakes: follows, ..LineFinding::of(Verdict::Mistake) };
         }

@@ -21,6 +21,8 @@ use super::written::{Statement, Written};
 
 /// What is said of a line without any letter.
 const ARITHMETIC: &str = "The arithmetic is right. Say which quantity it is: write its letter before the numbers.";
+/// What is said of a line that only works something out of what is given.
+const WORKED_OUT: &str = "True, and worked out of what is given. Say which quantity it is: write its letter before it.";
 /// What is said of a line that only compares.
 const INEQUALITY: &str = "True. An inequality is no answer, and shows no law.";
 
@@ -95,8 +97,11 @@ impl Judge<'_> {
     /// Whether a side is a value: a number, perhaps times letters for which the sheet has no value.
     fn is_value(&self, line: &Written, side: &Expr) -> bool {
         let symbols = side.symbols();
-        let is_open =
-            |symbol: &Symbol| self.ground.told.contains(symbol) && self.worked.variant.given(*symbol).is_none();
+        let units: BTreeSet<Symbol> = self.worked.form.units().collect();
+        let is_open = |symbol: &Symbol| {
+            let is_any = self.ground.told.contains(symbol) && self.worked.variant.given(*symbol).is_none();
+            is_any || units.contains(symbol)
+        };
         let has_number = symbols.iter().any(|symbol| line.number(*symbol).is_some());
         has_number && symbols.iter().all(|symbol| line.number(*symbol).is_some() || is_open(symbol))
     }
@@ -148,7 +153,14 @@ impl Judge<'_> {
             residuals.iter().flat_map(Expr::symbols).filter(|symbol| !self.ground.told.contains(symbol)).collect()
         };
         if unknown(&line.statements().map(residual).collect::<Vec<_>>()).is_empty() {
-            return LineFinding::of(Verdict::Restates);
+            let is_letter = |side: &Expr| {
+                let is_one = line.letter_alone(side).is_some() || line.number_alone(side).is_some();
+                is_one || self.alphabet.is_meaning(side)
+            };
+            let is_worked_out =
+                line.statements().any(|statement| !is_letter(&statement.left) && !is_letter(&statement.right));
+            let detail = if is_worked_out { WORKED_OUT } else { "" };
+            return LineFinding::of(Verdict::Restates).because(detail.to_owned());
         }
         if equations.is_empty() {
             return LineFinding::of(Verdict::Follows).because(INEQUALITY.to_owned());
@@ -175,7 +187,8 @@ impl Judge<'_> {
                 let is_multiple = side.symbols().iter().any(|symbol| line.number(*symbol).is_none());
                 line.number_alone(side).is_some() || is_multiple && self.is_value(line, side)
             };
-            sides().any(is_value) && sides().any(|side| line.letter_alone(side).is_some())
+            let is_letter = |side: &Expr| line.letter_alone(side).is_some() || self.alphabet.is_meaning(side);
+            sides().any(is_value) && sides().any(is_letter)
         };
         let shows_laws = is_general || !equations.iter().all(is_of_value);
         let accepted = Accepted { residuals, support: support.clone(), answers, shows_laws };

@@ -1,5 +1,6 @@
 //! Judging the lines of a student's work one after another.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use momentous_expr::Expr;
@@ -56,6 +57,8 @@ pub struct Judge<'a> {
     pub(crate) accepted: Vec<Accepted>,
     /// What short names stand for since a line held with it.
     pub(crate) meant: Vec<(Symbol, Expr)>,
+    /// Letters of the student's own for numbers of which a line has made use that holds.
+    pub(crate) used: BTreeSet<Symbol>,
     lines: usize,
     /// Whether the line that is judged is written in letters only.
     is_in_letters: bool,
@@ -80,6 +83,7 @@ impl<'a> Judge<'a> {
             mistakes: Vec::new(),
             accepted: Vec::new(),
             meant: Vec::new(),
+            used: BTreeSet::new(),
             lines: 0,
             is_in_letters: true,
         }
@@ -238,28 +242,50 @@ impl<'a> Judge<'a> {
             Ok(first) => first,
             Err(found) => return (*found, None),
         };
-        let is_empty = matches!(found.verdict, Verdict::Restates | Verdict::Identity) && found.detail.is_empty();
-        if found.verdict.is_true() && !is_empty || first.shorts.is_empty() {
+        let is_empty = matches!(found.verdict, Verdict::Restates | Verdict::Identity) && !first.quantities().is_empty();
+        let is_value = found.verdict == Verdict::AsFigures && !results(&first).is_empty();
+        if found.verdict.is_true() && !is_empty && !is_value || first.shorts.is_empty() {
             return (found, Some(first));
         }
-        for instead in self.alphabet.meanings(&first) {
-            if let Ok((other, reading)) = self.tried_as(text, &instead, Search::Truth)
-                && if is_empty { other.verdict < Verdict::Definition } else { other.verdict.is_true() }
-            {
-                return match self.meant_otherwise(&instead, &reading) {
-                    // What says nothing new stands as it was.
-                    Some(_) if is_empty => (found, Some(first)),
-                    Some(unclear) => (unclear, None),
-                    None => (other, Some(reading)),
-                };
-            }
+        let is_better = |other: Verdict| match (is_value, is_empty) {
+            // Of several quantities with one value that which is asked.
+            (true, _) => other == Verdict::Answer,
+            (_, true) => other < Verdict::Definition,
+            _ => other.is_true(),
+        };
+        let others = self.alphabet.meanings(&first).into_iter().filter_map(|instead| {
+            let (other, reading) = self.tried_as(text, &instead, Search::Truth).ok()?;
+            is_better(other.verdict).then_some((instead, other, reading))
+        });
+        let mut others: Vec<_> = others.collect();
+        others.sort_by_key(|(_, other, reading)| other.verdict != Verdict::Answer || results(reading).is_empty());
+        if let Some((instead, other, reading)) = others.into_iter().next() {
+            return match self.meant_otherwise(&instead, &reading) {
+                // What is true stands as it was.
+                Some(_) if is_empty || is_value => (found, Some(first)),
+                Some(unclear) => (unclear, None),
+                None => (other, Some(reading)),
+            };
         }
+        let has_variable = !first.quantities().is_disjoint(&self.alphabet.variables);
+        let is_open = found.verdict == Verdict::Undecided && has_variable;
+        let decided = is_open.then(|| self.decided(text, &first)).flatten();
+        let (found, first) = decided.unwrap_or((found, first));
         let is_open = |short: &&Symbol| self.alphabet.loose.contains(short) && !self.has_meaning(**short);
         let loose = first.shorts.iter().find(is_open);
         match loose {
             Some(short) if found.verdict.is_wrong() => (self.asked_back(*short), None),
             _ => (found, Some(first)),
         }
+    }
+
+    /// The finding on a line that does not hold with the likeliest meaning of its short names with which it can be decided.
+    fn decided(&self, text: &str, line: &Written) -> Option<(LineFinding, Written)> {
+        let mut all = self.alphabet.meanings(line).into_iter();
+        all.find_map(|instead| {
+            let tried = self.tried_as(text, &instead, Search::Mistakes).ok()?;
+            tried.0.verdict.is_wrong().then_some(tried)
+        })
     }
 
     /// A short name that may stand for too much.
@@ -282,16 +308,23 @@ impl<'a> Judge<'a> {
             NoLine::NoStatement => Box::new(LineFinding::of(Verdict::Remark)),
             NoLine::NothingBefore => because("it begins with a sign, and no line stands before it".to_owned()),
             NoLine::Integral(fault) => because(fault.said().to_owned()),
-            NoLine::Unreadable(fault) => because(said(&fault, &self.printed_names())),
+            NoLine::Unreadable(fault) => because(said(&fault, &self.names_of_sheet())),
         })?;
         let mut best: Option<(LineFinding, Written)> = None;
-        let in_units: Vec<Written> = readings.iter().filter_map(|written| self.in_unit_of_result(written)).collect();
-        for mut reading in readings.into_iter().chain(in_units) {
+        let in_units = readings.iter().filter_map(|written| self.in_unit_of_result(written));
+        let in_terms = readings.iter().filter_map(|written| self.in_terms_asked(written));
+        let others: Vec<Written> = in_units.chain(in_terms).collect();
+        for mut reading in readings.into_iter().chain(others) {
             self.measure_results(&mut reading);
             let found = self.judged(&reading, search);
             // Units that do not agree are no better than another fault of the reading before.
-            let is_better = |best: &LineFinding| found.verdict < best.verdict && found.verdict != Verdict::Dimensions;
-            if best.as_ref().is_none_or(|(best, _)| is_better(best)) {
+            // A unit that is a letter, too, is one where the line holds so.
+            let is_better = |(best, first): &(LineFinding, Written)| {
+                let mut further = reading.shorts.difference(&first.shorts);
+                let is_likely = found.verdict.is_true() || !further.any(|short| self.alphabet.loose.contains(short));
+                found.verdict < best.verdict && found.verdict != Verdict::Dimensions && is_likely
+            };
+            if best.as_ref().is_none_or(is_better) {
                 best = Some((found, reading));
             }
         }
@@ -306,9 +339,19 @@ impl<'a> Judge<'a> {
             let guessed = results(&reading);
             self.accepted.iter_mut().for_each(|accepted| accepted.answers.retain(|answer| !guessed.contains(answer)));
         }
+        if found.verdict.is_true() {
+            let letters = reading.numbers.iter().map(|number| number.symbol);
+            self.used.extend(letters.filter(|symbol| self.alphabet.numbers.contains_key(symbol)));
+        }
         self.keep_meanings(&found, &reading);
         self.before = Some(reading);
         found
+    }
+
+    /// The names of the quantities of the problem.
+    fn names_of_sheet(&self) -> Vec<String> {
+        let entries = self.worked.problem.model().symbols.iter();
+        entries.map(|(_, entry)| entry.name.clone()).collect()
     }
 
     /// The names that a line may hold.

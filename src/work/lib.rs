@@ -25,6 +25,7 @@ mod judge;
 mod letters;
 mod meaning;
 mod message;
+mod multiples;
 mod naming;
 mod one_meaning;
 mod own_letters;

@@ -42,8 +42,8 @@ impl Judge<'_> {
     }
 
     fn mistaken(&self, found: &LineFinding) -> String {
-        let earlier =
-            found.mistakes.iter().find_map(|mistake| self.mistakes.iter().find(|(id, _)| *id == mistake.of.id));
+        let is_same = |id: &str| found.mistakes.iter().any(|mistake| mistake.of.id == id);
+        let earlier = self.mistakes.iter().find(|(id, _)| is_same(id));
         if let Some((_, line)) = earlier {
             return format!("Follows from the mistake in line {line}.");
         }

@@ -34,7 +34,10 @@ impl Judge<'_> {
             return None;
         }
         let is_own = self.alphabet.own_letters.contains(name);
-        let mut has_meaning = is_own && !self.alphabet.is_loose(name);
+        // A value of which no line has made use may be corrected.
+        let is_used = |symbol: Symbol| !self.alphabet.numbers.contains_key(&symbol) || self.used.contains(&symbol);
+        let is_kept = self.alphabet.symbols.find(name).is_none_or(is_used);
+        let mut has_meaning = is_own && !self.alphabet.is_loose(name) && is_kept;
         let (is_unknown, is_loose) = match term(name, &self.alphabet, self.mark) {
             Err(fault) => (is_unknown_name(&fault), false),
             Ok(_) if name == EULER && self.alphabet.symbols.find(EULER).is_none() => (true, false),
@@ -58,7 +61,7 @@ impl Judge<'_> {
                 return Some(found);
             }
             if let Some(reading) = reading.filter(|_| found.verdict.is_true() || found.verdict.is_wrong()) {
-                let found = if found.verdict.is_wrong() { contradicting(found, name) } else { found };
+                let found = if is_own && found.verdict.is_wrong() { contradicting(found, name) } else { found };
                 return Some(self.take(found, reading));
             }
         }
@@ -85,12 +88,15 @@ impl Judge<'_> {
                 let set = sets.iter().find(|set| set.is_general(line)).or(sets.first())?;
                 let value = self.in_values(line, set, stands);
                 let is_doubtful = !found.verdict.is_true() || !is_whole;
-                let is_loose = is_loose || is_doubtful && !line.shorts.is_disjoint(&self.alphabet.loose);
+                let is_loose = is_doubtful && !line.shorts.is_disjoint(&self.alphabet.loose);
                 self.alphabet.introduce(name, value);
                 self.alphabet.loosen(name, is_loose);
             }
             None => {
                 self.alphabet.introduce_number(name, self.number(&read)?);
+                if let Some(symbol) = self.alphabet.symbols.find(name) {
+                    self.used.remove(&symbol);
+                }
                 self.alphabet.loosen(name, is_loose);
             }
         }

@@ -181,6 +181,9 @@ impl Reader<'_> {
                 self.written.numbers.push(number);
             }
         }
+        // What was worked out in numbers has lost its dimension.
+        let lost = |symbol: &Symbol| self.alphabet.has_lost_dimension(*symbol);
+        self.written.has_own |= read.term.symbols().iter().any(lost);
         self.written.shorts.extend(read.term.symbols().into_iter().filter(is_short));
         let term = self.alphabet.meant(&read.term, variable, self.instead);
         Ok(term.substitute(&|symbol| inserted(symbol).map(|(_, value)| value.clone())))

@@ -39,7 +39,7 @@ const COLUMNS: [&str; 4] = ["pmatrix", "bmatrix", "matrix", "array"];
 
 /// A line as plain text.
 pub(crate) fn unset(line: &str) -> String {
-    let line = with_lists(line);
+    let line = with_pi_apart(&with_lists(line));
     let line = SETTING.iter().fold(line, |line, (from, to)| line.replace(from, to));
     let line = with_arguments_apart(&with_plain_indices(&line));
     with_joined_indices(&CHANGES.iter().fold(line, |line, (from, to)| line.replace(from, to)))
@@ -72,6 +72,17 @@ fn with_lists(line: &str) -> String {
     text
 }
 
+/// `\pi t` as `\pi*t`.
+fn with_pi_apart(line: &str) -> String {
+    let (mut text, mut rest) = (String::with_capacity(line.len()), line);
+    while let Some((before, behind)) = rest.split_once("\\pi ") {
+        let is_factor = behind.trim_start().starts_with(char::is_alphabetic);
+        text.extend([before, if is_factor { "\\pi*" } else { "\\pi " }]);
+        rest = behind;
+    }
+    text + rest
+}
+
 /// `cos45` as `cos 45`.
 fn with_arguments_apart(line: &str) -> String {
     let mut text = String::with_capacity(line.len());
@@ -80,7 +91,8 @@ fn with_arguments_apart(line: &str) -> String {
             let before = text.strip_suffix(name);
             before.is_some_and(|before| !before.ends_with(|sign: char| sign.is_alphabetic() || sign == '_'))
         };
-        if sign.is_ascii_digit() && FUNCTIONS.iter().any(|function| is_function(function)) {
+        let is_argument = sign.is_ascii_digit() || sign.is_alphabetic() && !sign.is_ascii();
+        if is_argument && FUNCTIONS.iter().any(|function| is_function(function)) {
             text.push(' ');
         }
         text.push(sign);

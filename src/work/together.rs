@@ -3,10 +3,13 @@
 use std::collections::BTreeSet;
 
 use momentous_expr::Expr;
+use momentous_expr::Symbol;
+use momentous_laws::kinematics;
 use momentous_model::Instant;
 use momentous_model::Name;
 use momentous_model::QuantityKind;
 use momentous_problem::Worked;
+use momentous_quantity::Dimension;
 
 use super::aliases::Aliases;
 use super::alphabet::mass;
@@ -23,6 +26,8 @@ const MOMENTUM: [&str; 5] = ["p", "P", "p_tot", "p_total", "p_G"];
 const ENERGY: [&str; 5] = ["T", "K", "KE", "E_k", "E_kin"];
 /// Letters for the reduced mass of two bodies.
 const REDUCED: [&str; 3] = ["mu", "m_red", "m_r"];
+/// Letters for a way that is gone along a line.
+const WAY: [&str; 3] = ["s", "x", "d"];
 /// Letters for angular momentum.
 const ANGULAR: [&str; 2] = ["H", "L"];
 
@@ -45,12 +50,13 @@ fn letters(aliases: &mut Aliases, worked: Worked<'_>) {
     let bodies = Bodies::of(worked);
     bodies.momenta_about_points(aliases);
     bodies.changes(aliases);
-    if bodies.masses.len() < 2 {
-        return;
-    }
+    bodies.accelerations(aliases);
+    bodies.places(aliases);
     let total = Expr::sum(bodies.masses.iter().map(|(_, mass)| mass.clone()));
-    for letter in MASS {
-        aliases.add(letter, &total);
+    match bodies.masses.as_slice() {
+        [] => return,
+        [_] => return aliases.add(MASS[0], &total),
+        _ => MASS.iter().for_each(|letter| aliases.add(letter, &total)),
     }
     if let [(_, one), (_, other)] = bodies.masses.as_slice() {
         let reduced = one.clone() * other.clone() / total.clone();
@@ -161,6 +167,60 @@ impl<'a> Bodies<'a> {
                 for index in all {
                     aliases.add(&format!("Delta_v{index}{axis}"), &change);
                     aliases.add(&format!("Delta_p{index}{axis}"), &(mass.clone() * change.clone()));
+                }
+            }
+        }
+    }
+
+    /// The acceleration of each body in a stage in which it is constant, so that the mean velocity is half the sum of the first and the last.
+    fn accelerations(&self, aliases: &mut Aliases) {
+        let model = self.worked.problem.model();
+        let leaf = self.worked.leaf();
+        for equation in &leaf.system.equations {
+            let instance =
+                model.instances.get(equation.tag).filter(|instance| instance.law.id == kinematics::MEAN_VELOCITY.id);
+            let Some(stage) = instance.and_then(|instance| instance.stage) else { continue };
+            let symbols = equation.symbols();
+            let is_duration = |symbol: &&Symbol| model.symbols.entry(**symbol).dimension == Dimension::TIME;
+            let Some(duration) = symbols.iter().find(is_duration) else { continue };
+            let is_velocity = |symbol: &Symbol| model.name(*symbol).kind == QuantityKind::Velocity;
+            let mut velocities: Vec<(usize, Symbol)> = symbols
+                .iter()
+                .copied()
+                .filter(is_velocity)
+                .filter_map(|symbol| match model.name(symbol).instant {
+                    Some(Instant::Number(instant)) => Some((instant, symbol)),
+                    _ => None,
+                })
+                .collect();
+            velocities.sort_unstable();
+            let change = match velocities.as_slice() {
+                [(_, first), (_, last)] => Expr::sum([(*last).into(), -Expr::from(*first)]),
+                // The other one is zero.
+                [(instant, only)] if *instant == stage + 1 => -Expr::from(*only),
+                [(_, only)] => Expr::from(*only),
+                _ => continue,
+            };
+            let name = model.name(velocities[0].1);
+            let axis = name.component.as_ref().map_or_else(String::new, |axis| format!(".{axis}"));
+            for index in [String::new(), format!("_{}", name.subject)] {
+                aliases.add(&format!("a{index}{axis}"), &(change.clone() / Expr::from(*duration)));
+            }
+        }
+    }
+
+    /// The place of a body that starts at zero as the way that it goes.
+    fn places(&self, aliases: &mut Aliases) {
+        let model = self.worked.problem.model();
+        for symbol in self.worked.form.wanted().filter(|symbol| model.name(*symbol).kind == QuantityKind::Position) {
+            let name = model.name(symbol);
+            let Some(Instant::Number(instant)) = name.instant else { continue };
+            let before =
+                instant.checked_sub(1).and_then(|before| model.symbols.find(&name.clone().at(before).to_string()));
+            let start = before.and_then(|before| self.worked.variant.given(before));
+            if name.component.is_none() && start.is_some_and(|(start, _)| start.is_zero()) {
+                for letter in WAY {
+                    aliases.add(letter, &symbol.into());
                 }
             }
         }

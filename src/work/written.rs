@@ -48,6 +48,10 @@ pub(crate) struct Alphabet {
     pub(crate) vectors: Vectors,
     /// The only limits between which the problem integrates over a variable, by its name.
     pub(crate) limits: BTreeMap<String, [Expr; 2]>,
+    /// The letters over which the problem integrates: they have no value.
+    pub(crate) variables: BTreeSet<Symbol>,
+    /// The instants to which quantities belong.
+    pub(crate) instants: BTreeMap<Symbol, usize>,
     /// The names of what is asked, by the symbols that the sheet prints for it.
     pub(crate) asked: BTreeMap<String, String>,
 }
@@ -113,6 +117,20 @@ impl Alphabet {
         known.filter(|_| is_one_name(side)).cloned().unwrap_or_else(|| side.to_owned())
     }
 
+    /// Whether a side is what a letter stands for.
+    pub(crate) fn is_meaning(&self, side: &Expr) -> bool {
+        let others = self.others.values().flatten();
+        self.short.iter().map(|(_, meaning)| meaning).chain(others).any(|meaning| meaning == side)
+    }
+
+    /// A word as the product of letters of the problem: `mu` as `m u`.
+    pub(crate) fn product(&self, word: &str) -> Option<Expr> {
+        let mut letters = word.chars().map(|letter| self.symbols.find(&letter.to_string()));
+        let is_word = word.len() > 1 && word.chars().all(|sign| sign.is_ascii_lowercase());
+        let factors = is_word.then(|| letters.by_ref().collect::<Option<Vec<_>>>()).flatten()?;
+        Some(factors.into_iter().map(Expr::from).fold(Expr::one(), |product, factor| product * factor))
+    }
+
     /// Says whether a name may stand for something else, too.
     pub(crate) fn loosen(&mut self, name: &str, is_loose: bool) {
         self.loose.extend(self.symbols.find(name).filter(|_| is_loose));
@@ -132,6 +150,13 @@ impl Alphabet {
         }
     }
 
+    /// Whether a letter of the student's own stands for a term with numbers in it that were worked out.
+    pub(crate) fn has_lost_dimension(&self, symbol: Symbol) -> bool {
+        let meaning = self.short.iter().find(|(short, _)| *short == symbol).map(|(_, meaning)| meaning);
+        let is_own = || self.own_letters.contains(&self.symbols.entry(symbol).name);
+        meaning.is_some_and(|meaning| is_own() && meaning.dimension(&self.symbols).is_err())
+    }
+
     /// The number for which a letter of the student's own stands; its last figures were rounded away.
     pub(crate) fn number(&self, symbol: Symbol) -> Option<WrittenNumber> {
         let value = self.numbers.get(&symbol)?.clone();
@@ -142,9 +167,10 @@ impl Alphabet {
     /// The meanings that short names may have, each in all combinations with the others.
     pub(crate) fn meanings(&self, line: &Written) -> Vec<Vec<(Symbol, Expr)>> {
         let mut sets: Vec<Vec<(Symbol, Expr)>> = vec![Vec::new()];
-        // A letter of the sheet stands for something else only where nothing but numbers stands beside it.
+        // A letter of the sheet stands for something else only where nothing but numbers stands beside it, or where it has no value.
         let is_alone = line.quantities().len() == 1;
-        let is_short = |symbol: &Symbol| self.short.iter().any(|(short, _)| short == symbol);
+        let is_short =
+            |symbol: &Symbol| self.short.iter().any(|(short, _)| short == symbol) || self.variables.contains(symbol);
         let shorts = line.shorts.iter().filter(|symbol| is_alone || is_short(symbol));
         for (short, others) in shorts.filter_map(|short| Some((*short, self.others.get(short)?))) {
             let with = |set: &Vec<(Symbol, Expr)>| {
@@ -153,7 +179,18 @@ impl Alphabet {
             };
             sets = sets.iter().flat_map(with).take(MOST_MEANINGS).collect();
         }
-        sets.into_iter().filter(|set| !set.is_empty()).collect()
+        let mut sets: Vec<_> = sets.into_iter().filter(|set| !set.is_empty()).collect();
+        // Likeliest are those in which all letters speak of one instant.
+        sets.sort_by_cached_key(|set| {
+            let meaning = |short: &Symbol| {
+                let mut all = set.iter().chain(&self.short);
+                all.find(|(known, _)| known == short).map(|(_, meaning)| meaning)
+            };
+            let symbols = line.shorts.iter().filter_map(meaning).flat_map(Expr::symbols);
+            let instants: BTreeSet<usize> = symbols.filter_map(|symbol| self.instants.get(&symbol).copied()).collect();
+            instants.len()
+        });
+        sets
     }
 
     /// Whether nothing is to be added to a name: it is more than a letter and one of the sheet, or of the student's own, or has been added

@@ -133,13 +133,14 @@ impl WrongSystems {
     }
 
     /// The mistakes from which a line follows that does not follow from the scene: those made in the fewest places, of laws before
-    /// those of data.
+    /// those of data, and those of earlier lines before all others.
     pub(crate) fn of(
         ground: &Ground,
         worked: Worked<'_>,
         place: Place<'_>,
         (line, meanings): (&Written, &[Meanings]),
         at: &At<'_>,
+        before: &[(&'static str, usize)],
     ) -> Vec<Follows> {
         let Self { systems, planning } = &*ground.wrong.get(|| Self::new(ground, worked));
         let wanted: BTreeSet<Symbol> = line.quantities().difference(&ground.told).copied().collect();
@@ -183,6 +184,11 @@ impl WrongSystems {
             if holds {
                 follows.push(system.follows());
             }
+        }
+        // What was got wrong before explains more than another mistake would.
+        let is_before = |follows: &Follows| before.iter().any(|(id, _)| *id == follows.of.id);
+        if follows.iter().any(is_before) {
+            follows.retain(is_before);
         }
         let follows = likeliest(follows);
         if follows.len() > MOST { Vec::new() } else { follows }

@@ -172,11 +172,15 @@ impl Numbers<'_> {
         kept
     }
 
-    /// Whether what stands behind a letter goes on with its product: another quantity, a bracket or a function.
+    /// Whether what stands behind a letter goes on with its product: another quantity, a bracket or a function; or it is divided, and more
+    /// stands behind: `sqrt(2 h/g)`.
     fn is_in_product(&self, lexemes: &[Lexeme], at: usize) -> bool {
         match lexemes.get(at).map(|lexeme| &lexeme.token) {
             Some(Token::Word(letters)) => self.names.whole(letters).is_some(),
-            Some(Token::Over) => matches!(lexemes.get(at + 1).map(|lexeme| &lexeme.token), Some(Token::Open(_))),
+            Some(Token::Over) => match lexemes.get(at + 1).map(|lexeme| &lexeme.token) {
+                Some(Token::Word(letters)) => self.names.whole(letters).is_some() && lexemes.len() > at + 2,
+                divisor => matches!(divisor, Some(Token::Open(_) | Token::Number { .. } | Token::Written { .. })),
+            },
             Some(Token::Open(_) | Token::Function(_)) => true,
             _ => false,
         }
