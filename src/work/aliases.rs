@@ -130,7 +130,14 @@ impl Aliases {
             if !entry.name.starts_with(char::is_alphabetic) || entry.name.contains([' ', '(']) {
                 continue;
             }
-            for name in shortened(model.name(symbol)) {
+            let name = model.name(symbol);
+            let is_whole = name.component.as_deref() == Some("theta") && {
+                let radial = name.clone().along(Some("r")).to_string();
+                model.symbols.find(&radial).is_none()
+            };
+            // A velocity at right angles to the radius is the whole one.
+            let whole = is_whole.then(|| name.clone().along(None));
+            for name in std::iter::once(name).chain(&whole).flat_map(shortened) {
                 let usual = name.kind.spelling().into_owned();
                 let others = LETTERS.iter().filter(|(letter, _)| *letter == usual).flat_map(|(_, others)| *others);
                 for letter in std::iter::once(usual.as_str()).chain(others.copied()) {

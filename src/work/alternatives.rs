@@ -6,7 +6,7 @@ use momentous_solve::System;
 
 use super::found::LineFinding;
 use super::ground::Place;
-use super::holds::{At, Holds};
+use super::holds::{At, Holds, RESULT};
 use super::judge::Judge;
 use super::meaning::Meanings;
 use super::verdict::Verdict;
@@ -33,7 +33,7 @@ impl Judge<'_> {
         let is_solution = |chain: &Vec<Statement>| {
             sets.iter().any(|set| {
                 let holds = |value: &dyn Fn(Symbol) -> Option<Bounded>| {
-                    let at = At { value, units: self.units, turned: &self.turned };
+                    let at = At { value, units: self.units, turned: &self.turned, share: RESULT };
                     at.chain(line, chain, set) != Holds::No
                 };
                 holds(&|symbol| place.value(symbol))

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::judge::Judge;
+use super::phrases::says_direction;
 
 /// Words that tell no direction.
 const LITTLE_WORDS: [&str; 5] = ["from", "to", "the", "of", "a"];
@@ -37,6 +38,19 @@ impl Judge<'_> {
             self.turned = turned;
         }
         is_said
+    }
+
+    /// The question about a line that takes a direction as positive that is none of the scene's axis; `None` where there is none.
+    pub(crate) fn unclear_convention(&self, text: &str) -> Option<String> {
+        let line = words(text);
+        let is_convention =
+            ["positive", "negative"].iter().any(|sign| line.contains(*sign)) && !text.contains(['=', '<', '>']);
+        if !is_convention || !says_direction(text) {
+            return None;
+        }
+        let model = self.worked.problem.model();
+        let senses = model.symbols.iter().find_map(|(symbol, _)| self.worked.problem.turns_with(symbol))?;
+        Some(format!("which way is that here: {} or {}?", senses.positive, senses.negative))
     }
 }
 

@@ -7,17 +7,11 @@ use momentous_quantity::Dimension;
 
 use super::convention::{Named, named, words};
 use super::judge::Judge;
+use super::phrases::says_direction;
 use super::reader::term;
 use super::setting::unset;
 use super::sides::{last_side, sides};
 
-/// Words that say a direction, without their endings: `leftwards` as `left`.
-const DIRECTIONS: [&str; 16] = [
-    "left", "right", "up", "down", "north", "south", "east", "west", "for", "back", "out", "in", "away", "to",
-    "uphill", "downhill",
-];
-/// Those of them that say one only with the ending, or with a word behind them.
-const WITH_ENDING: [&str; 4] = ["for", "out", "in", "to"];
 /// Words with which what is said of a direction begins.
 const LEADS: [&str; 13] = [
     "to", "toward", "towards", "away", "in", "i.e.", "due", "directed", "pointing", "moving", "going", "along",
@@ -151,17 +145,6 @@ fn directed(side: &str) -> Option<Directed<'_>> {
         let is_value = value.contains(|sign: char| sign.is_alphanumeric());
         (leads && !is_inch && is_value && phrase.split(' ').all(is_prose) && says_direction(phrase))
             .then(|| Directed { value, phrase: phrase.to_lowercase() })
-    })
-}
-
-/// Whether a phrase names a direction.
-fn says_direction(phrase: &str) -> bool {
-    phrase.to_lowercase().split([' ', ',', '-', '(', ')']).any(|word| {
-        let word = word.trim_matches('.');
-        let stem = word.trim_end_matches('s').trim_end_matches("ward");
-        let is_ended = stem.len() < word.trim_end_matches('s').len();
-        let is_direction = DIRECTIONS.contains(&stem) || DIRECTIONS.contains(&word);
-        matches!(word, "positive" | "negative") || is_direction && (is_ended || !WITH_ENDING.contains(&stem))
     })
 }
 

@@ -6,7 +6,7 @@ use momentous_solve::Bounded;
 
 use super::found::LineFinding;
 use super::ground::Place;
-use super::holds::{At, Holds};
+use super::holds::{At, Holds, RESULT};
 use super::judge::Judge;
 use super::meaning::Meanings;
 use super::verdict::Verdict;
@@ -63,7 +63,7 @@ impl Judge<'_> {
             let solutions = way.solve(&told);
             let Some(solution) = solutions.first() else { return Holds::Open };
             let value = |symbol: Symbol| -> Option<Bounded> { solution.get(&symbol).copied().or_else(|| told(symbol)) };
-            At { value: &value, units: self.units, turned: &self.turned }.line(line, set)
+            At { value: &value, units: self.units, turned: &self.turned, share: RESULT }.line(line, set)
         };
         let all: Vec<Holds> = self.ground.places().map(holds).collect();
         let count = |wanted: Holds| all.iter().filter(|holds| **holds == wanted).count();

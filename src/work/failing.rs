@@ -10,7 +10,7 @@ use super::clash::without_clash;
 use super::elsewhere::{Elsewhere, elsewhere};
 use super::found::LineFinding;
 use super::ground::Place;
-use super::holds::{At, Holds, is_identity};
+use super::holds::{At, Holds, RESULT, is_identity};
 use super::judge::Judge;
 use super::meaning::Meanings;
 use super::sides::Compared;
@@ -48,7 +48,7 @@ impl Judge<'_> {
             let at_share = |share: f64| {
                 let between = Bounded::exactly(low + share * (high - low));
                 let value = |symbol: Symbol| if symbol == variable { Some(between) } else { place.value(symbol) };
-                At { value: &value, units: self.units, turned: &self.turned }.line(line, set)
+                At { value: &value, units: self.units, turned: &self.turned, share: RESULT }.line(line, set)
             };
             SHARES.map(at_share).into_iter().max().unwrap_or(Holds::Open)
         };
@@ -77,7 +77,7 @@ impl Judge<'_> {
     pub(crate) fn in_units_of_sheet(&self, line: &Written, place: Place<'_>, sets: &[Meanings]) -> Option<LineFinding> {
         let units = BareUnits::of_sheet(self.worked).filter(|_| self.has_printed_number(line, self.units))?;
         let value = |symbol: Symbol| place.value(symbol);
-        let at = At { value: &value, units, turned: &self.turned };
+        let at = At { value: &value, units, turned: &self.turned, share: RESULT };
         let here: Vec<Holds> = sets.iter().map(|set| at.line(line, set)).collect();
         let is_held = here.iter().any(|holds| matches!(holds, Holds::Yes | Holds::AsFigures));
         is_held.then(|| self.holding(line, place, sets, &here))
@@ -104,6 +104,26 @@ impl Judge<'_> {
         })
     }
 
+    /// The question about an equation whose sides have the same size and opposite signs, where these are directions.
+    fn opposite_sides(&self, line: &Written, sets: &[Meanings], at: &At<'_>) -> Option<String> {
+        let [alternatives] = line.stated.as_slice() else { return None };
+        let [chain] = alternatives.as_slice() else { return None };
+        let has_senses = |side: &Expr| side.symbols().iter().any(|symbol| self.senses(*symbol).is_some());
+        let is_one = |side: &Expr| !matches!(side, Expr::Sum(_)) && has_senses(side);
+        let is_such = |statement: &Statement| {
+            statement.compared == Compared::Equal && is_one(&statement.left) && is_one(&statement.right)
+        };
+        if !chain.iter().all(is_such) {
+            return None;
+        }
+        let opposite = |statement: &Statement| Statement { left: -statement.left.clone(), ..statement.clone() };
+        let opposite: Vec<Statement> = chain.iter().map(opposite).collect();
+        let holds = sets.iter().any(|set| at.chain(line, &opposite, set) <= Holds::AsFigures);
+        holds.then(|| {
+            "Does not follow: both sides have the same size, and opposite signs. Which way does each point?".to_owned()
+        })
+    }
+
     /// Why a line does not hold.
     pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> LineFinding {
         if let Err(clash) = without_clash(line, sets)
@@ -119,6 +139,11 @@ impl Judge<'_> {
             return LineFinding::of(Verdict::DoesNotFollow);
         }
         let follows = WrongSystems::of(&self.ground, self.worked, place, (line, sets), at, &self.mistakes);
+        if !follows.iter().any(|follows| follows.is_itself)
+            && let Some(question) = self.opposite_sides(line, sets, at)
+        {
+            return LineFinding::of(Verdict::DoesNotFollow).because(question);
+        }
         if !follows.is_empty() {
             return LineFinding { mistakes: follows, ..LineFinding::of(Verdict::Mistake) };
         }

@@ -26,12 +26,15 @@ pub(crate) struct LineFinding {
     pub(crate) support: Support,
     pub(crate) mistakes: Vec<Follows>,
     pub(crate) detail: String,
+    /// Whether it is true of arrows, where the sheet has sizes under these names.
+    pub(crate) is_of_arrows: bool,
     pub(crate) accepted: Option<Accepted>,
 }
 
 impl LineFinding {
     pub(crate) fn of(verdict: Verdict) -> Self {
-        Self { verdict, support: Support::default(), mistakes: Vec::new(), detail: String::new(), accepted: None }
+        let (support, mistakes, detail) = (Support::default(), Vec::new(), String::new());
+        Self { verdict, support, mistakes, detail, is_of_arrows: false, accepted: None }
     }
 
     pub(crate) fn because(self, detail: String) -> Self {

@@ -11,7 +11,7 @@ use momentous_quantity::Unit;
 
 use super::found::{Accepted, LineFinding};
 use super::ground::Place;
-use super::holds::{At, Holds, is_identity};
+use super::holds::{At, Holds, RESULT, is_identity};
 use super::judge::Judge;
 use super::meaning::{Meaning, Meanings};
 use super::sides::Compared;
@@ -61,7 +61,7 @@ impl Judge<'_> {
     fn holds_everywhere(&self, line: &Written, set: &Meanings) -> bool {
         self.ground.places().all(|place| {
             let value = |symbol: Symbol| place.value(symbol);
-            let at = At { value: &value, units: self.units, turned: &self.turned };
+            let at = At { value: &value, units: self.units, turned: &self.turned, share: RESULT };
             matches!(at.line(line, set), Holds::Yes | Holds::Open)
         })
     }
@@ -130,7 +130,7 @@ impl Judge<'_> {
             return LineFinding::of(if restates { Verdict::Restates } else { Verdict::Identity });
         }
         let value = |symbol: Symbol| place.value(symbol);
-        let at = At { value: &value, units: self.units, turned: &self.turned };
+        let at = At { value: &value, units: self.units, turned: &self.turned, share: RESULT };
         // Of alternatives those say something of the scene that hold in it, and an answer is given by what holds in all of them.
         let chains: Vec<(&Vec<Statement>, bool)> = line
             .stated
@@ -191,8 +191,17 @@ impl Judge<'_> {
             sides().any(is_value) && sides().any(is_letter)
         };
         let shows_laws = is_general || !equations.iter().all(is_of_value);
+        let named = match residuals.as_slice() {
+            [only] if verdict == Verdict::Definition => slopes.naming(place, only),
+            _ => None,
+        };
+        let law = named.and_then(|position| {
+            let tag = self.ground.equations.get(position)?.tag;
+            Some(self.worked.problem.model().instances.get(tag)?.law.name)
+        });
+        let detail = law.map_or_else(String::new, |law| format!("True, by {law}."));
         let accepted = Accepted { residuals, support: support.clone(), answers, shows_laws };
-        LineFinding { support, accepted: Some(accepted), ..LineFinding::of(verdict) }
+        LineFinding { support, detail, accepted: Some(accepted), ..LineFinding::of(verdict) }
     }
 
     /// The quantities that are asked and whose value or formula a chain gives. Of several alternatives that do not all hold in the scene

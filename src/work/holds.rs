@@ -24,7 +24,9 @@ const UNDECIDED: f64 = 1e-6;
 /// Numbers that were rounded decide no more than this share of what stands in a line.
 const ROUNDED: f64 = 0.02;
 /// A value that is written as the last side may be off by this share as by the rounding of its figures.
-const RESULT: f64 = 0.006;
+pub(crate) const RESULT: f64 = 0.006;
+/// A value that comes of a mistake has to be as close as this, beyond the rounding of its figures: with many mistakes one has some value near it.
+pub(crate) const RESULT_OF_MISTAKE: f64 = 0.001;
 
 /// The least number of three figures.
 const LEAST_FIGURES: f64 = 100.0;
@@ -66,6 +68,8 @@ pub(crate) struct At<'a> {
     pub(crate) units: BareUnits,
     /// Quantities that the student counts the other way round.
     pub(crate) turned: &'a [Symbol],
+    /// The share by which a value may be off that is written as the last side.
+    pub(crate) share: f64,
 }
 
 impl At<'_> {
@@ -113,7 +117,7 @@ impl At<'_> {
             return Holds::Open;
         }
         if rounds && is_result(line, statement) {
-            reach = reach.max(RESULT * evaluate(&statement.left, &value).value.abs());
+            reach = reach.max(self.share * evaluate(&statement.left, &value).value.abs());
         }
         let alone = [&statement.left, &statement.right].into_iter().find_map(|side| line.number_alone(side));
         if let Some(number) = alone {
@@ -221,7 +225,7 @@ pub(crate) fn is_identity(line: &Written, meanings: &Meanings) -> bool {
             let share = (mixed % 1_048_573) as f64 / 1_048_573.0;
             Some(Bounded::exactly(0.25 + share))
         };
-        let at = At { value: &anything, units: BareUnits::coherent(UnitSystem::Si), turned: &[] };
+        let at = At { value: &anything, units: BareUnits::coherent(UnitSystem::Si), turned: &[], share: RESULT };
         at.line(line, meanings) == Holds::Yes
     })
 }

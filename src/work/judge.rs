@@ -14,7 +14,7 @@ use super::bare_units::BareUnits;
 use super::clash::without_clash;
 use super::found::{Accepted, LineFinding};
 use super::ground::Ground;
-use super::holds::{At, Holds, results};
+use super::holds::{At, Holds, RESULT, results};
 use super::meaning::meanings;
 use super::prose;
 use super::rates;
@@ -93,7 +93,7 @@ impl<'a> Judge<'a> {
     pub fn line(&mut self, text: &str) -> JudgedLine {
         self.lines += 1;
         self.is_in_letters = true;
-        let written = rates::named(text, &|name| self.aliases.has(name));
+        let written = rates::named(text, &|name| self.aliases.has(name) || self.aliases.has(&format!("{name}x")));
         self.learn(&written);
         let found = self.found(&written);
         if let Some(accepted) = &found.accepted {
@@ -132,6 +132,9 @@ impl<'a> Judge<'a> {
     fn found(&mut self, text: &str) -> LineFinding {
         if self.turn(text) {
             return LineFinding::of(Verdict::Convention);
+        }
+        if let Some(unclear) = self.unclear_convention(text) {
+            return LineFinding::of(Verdict::Unreadable).because(unclear);
         }
         let parts: Vec<String> = statements(text).into_iter().filter(|part| sides(part).is_some()).collect();
         if parts.len() < 2 {
@@ -344,8 +347,9 @@ impl<'a> Judge<'a> {
             self.used.extend(letters.filter(|symbol| self.alphabet.numbers.contains_key(symbol)));
         }
         self.keep_meanings(&found, &reading);
+        let is_of_arrows = reading.is_of_arrows;
         self.before = Some(reading);
-        found
+        LineFinding { is_of_arrows, ..found }
     }
 
     /// The names of the quantities of the problem.
@@ -363,7 +367,7 @@ impl<'a> Judge<'a> {
     fn judged(&self, line: &Written, search: Search) -> LineFinding {
         let place = self.ground.place(&self.base);
         let value = |symbol: Symbol| place.value(symbol);
-        let at = At { value: &value, units: self.units, turned: &self.turned };
+        let at = At { value: &value, units: self.units, turned: &self.turned, share: RESULT };
         let sets = meanings(line, self.worked);
         // Where a bare number may be that of a given, its dimension is not known.
         let has_given = sets

@@ -10,11 +10,16 @@ impl Judge<'_> {
         let by =
             |before: &str| if laws.is_empty() { before.to_owned() } else { format!("{before}, by {}", list(laws)) };
         match found.verdict {
-            Verdict::Follows | Verdict::Restates | Verdict::Coincidence | Verdict::DoesNotFollow
+            Verdict::Follows
+            | Verdict::Definition
+            | Verdict::Restates
+            | Verdict::Coincidence
+            | Verdict::DoesNotFollow
                 if !found.detail.is_empty() =>
             {
                 found.detail.clone()
             }
+            Verdict::Follows if found.is_of_arrows => format!("{}.", by("Follows, if its letters are arrows")),
             Verdict::Follows => format!("{}.", by("Follows")),
             Verdict::Answer => "This is an answer, and it is right.".to_owned(),
             Verdict::AsFigures => format!("{}.", by("True as far as its figures show")),

@@ -3,22 +3,19 @@
 use momentous_laws::Law;
 
 /// The laws that name a quantity, take a vector apart or say again what the text says.
-const NAMING: [&str; 33] = [
-    "acceleration-as-rate",
+const NAMING: [&str; 30] = [
     "angle-between",
     "boundary-of-a-condition",
     "components",
     "count",
     "counted-direction",
     "direction",
-    "displacement",
     "end-of-the-motion",
     "expression-asked",
     "kinetic-energy",
     "magnitude",
     "mass-of-the-parts",
     "momentum",
-    "no-impulse-no-change",
     "place-after-a-displacement",
     "place-as-told",
     "potential-energy",

@@ -118,6 +118,8 @@ impl Reader<'_> {
         chain.sides.iter().try_for_each(|side| within_length(side))?;
         let written: Vec<String> = chain.sides.iter().map(|side| with_components(side)).collect();
         let along = self.alphabet.vectors.components(&written);
+        // What the sheet prints for sizes is read as arrows here.
+        self.written.is_of_arrows |= along.is_some() && written.iter().any(|side| self.alphabet.has_printed_size(side));
         let as_printed = || written.iter().map(|side| self.alphabet.asked(side)).collect();
         let mut statements = Vec::new();
         for sides in along.unwrap_or_else(|| vec![as_printed()]) {

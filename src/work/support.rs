@@ -16,6 +16,8 @@ pub(crate) struct Slopes {
     unknowns: Vec<Symbol>,
     sizes: Vec<f64>,
     names: Basis,
+    /// The rows of laws that only name something, each with the position of its equation.
+    naming: Vec<(usize, Row)>,
     /// The rows of laws, without what names explain: each with the position of its equation.
     laws: Vec<(usize, Row)>,
     /// The rows of laws as they are.
@@ -86,8 +88,15 @@ impl Slopes {
         let sizes = valued.iter().map(|(_, value)| if *value == 0.0 { 1.0 } else { value.abs() }).collect();
         let unknowns = valued.into_iter().map(|(symbol, _)| symbol).collect();
         let letters = ground.equations.iter().map(|stated| stated.residual.symbols()).collect();
-        let mut slopes =
-            Self { unknowns, sizes, names: Basis::default(), laws: Vec::new(), whole: Vec::new(), letters };
+        let mut slopes = Self {
+            unknowns,
+            sizes,
+            names: Basis::default(),
+            naming: Vec::new(),
+            laws: Vec::new(),
+            whole: Vec::new(),
+            letters,
+        };
         let rows = ground
             .equations
             .iter()
@@ -100,6 +109,8 @@ impl Slopes {
         let mut laws: Vec<_> = rows.iter().filter(|(_, stated, _)| !stated.is_naming).collect();
         laws.sort_by_key(|(_, stated, _)| !stated.is_used);
         let nothing = Basis::default();
+        let naming = rows.iter().filter(|(_, stated, _)| stated.is_naming);
+        slopes.naming = naming.filter_map(|(position, _, row)| Some((*position, nothing.rest(row)?))).collect();
         slopes.whole = laws.iter().filter_map(|(position, _, row)| Some((*position, nothing.rest(row)?))).collect();
         slopes.laws = laws.iter().filter_map(|(position, _, row)| Some((*position, slopes.names.rest(row)?))).collect();
         slopes
@@ -150,6 +161,12 @@ impl Slopes {
             }
         }
         self.in_all(&rest).map_or_else(Support::default, |laws| step(&laws))
+    }
+
+    /// The only equation that names something and says the same as a line.
+    pub(crate) fn naming(&self, place: Place<'_>, residual: &Expr) -> Option<usize> {
+        let row = Basis::default().rest(&self.row(place, residual)?)?;
+        self.naming.iter().find(|(_, law)| is_multiple(law, &row)).map(|(position, _)| *position)
     }
 
     /// The laws of an independent set, those that are used first, of which a row is a sum.

@@ -131,6 +131,12 @@ impl Alphabet {
         Some(factors.into_iter().map(Expr::from).fold(Expr::one(), |product, factor| product * factor))
     }
 
+    /// Whether a name stands in a side that the sheet prints for a size, though its letters are those of an arrow.
+    pub(crate) fn has_printed_size(&self, side: &str) -> bool {
+        let mut names = side.split(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '{' | '}')));
+        names.any(|name| !name.is_empty() && self.asked.contains_key(&printed(name)))
+    }
+
     /// Says whether a name may stand for something else, too.
     pub(crate) fn loosen(&mut self, name: &str, is_loose: bool) {
         self.loose.extend(self.symbols.find(name).filter(|_| is_loose));
@@ -248,6 +254,8 @@ pub(crate) struct Written {
     pub(crate) has_own: bool,
     /// Whether its alternatives are the two signs of a root.
     pub(crate) is_of_root: bool,
+    /// Whether names that the sheet has for sizes stand for arrows in it.
+    pub(crate) is_of_arrows: bool,
     /// What its short names stand for in this reading, where that is not the likeliest.
     pub(crate) instead: Vec<(Symbol, Expr)>,
 }
@@ -263,6 +271,7 @@ impl Written {
             shorts: BTreeSet::new(),
             has_own: false,
             is_of_root: false,
+            is_of_arrows: false,
             instead: Vec::new(),
         };
         let Some(before) = before else { return written };
@@ -278,6 +287,24 @@ impl Written {
         let place = |symbol: Symbol| places.get(&symbol).map(|place| Expr::from(*place));
         written.last = before.last.as_ref().map(|last| last.substitute(&place));
         written
+    }
+
+    /// The line without the numbers at the ends of its chains: what was computed, without its results.
+    pub(crate) fn without_results(&self) -> Self {
+        let without = |chain: &Vec<Statement>| {
+            let ends = chain.iter().rev().take_while(|statement| self.number_alone(&statement.right).is_some()).count();
+            chain[..(chain.len() - ends).max(1)].to_vec()
+        };
+        let stated: Vec<Vec<Vec<Statement>>> =
+            self.stated.iter().map(|alternatives| alternatives.iter().map(without).collect()).collect();
+        let kept: BTreeSet<Symbol> = stated
+            .iter()
+            .flatten()
+            .flatten()
+            .flat_map(|statement| statement.left.symbols().into_iter().chain(statement.right.symbols()))
+            .collect();
+        let numbers = self.numbers.iter().filter(|number| kept.contains(&number.symbol)).cloned().collect();
+        Self { stated, numbers, ..self.clone() }
     }
 
     /// Whether a symbol stands for a number.

@@ -17,7 +17,7 @@ use momentous_solve::Statement;
 use momentous_solve::evaluate;
 
 use super::ground::{Ground, Place};
-use super::holds::{At, Difference, Holds};
+use super::holds::{At, Difference, Holds, RESULT, RESULT_OF_MISTAKE};
 use super::meaning::Meanings;
 use super::planning::Planning;
 use super::way::{Values, Way};
@@ -63,7 +63,7 @@ pub(crate) struct Follows {
     /// In how many places the same is got wrong.
     pub(crate) places: usize,
     /// Whether the line is the wrong equation itself, but for what is right, and no other multiple of it.
-    is_itself: bool,
+    pub(crate) is_itself: bool,
 }
 
 impl WrongSystem {
@@ -143,8 +143,9 @@ impl WrongSystems {
         before: &[(&'static str, usize)],
     ) -> Vec<Follows> {
         let Self { systems, planning } = &*ground.wrong.get(|| Self::new(ground, worked));
+        let formula = line.without_results();
         let wanted: BTreeSet<Symbol> = line.quantities().difference(&ground.told).copied().collect();
-        let apart = differences(ground, place, (line, meanings), at);
+        let apart = differences(ground, place, (&formula, meanings), at);
         let direct = systems.iter().filter_map(|system| {
             let multiple = apart.iter().find_map(|line| system.multiple(line))?;
             Some((system, Follows { is_itself: (multiple.abs() - 1.0).abs() <= SAME, ..system.follows() }))
@@ -172,12 +173,12 @@ impl WrongSystems {
                 let here = holds(&way, place, (line, set, at));
                 let elsewhere = || {
                     let places = ground.places().take(VARIANTS);
-                    let holds_there: Vec<Holds> = places.map(|place| holds(&way, place, (line, set, at))).collect();
+                    let holds_there: Vec<Holds> = places.map(|place| holds(&way, place, (&formula, set, at))).collect();
                     holds_there.iter().all(|holds| matches!(holds, Holds::Yes | Holds::Open))
                 };
                 match here {
-                    Holds::Yes if set.is_general(line) => elsewhere(),
-                    Holds::Yes | Holds::AsFigures => !set.is_general(line),
+                    Holds::Yes | Holds::AsFigures if set.is_general(&formula) => elsewhere(),
+                    Holds::Yes | Holds::AsFigures => true,
                     Holds::Open | Holds::No => false,
                 }
             });
@@ -201,7 +202,7 @@ fn holds(way: &Way, place: Place<'_>, (line, meanings, at): (&Written, &Meanings
     let within = |solution: &Values| {
         let value =
             |symbol: Symbol| -> Option<Bounded> { solution.get(&symbol).copied().or_else(|| place.value(symbol)) };
-        At { value: &value, units: at.units, turned: at.turned }.line(line, meanings)
+        At { value: &value, units: at.units, turned: at.turned, share: RESULT_OF_MISTAKE }.line(line, meanings)
     };
     solutions.iter().map(within).min().unwrap_or(Holds::Open)
 }
@@ -230,7 +231,7 @@ fn differences<'g>(
         for statement in line.statements() {
             let each = places.iter().map(|place| {
                 let value = |symbol: Symbol| place.value(symbol);
-                let at = At { value: &value, units: at.units, turned: at.turned };
+                let at = At { value: &value, units: at.units, turned: at.turned, share: RESULT };
                 Some((*place, at.difference(line, statement, set)?))
             });
             combinations.extend(each.collect::<Option<Vec<_>>>());
