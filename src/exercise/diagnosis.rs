@@ -17,7 +17,7 @@ use momentous_problem::Worked;
 use super::marking::Marking;
 
 /// The most values to which slips in one line may lead, for any of them to be named.
-const MOST_SLIPS: usize = 40;
+const MOST_SLIPS: usize = 26;
 
 impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
@@ -227,7 +227,7 @@ pub(super) fn misjudged(worked: Worked<'_>, decision: &Decision, option: usize) 
         Some(OptionFeedback::Own(said)) => {
             return Some(Diagnosis { codes: Vec::new(), step: None, hints: vec![said.clone()] });
         }
-        Some(OptionFeedback::Mistake(mistake)) => mistake,
+        Some(OptionFeedback::Mistake(mistake) | OptionFeedback::Confused(mistake)) => mistake,
         Some(OptionFeedback::Nothing) | None => decision.behind?,
     };
     let question = feedback_on(worked, behind).unwrap_or_else(|| behind.ask.to_owned());

@@ -24,7 +24,7 @@ pub struct Diagnosis {
 }
 
 /// Beyond rounding at the end, an answer may come from values that were rounded on the way: this share of it.
-const ROUNDED_ON_THE_WAY: f64 = 0.004;
+const ROUNDED_ON_THE_WAY: f64 = 0.0035;
 
 /// Whether a verdict leaves open where the answer comes from.
 #[must_use]

@@ -58,7 +58,7 @@ pub const BALANCE: Law = Law {
     signs: "Positive along the axis.",
     when: "The velocity of the body does not change.",
     source: "Newton's second law, where nothing accelerates.",
-    wrong: &[],
+    wrong: wrong::cone::BALANCE,
 };
 
 /// Kinetic friction.
@@ -69,7 +69,7 @@ pub const FRICTION: Law = Law {
     signs: "The magnitude is positive; it acts against the motion.",
     when: "The body slides and does not change its direction during the stage.",
     source: "Coulomb's law of dry friction, an experimental law.",
-    wrong: &[],
+    wrong: wrong::circle::FRICTION,
 };
 
 /// Static threshold.
@@ -91,7 +91,7 @@ pub const HOOKE: Law = Law {
     signs: "Magnitudes; the force acts against the deformation.",
     when: "The spring is light and not overstretched.",
     source: "Hooke's law, an experimental law.",
-    wrong: &[],
+    wrong: wrong::circle::SPRING_FORCE,
 };
 
 /// Pull of a cord on a circle.
@@ -124,7 +124,7 @@ pub const HOLDING: Law = Law {
     signs: "Positive towards the centre.",
     when: "The circle is horizontal, and no other force has a component towards its centre.",
     source: "Newton's second law and the acceleration of motion on a circle.",
-    wrong: &[],
+    wrong: wrong::circle::TURN,
 };
 
 /// A conical pendulum.
@@ -135,7 +135,7 @@ pub const CONICAL: Law = Law {
     signs: "All are positive; the angle lies between the cord and the vertical.",
     when: "The body moves steadily round a horizontal circle.",
     source: "Newton's second law, along the vertical and towards the centre.",
-    wrong: wrong::force::CONICAL,
+    wrong: wrong::cone::CONICAL,
 };
 
 /// The laws of this chapter.

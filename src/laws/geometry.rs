@@ -102,7 +102,7 @@ pub const TURNING: Law = Law {
     signs: "Positive towards the centre.",
     when: "The point moves at right angles to the radius at that instant.",
     source: "The change in the direction of the velocity.",
-    wrong: &[],
+    wrong: wrong::circle::TURN,
 };
 
 /// Height on a circle.
@@ -124,7 +124,7 @@ pub const HEIGHT_OF_SLOPE: Law = Law {
     signs: "Heights and lengths are positive.",
     when: "The slope is straight.",
     source: "Trigonometry.",
-    wrong: &[],
+    wrong: wrong::circle::SLOPE,
 };
 
 /// Height inside a cone or a bowl.
@@ -168,7 +168,7 @@ pub const RELATION: Law = Law {
     signs: "As stated.",
     when: "As stated.",
     source: "The problem.",
-    wrong: &[],
+    wrong: wrong::relation::STATED,
 };
 
 /// The laws of this chapter.

@@ -69,7 +69,7 @@ pub const MOMENTUM: Law = Law {
     signs: "As for the velocity.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::momentum::MOMENTUM,
 };
 
 /// The laws of this chapter.

@@ -58,7 +58,7 @@ pub const CONIC: Law = Law {
     signs: "The angle is measured from the nearest point, in the sense of the motion.",
     when: "The gravity of one centre is the only force.",
     source: "The equation of a conic section about its focus.",
-    wrong: &[],
+    wrong: wrong::orbit::BY_ANGLE,
 };
 
 /// Gravity holds a body on a circle.
@@ -69,7 +69,7 @@ pub const CIRCLE: Law = Law {
     signs: "Positive counter-clockwise, the sense in which the body revolves.",
     when: "The gravity of one centre is the only force, and the orbit is a circle.",
     source: "Newton's second law towards the centre, with v^2/r and GM/r^2.",
-    wrong: &[],
+    wrong: wrong::orbit::CIRCLE,
 };
 
 /// Kepler's third law.

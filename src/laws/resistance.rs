@@ -59,7 +59,7 @@ pub const QUADRATIC_TIME: Law = Law {
     signs: "The speed is positive in the direction of motion.",
     when: "The resistance is k times the square of the speed, the other forces F do not change, and the body does not turn back.",
     source: "m dv/dt = F - k v^2: the integral of m dv/(F - k v^2) is the time.",
-    wrong: &[],
+    wrong: wrong::resistance::QUADRATIC_TIME,
 };
 
 /// The ratio that shrinks exponentially while other forces drive a body on.

@@ -69,7 +69,7 @@ pub const PHASES: Law = Law {
     signs: "Magnitudes.",
     when: "Along the line of impact of a smooth contact, where it is equivalent to the ratio of velocities.",
     source: "Poisson's hypothesis.",
-    wrong: &[],
+    wrong: wrong::restitution::PHASES,
 };
 
 /// The laws of this chapter.

@@ -37,7 +37,7 @@ pub const POWER: Law = Law {
     signs: "Positive if the force drives the body.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::variable_mass::POWER,
 };
 
 /// The support of a body that catches a stream.
@@ -92,7 +92,7 @@ pub const EVEN_SPEED: Law = Law {
     signs: "Speeds are positive.",
     when: "The resistance grows with the square of the speed.",
     source: "Newton's second law with zero acceleration.",
-    wrong: &[],
+    wrong: wrong::resistance::EVEN,
 };
 
 /// Mass used up.
@@ -103,7 +103,7 @@ pub const USED: Law = Law {
     signs: "A flow is positive.",
     when: "The flow is steady.",
     source: "The meaning of a flow.",
-    wrong: &[],
+    wrong: wrong::stream::MASS_LEFT,
 };
 
 /// When a rocket lifts off.
@@ -125,7 +125,7 @@ pub const BURN_HEIGHT: Law = Law {
     signs: "Positive along the axis.",
     when: "The flow and the exhaust speed are steady, and g does not change.",
     source: "The rocket equation, its logarithm integrated by parts.",
-    wrong: &[],
+    wrong: wrong::variable_mass::BURN_WAY,
 };
 
 /// The acceleration of what becomes lighter.

@@ -27,6 +27,9 @@ use super::mistaken::one_unit;
 /// The powers of length and time in forces and how fast they grow, in impulses, and in moments and how fast they grow.
 const FORCES: [(i8, i8); 5] = [(1, -2), (1, -3), (1, -1), (2, -2), (2, -3)];
 
+/// So many mistakes it counts for that a given is right in some equations and wrong in one.
+const IN_ONE_ONLY: usize = 2;
+
 /// The expression in the place of each given.
 type InPlace = BTreeMap<Symbol, Expr>;
 
@@ -50,7 +53,8 @@ impl Model {
                 for changed in self.places(row.givens, system, used, &in_place) {
                     let (system, wrong) = altered(system, used, &changed, &in_place);
                     if !wrong.is_empty() {
-                        let places = in_place.len();
+                        // Whoever has a given right in one equation and wrong in another makes no simple mistake.
+                        let places = in_place.len() + if row.givens.is_of_one_equation() { IN_ONE_ONLY } else { 0 };
                         mistaken.push(Mistaken { of: row.of, instance: None, places, wrong, system });
                     }
                 }

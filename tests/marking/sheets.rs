@@ -10,8 +10,11 @@ use momentous::fault::Source;
 use momentous::grade::DecimalMark;
 use momentous::problem::{Problem, compile, load};
 
-/// A problem of the bank, or of a file, with the seed that is used.
+/// A problem of the bank, or of a file, with the seed that is used: that behind an `@`, or the usual one.
 fn problem(name: &str) -> (Arc<Problem>, u64) {
+    if let Some((name, seed)) = name.split_once('@') {
+        return (problem(name).0, seed.parse().unwrap_or_else(|_| panic!("{seed}")));
+    }
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/problems").join(name);
     let (source, seed) = match std::fs::read_to_string(&file) {
         Ok(text) => (Source::new(name, &text), 1),

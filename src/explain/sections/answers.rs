@@ -51,7 +51,7 @@ fn sentence(display: Display<'_>, part: &Part, detail: Detail) -> Vec<Inline> {
             let option = options.get(right).map_or("", String::as_str).trim_end_matches('.');
             let mistaken = options.iter().zip(&feedback).filter_map(|(option, feedback)| match feedback {
                 OptionFeedback::Mistake(mistake) => Some(format!(" {} {}.", capitalised(option), mistake.does)),
-                OptionFeedback::Own(_) | OptionFeedback::Nothing => None,
+                OptionFeedback::Own(_) | OptionFeedback::Confused(_) | OptionFeedback::Nothing => None,
             });
             let mistaken: String = mistaken.filter(|_| detail == Detail::Full).collect();
             let mut words = Inline::line(&format!("{} ", part.label));

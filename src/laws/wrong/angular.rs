@@ -140,7 +140,10 @@ pub const TRIANGLE: Misconception = Misconception {
 
 /// Wrong forms of angular momentum.
 pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
-    WrongForm { of: &RADIUS_FORGOTTEN, write: radius_forgotten },
+    WrongForm {
+        of: &RADIUS_FORGOTTEN,
+        write: |law| [radius_forgotten(law), super::inertia::one_arm_forgotten(law)].concat(),
+    },
     WrongForm { of: &DISTANCE, write: |law| moment(law, distance) },
     WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
     WrongForm { of: &ARMS_EXCHANGED, write: arms_exchanged },
@@ -149,6 +152,8 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &PARTICLE_AS_DISC, write: particle_as_disc },
     WrongForm { of: &FACTORS_EXCHANGED, write: reversed },
     WrongForm { of: &ROTOR_FORGOTTEN, write: rotor_forgotten },
+    WrongForm { of: &super::inertia::ARM_NOT_SQUARED, write: super::inertia::arm_not_squared },
+    WrongForm { of: &super::inertia::AS_PARTICLE, write: super::inertia::as_particle },
 ];
 /// Wrong forms of the moment of a force.
 pub const MOMENT: &[WrongForm] = &[
@@ -165,6 +170,7 @@ pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
     WrongForm { of: &RATE_KEPT, write: |law| [arms(law, 2), together(law)].concat() },
     WrongForm { of: &RADIUS_SQUARED, write: |law| arms(law, -1) },
+    WrongForm { of: &RADIUS_FORGOTTEN, write: super::inertia::linear_for_angular },
 ];
 /// `v_1^2 r_1 = v_2^2 r_2`.
 pub const BY_ROOT: Misconception = Misconception {
@@ -190,6 +196,7 @@ pub const CENTRAL: &[WrongForm] = &[
     WrongForm { of: &RATE_KEPT, write: |law| radius_to(law, -1) },
     WrongForm { of: &RADIUS_SQUARED, write: |law| radius_to(law, 2) },
     WrongForm { of: &BY_ROOT, write: by_root },
+    super::circle::WHOLE_FOR_COMPONENT,
 ];
 /// Wrong forms of the areal rate.
 pub const AREAL: &[WrongForm] =

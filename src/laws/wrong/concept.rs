@@ -124,6 +124,20 @@ pub const PLACE_DRAWN: Misconception = Misconception {
     ask: "What does the graph show at the moment at which the body turns round: the top of a curve, or zero?",
     hint: "The velocity is the slope of the graph of the position.",
 };
+/// Every rebound taken for an elastic one.
+pub const ELASTIC_BY_SEPARATION: Misconception = Misconception {
+    id: "elastic-because-they-separate",
+    does: "takes an impact for elastic because the bodies separate again",
+    ask: "Do the bodies separate as fast as they approached each other? What does that say of the kinetic energy?",
+    hint: "An impact is elastic only if no kinetic energy is lost: the coefficient of restitution is then one.",
+};
+/// Every loss taken for a plastic impact.
+pub const PLASTIC_BY_LOSS: Misconception = Misconception {
+    id: "plastic-because-energy-is-lost",
+    does: "takes an impact for perfectly plastic because kinetic energy is lost",
+    ask: "Do the bodies stay together after the impact, or do they separate?",
+    hint: "Energy is lost in every impact that is not elastic; a perfectly plastic one is that after which the bodies stay together.",
+};
 
 /// Every one of them.
 pub const CONCEPTS: &[&Misconception] = &[
@@ -144,4 +158,6 @@ pub const CONCEPTS: &[&Misconception] = &[
     &FORCE_FADES,
     &REBOUND_OVERLOOKED,
     &PLACE_DRAWN,
+    &ELASTIC_BY_SEPARATION,
+    &PLASTIC_BY_LOSS,
 ];

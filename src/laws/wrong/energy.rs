@@ -15,6 +15,7 @@ use super::friction::friction_forgotten;
 use super::friction::friction_reversed;
 use super::friction::friction_whole;
 use super::friction::rubs;
+use super::kinematics::SPEEDS_ADDED;
 use super::momentum::OTHER_WEIGHT;
 use super::rewrite::factors;
 use super::rewrite::one;
@@ -137,6 +138,9 @@ pub const WORK: &[WrongForm] = &[
     WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
     WrongForm { of: &SPRING_SQUARE, write: |law| law.both(|side| spring_unsquared(law, side)) },
     WrongForm { of: &ONE_BODY, write: kinetic_of_one },
+    WrongForm { of: &SQUARE, write: square },
+    WrongForm { of: &super::squares::MASS_ON_ONE_SIDE, write: super::squares::mass_on_one_side },
+    WrongForm { of: &SPEEDS_ADDED, write: super::squares::speeds_added },
 ];
 /// Wrong forms of conservation of energy.
 pub const CONSERVATION: &[WrongForm] = &[
@@ -146,6 +150,10 @@ pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &SPRING_SQUARE, write: |law| law.both(|side| spring_unsquared(law, side)) },
     WrongForm { of: &HALF, write: |law| law.both(|side| kinetic_doubled(law, side)) },
     WrongForm { of: &SQUARE, write: square },
+    WrongForm { of: &SPEEDS_ADDED, write: super::squares::speeds_added },
+    WrongForm { of: &super::squares::STATIC_SPRING, write: super::squares::static_spring },
+    WrongForm { of: &super::squares::LENGTH_FOR_STRETCH, write: super::squares::length_for_stretch },
+    WrongForm { of: &super::squares::STRETCHES_SUBTRACTED, write: super::squares::stretches_subtracted },
 ];
 /// Wrong forms of the energy of a spring.
 pub const SPRING: &[WrongForm] =
@@ -162,6 +170,7 @@ pub const LOSS: &[WrongForm] = &[
     WrongForm { of: &REMAINDER, write: remainder },
     WrongForm { of: &SHARE, write: share },
     WrongForm { of: &DIFFERENCE, write: difference },
+    WrongForm { of: &super::squares::REDUCED_MASS, write: super::squares::reduced_mass_forgotten },
 ];
 
 /// Whether a term is the work of a weight: not that of the friction which the weight causes.
@@ -328,7 +337,7 @@ fn share(law: &Taught<'_>) -> Vec<Wrong> {
 }
 
 /// Body by body, where each keeps its mass.
-fn difference(law: &Taught<'_>) -> Vec<Wrong> {
+pub(super) fn difference(law: &Taught<'_>) -> Vec<Wrong> {
     let energy = |sought: &Expr| {
         let symbol = sought.symbols().into_iter().next()?;
         let energies = law.beside("kinetic-energy").find(|sides| sides.0 == Expr::from(symbol))?;

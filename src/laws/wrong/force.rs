@@ -6,19 +6,22 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
-use super::geometry::TANGENT_INVERTED;
-use super::geometry::tangent_inverted;
+use super::data::DURATION_LEFT_OUT;
 use super::integral::ENDS_AVERAGED;
+use super::integral::FIRST_PIECE;
 use super::integral::HALF_PEAK;
 use super::integral::INSTANT_FOR_DURATION;
 use super::integral::NOT_HALVED;
+use super::integral::PARABOLA;
 use super::integral::PART;
 use super::integral::VALUE_TIMES_TIME;
 use super::integral::ends_averaged;
+use super::integral::first_piece;
 use super::integral::half_peak;
 use super::integral::instant_for_duration;
 use super::integral::not_halved;
 use super::integral::part_of_the_area;
+use super::integral::two_thirds_of_peak;
 use super::integral::value_times_time;
 use super::momentum::GRAVITY_REVERSED;
 use super::momentum::WEIGHT_AS_MASS;
@@ -97,16 +100,18 @@ pub const TRACK: &[WrongForm] = &[
     WrongForm { of: &ONLY_TURNED, write: |law| law.without(&|term| law.has_gravity(term)) },
     WrongForm { of: &GRAVITY_REVERSED, write: gravity_reversed },
     WrongForm { of: &AWAY_FROM_CENTRE, write: |law| one((law.left(), -law.right())) },
+    WrongForm { of: &super::circle::SPEED_NOT_SQUARED, write: super::circle::speed_not_squared },
 ];
 /// Wrong forms of the tension of a cord.
 pub const CORD: &[WrongForm] = TRACK;
-/// Wrong forms of a conical pendulum.
-pub const CONICAL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of an impulse as an integral.
 pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
     WrongForm { of: &HALF_PEAK, write: half_peak },
+    WrongForm { of: &PARABOLA, write: two_thirds_of_peak },
+    WrongForm { of: &FIRST_PIECE, write: first_piece },
+    WrongForm { of: &STATIC_KINETIC, write: static_all_along },
     WrongForm { of: &PART, write: part_of_the_area },
     WrongForm { of: &NOT_HALVED, write: not_halved },
     WrongForm { of: &INSTANT_FOR_DURATION, write: instant_for_duration },
@@ -117,7 +122,8 @@ pub const IMPULSE: &[WrongForm] = &[
 pub const WORK: &[WrongForm] = &[WrongForm { of: &VALUE_TIMES_DISTANCE, write: value_times_time }];
 /// Wrong forms of the average force.
 pub const MEAN_FORCE: &[WrongForm] = &[
-    WrongForm { of: &MULTIPLIED, write: multiplied },
+    WrongForm { of: &MULTIPLIED, write: |law| [multiplied(law), without_weight(law, multiplied(law))].concat() },
+    WrongForm { of: &DURATION_LEFT_OUT, write: |law| [as_force(law), without_weight(law, as_force(law))].concat() },
     WrongForm { of: &super::momentum::WEIGHT_IN_IMPACT, write: weight_added },
 ];
 /// Wrong forms of weight.
@@ -129,7 +135,10 @@ pub const NORMAL_FORCE: &[WrongForm] = &[
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
 /// Wrong forms of the threshold.
-pub const THRESHOLD: &[WrongForm] = &[WrongForm { of: &STATIC_KINETIC, write: static_kinetic }];
+pub const THRESHOLD: &[WrongForm] = &[
+    WrongForm { of: &STATIC_KINETIC, write: static_kinetic },
+    WrongForm { of: &super::friction::FRICTION_COEFFICIENT, write: threshold_whole },
+];
 
 fn from_zero(law: &Taught<'_>) -> Vec<Wrong> {
     let Some((force, time, [low, high])) = law.integral else { return Vec::new() };
@@ -161,6 +170,36 @@ fn multiplied(law: &Taught<'_>) -> Vec<Wrong> {
     }
 }
 
+/// `F = J`, the time being one unit.
+fn as_force(law: &Taught<'_>) -> Vec<Wrong> {
+    match &factors(&law.sides.1)[..] {
+        [force, _] => one((law.left(), force.clone())),
+        _ => Vec::new(),
+    }
+}
+
+/// The same of an impulse from which the weight is left out, too.
+fn without_weight(law: &Taught<'_>, wrong: Vec<Wrong>) -> Vec<Wrong> {
+    let balance = law.beside("impulse-momentum").find(|sides| law.has_gravity(&sides.0));
+    let Some((start, end)) = balance else { return Vec::new() };
+    let light = terms(start).into_iter().filter(|term| !law.has_gravity(term));
+    let light = (Expr::sum(light), end.clone());
+    let both = |wrong: Wrong| Wrong {
+        equations: wrong.equations.into_iter().chain([light.clone()]).collect(),
+        without: &["impulse-momentum"],
+    };
+    wrong.into_iter().map(both).collect()
+}
+
+/// The coefficient of static friction for a body that slides.
+fn static_all_along(law: &Taught<'_>) -> Vec<Wrong> {
+    let mut all = law.symbols.iter().filter(|(symbol, entry)| {
+        law.known.contains(symbol) && entry.meaning.contains("coefficient of static friction")
+    });
+    let Some((rest, _)) = all.next() else { return Vec::new() };
+    law.replaced(&|symbol| (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(|| rest.into()))
+}
+
 /// `J + m g dt = F dt`, or with the other sign, where weight has no part in the impulse.
 fn weight_added(law: &Taught<'_>) -> Vec<Wrong> {
     let (Some(balance), [_, time]) = (law.beside("impulse-momentum").next(), &factors(&law.sides.1)[..]) else {
@@ -184,6 +223,11 @@ fn across(law: &Taught<'_>, change: impl Fn(Expr) -> Expr) -> Vec<Wrong> {
     }
     let changed = parts.into_iter().map(|term| if law.has_gravity(&term) { term } else { change(term) });
     one((law.left(), Expr::sum(changed)))
+}
+
+/// The normal force for the greatest static friction.
+fn threshold_whole(law: &Taught<'_>) -> Vec<Wrong> {
+    law.replaced(&|symbol| (law.meaning("coefficient of static friction") == Some(symbol)).then(Expr::one))
 }
 
 fn static_kinetic(law: &Taught<'_>) -> Vec<Wrong> {

@@ -159,8 +159,11 @@ pub const DIRECTION: &[WrongForm] = &[
     WrongForm { of: &LINE_FORGOTTEN, write: line_forgotten },
 ];
 /// Wrong forms of speed on a circle.
-pub const ARC: &[WrongForm] =
-    &[WrongForm { of: &RADIUS, write: radius }, WrongForm { of: &OTHER_RADIUS, write: other_radius }];
+pub const ARC: &[WrongForm] = &[
+    WrongForm { of: &RADIUS, write: radius },
+    WrongForm { of: &OTHER_RADIUS, write: other_radius },
+    WrongForm { of: &super::inertia::ARM_NOT_SQUARED, write: super::inertia::speed_without_arm },
+];
 
 /// `h = L cos(angle)` for `h = L - L cos(angle)`.
 fn from_fixed_end(law: &Taught<'_>) -> Vec<Wrong> {

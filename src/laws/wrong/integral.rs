@@ -39,6 +39,20 @@ pub const PART: Misconception = Misconception {
     ask: "From which moment to which does the force act? Which parts of the area under its graph have you counted?",
     hint: "Divide the area into pieces from the first moment to the last, and add all of them.",
 };
+/// Two thirds of the peak.
+pub const PARABOLA: Misconception = Misconception {
+    id: "two-thirds-of-the-peak",
+    does: "takes two thirds of the peak as the average, as for a parabola",
+    ask: "Which shape does the graph have: a parabola, or straight lines?",
+    hint: "Two thirds of the peak is the average over time of a parabola that begins and ends at zero.",
+};
+/// A growth that never ends.
+pub const FIRST_PIECE: Misconception = Misconception {
+    id: "first-piece-all-the-time",
+    does: "lets the force go on as it begins, although its graph has a corner",
+    ask: "Does the force go on growing until the end? What happens at the corner of its graph?",
+    hint: "Each part of the graph has a formula of its own, which holds from its first moment to its last.",
+};
 
 /// A triangle as a rectangle.
 pub const NOT_HALVED: Misconception = Misconception {
@@ -87,6 +101,36 @@ pub(super) fn half_peak(law: &Taught<'_>) -> Vec<Wrong> {
     tops.iter().map(|time| Wrong::from((law.left(), half(time)))).collect()
 }
 
+/// Two thirds of a value where pieces meet, times the time.
+pub(super) fn two_thirds_of_peak(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(graph) = Graph::of(law) else { return Vec::new() };
+    let share = |time: &Expr| Expr::product([Expr::ratio(2, 3), graph.at(time), graph.duration()]);
+    graph.corners().iter().map(|time| Wrong::from((law.left(), share(time)))).collect()
+}
+
+/// The first piece of a graph as if it went on to the end.
+pub(super) fn first_piece(law: &Taught<'_>) -> Vec<Wrong> {
+    fn first(term: &Expr) -> Expr {
+        match term {
+            Expr::Piecewise(graph) => graph.pieces.first().map_or_else(|| term.clone(), |(_, value)| value.clone()),
+            other => other.map_children(first),
+        }
+    }
+    let Some((value, time, [low, high])) = law.integral else { return Vec::new() };
+    let begun = first(value);
+    if begun == *value {
+        return Vec::new();
+    }
+    let area = begun.definite(time, low, high);
+    area.map(|area| Wrong::from((law.left(), area.simplify()))).into_iter().collect()
+}
+
+/// Half of the greatest value half-way, times the time.
+pub(super) fn half_of_middle(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(graph) = Graph::of(law).filter(|graph| graph.corners().is_empty()) else { return Vec::new() };
+    one((law.left(), Expr::product([Expr::ratio(1, 2), graph.at(&graph.middle()), graph.duration()])))
+}
+
 /// Half of the area, as up to the middle of a graph that rises and falls alike; of a graph in pieces, each piece alone, and all without
 /// one of them.
 pub(super) fn part_of_the_area(law: &Taught<'_>) -> Vec<Wrong> {
@@ -99,12 +143,16 @@ pub(super) fn part_of_the_area(law: &Taught<'_>) -> Vec<Wrong> {
     pieces.into_iter().chain(without_one).map(|part| Wrong::from((law.left(), part))).collect()
 }
 
-/// The triangles under a graph in pieces taken for rectangles: all of them, and each alone.
+/// Each triangle under a graph in pieces taken for a rectangle; all of them are the peak for the whole time, as a rule.
 pub(super) fn not_halved(law: &Taught<'_>) -> Vec<Wrong> {
-    altered_pieces(law, &|piece| {
+    let mut ways = altered_pieces(law, &|piece| {
         let ends = [piece.first.is_zero(), piece.last.is_zero()];
         (ends[0] != ends[1]).then(|| (piece.first.clone() + piece.last.clone()) * piece.duration())
-    })
+    });
+    if ways.len() > 1 {
+        ways.remove(0);
+    }
+    ways
 }
 
 /// The instants at which the pieces of a graph end taken for their durations.
@@ -170,7 +218,11 @@ impl<'a> Graph<'a> {
     }
 
     fn at(&self, time: &Expr) -> Expr {
-        self.value.substitute(&|symbol| (symbol == self.variable).then(|| time.clone()))
+        self.formula_at(self.value, time)
+    }
+
+    fn formula_at(&self, formula: &Expr, time: &Expr) -> Expr {
+        formula.substitute(&|symbol| (symbol == self.variable).then(|| time.clone()))
     }
 
     fn duration(&self) -> Expr {
@@ -187,16 +239,21 @@ impl<'a> Graph<'a> {
     fn pieces(&self) -> Vec<Piece> {
         let [low, high] = self.ends;
         let ends: Vec<Expr> = std::iter::once(low.clone()).chain(self.corners()).chain([high.clone()]).collect();
-        let piece = |ends: &[Expr]| match ends {
+        // Each piece by its own formula: letters do not tell which of them holds at an end.
+        let formula = |place: usize| match self.value {
+            Expr::Piecewise(graph) if graph.pieces.len() + 1 == ends.len() => &graph.pieces[place].1,
+            _ => self.value,
+        };
+        let piece = |(place, ends): (usize, &[Expr])| match ends {
             [from, to] => Some(Piece {
                 from: from.clone(),
                 to: to.clone(),
-                first: self.at(from).simplify(),
-                last: self.at(to).simplify(),
+                first: self.formula_at(formula(place), from).simplify(),
+                last: self.formula_at(formula(place), to).simplify(),
             }),
             _ => None,
         };
-        ends.windows(2).filter_map(piece).collect()
+        ends.windows(2).enumerate().filter_map(piece).collect()
     }
 
     /// The places at which one piece ends and another begins.

@@ -1,6 +1,8 @@
 //! Mistakes about falls and flights.
 
 use momentous_expr::Expr;
+use momentous_expr::Function;
+use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 use momentous_quantity::Rational;
 
@@ -28,6 +30,20 @@ pub const ROOT: Misconception = Misconception {
     does: "does not take the square root in the speed of a fall",
     ask: "What are the units of g times h? Are they those of a speed?",
     hint: "The energy of a fall gives the square of the speed.",
+};
+/// `v_2 = v_1 + sqrt(2 g h)`.
+pub const SPEEDS_ADDED: Misconception = Misconception {
+    id: "speeds-added-for-squares",
+    does: "adds to the initial speed the speed that would be reached from rest",
+    ask: "What adds up in a fall: speeds, or their squares?",
+    hint: "Work adds to the kinetic energy, which has the square of the speed in it.",
+};
+/// The time of a contact for that of a fall.
+pub const OTHER_TIME: Misconception = Misconception {
+    id: "time-of-another-stage",
+    does: "uses the given time for a part of the motion to which it does not belong",
+    ask: "How long does what lasts for the given time, and is that the fall?",
+    hint: "Write next to each time in which part of the motion it passes.",
 };
 /// `a t^2`.
 pub const FALL_HALF: Misconception = Misconception {
@@ -92,14 +108,39 @@ pub const UNIFORM: &[WrongForm] = &[
 /// Wrong forms of the displacement under forces that stay the same.
 pub const MEAN_VELOCITY: &[WrongForm] = &[WrongForm { of: &MEAN_HALF, write: |law| law.both(without_numbers) }];
 /// Wrong forms of the speed after a fall.
-pub const FALL_SPEED: &[WrongForm] =
-    &[WrongForm { of: &TWO, write: two_forgotten }, WrongForm { of: &ROOT, write: root_forgotten }];
+pub const FALL_SPEED: &[WrongForm] = &[
+    WrongForm { of: &TWO, write: two_forgotten },
+    WrongForm { of: &ROOT, write: root_forgotten },
+    WrongForm { of: &SPEEDS_ADDED, write: speeds_added },
+    WrongForm { of: &OTHER_TIME, write: by_other_time },
+];
 /// Wrong forms of the place in a flight.
 pub const FLIGHT_PLACE: &[WrongForm] = &[
     WrongForm { of: &FALL_HALF, write: |law| law.both(|side| doubled(law, side)) },
     WrongForm { of: &FIRST_VELOCITY, write: |law| law.without(&|term| law.has(term, Dimension::VELOCITY)) },
     WrongForm { of: &START_PLACE, write: |law| law.without(&|term| is_place(law, term)) },
 ];
+/// `v_2 = v_1 + sqrt(2 g h)`, upwards or downwards.
+fn speeds_added(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_square =
+        |term: &Expr| matches!(term, Expr::Power(pair) if pair.1 == Expr::integer(2) && law.is_velocity(&pair.0));
+    let (Expr::Power(after), Expr::Sum(parts)) = (&law.sides.0, &law.sides.1) else { return Vec::new() };
+    let Some(Expr::Power(before)) = parts.iter().find(|part| is_square(part)) else { return Vec::new() };
+    let fallen = Expr::sum(parts.iter().filter(|part| !is_square(part)).cloned());
+    let gained = Expr::apply(Function::Abs, fallen).sqrt();
+    [gained.clone(), -gained].map(|gained| Wrong::from((after.0.clone(), before.0.clone() + gained))).into()
+}
+
+/// `v = g t` with the one time that is given.
+fn by_other_time(law: &Taught<'_>) -> Vec<Wrong> {
+    let times: Vec<Symbol> = law.known.iter().copied().filter(|symbol| law.is(*symbol, Dimension::TIME)).collect();
+    let (Expr::Power(after), [time], Some(gravity)) = (&law.sides.0, &times[..], law.symbols.find("g")) else {
+        return Vec::new();
+    };
+    let gained = Expr::from(gravity) * Expr::from(*time);
+    [gained.clone(), -gained].map(|speed| Wrong::from((after.0.clone(), speed))).into()
+}
+
 /// Whether a term is a place, and neither the way of a velocity nor that of a fall.
 fn is_place(law: &Taught<'_>, term: &Expr) -> bool {
     matches!(term, Expr::Symbol(symbol) if law.is(*symbol, Dimension::LENGTH))
@@ -132,7 +173,10 @@ fn root_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     match &law.sides.0 {
         // Upwards or downwards, as the body moves.
         Expr::Power(pair) if pair.1 == Expr::integer(2) => {
-            [law.right(), -law.right()].map(|speed| Wrong::from((pair.0.clone(), speed))).into()
+            let right = law.right();
+            let half = halved(law, &right);
+            let speeds = [right.clone(), -right, half.clone(), -half];
+            speeds.map(|speed| Wrong::from((pair.0.clone(), speed))).into()
         }
         _ => Vec::new(),
     }

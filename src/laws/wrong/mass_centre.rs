@@ -33,6 +33,13 @@ pub const MASSES_EXCHANGED: Misconception = Misconception {
     ask: "Which mass belongs to which displacement or velocity?",
     hint: "Each mass multiplies the quantity of its own body: the heavier body moves less, and the centre of mass lies nearer to it.",
 };
+/// The sum over the number of bodies.
+pub const BY_NUMBER: Misconception = Misconception {
+    id: "divided-by-the-number-of-bodies",
+    does: "divides the sum of the products with the masses by the number of bodies, or not at all",
+    ask: "What do the masses with which you weighted add up to? By what must the sum be divided?",
+    hint: "A mean weighted by mass is the sum of mass times value over the sum of the masses.",
+};
 /// A centre of mass that stays although the system moves.
 pub const CENTRE_STAYS: Misconception = Misconception {
     id: "mass-centre-kept-in-place",
@@ -78,6 +85,7 @@ pub const MASS_CENTRE: &[WrongForm] = &[
     WrongForm { of: &PLAIN_AVERAGE, write: plain_average },
     WrongForm { of: &SIGN_LOST, write: sign_lost },
     WrongForm { of: &MASSES_EXCHANGED, write: masses_exchanged },
+    WrongForm { of: &BY_NUMBER, write: by_number },
 ];
 /// Wrong forms of the momenta relative to the centre of mass.
 pub const NO_MOMENTUM: &[WrongForm] = &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }];
@@ -121,6 +129,14 @@ fn stays(law: &Taught<'_>) -> Vec<Wrong> {
     let all = terms(&law.sides.1);
     let rest: Vec<Expr> = all.iter().filter(|term| !law.has(term, Dimension::TIME)).cloned().collect();
     if rest.len() < all.len() { one((law.left(), Expr::sum(rest))) } else { Vec::new() }
+}
+
+/// `n x = m_A x_A + m_B x_B`, and the sum itself.
+fn by_number(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = factors(&law.sides.0);
+    let [Expr::Sum(masses), centre] = &parts[..] else { return Vec::new() };
+    let count = i64::try_from(masses.len()).unwrap_or(2);
+    [count, 1].into_iter().flat_map(|count| one((Expr::integer(count) * centre.clone(), law.right()))).collect()
 }
 
 /// Every mass is one.

@@ -4,13 +4,17 @@
 
 pub mod angular;
 pub mod bouncing;
+pub mod circle;
 pub mod concept;
+pub mod cone;
 pub mod data;
 pub mod energy;
 pub mod force;
 pub mod friction;
 pub mod geometry;
+pub mod inertia;
 pub mod integral;
+pub mod joint;
 pub mod kinematics;
 pub mod line_slip;
 pub mod mass_centre;
@@ -18,10 +22,13 @@ pub mod momentum;
 pub mod motion;
 pub mod orbit;
 pub mod reading;
+pub mod relation;
 pub mod resistance;
 pub mod restitution;
 mod rewrite;
 pub mod separation;
+pub mod squares;
+pub mod stream;
 pub mod variable_mass;
 mod wrong_form;
 

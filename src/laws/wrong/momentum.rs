@@ -164,12 +164,16 @@ pub const WEIGHT_IN_IMPACT: Misconception = Misconception {
     hint: "A force that is not impulsive has a negligible impulse in so short a time: weight is neglected.",
 };
 
+/// Wrong forms of momentum.
+pub const MOMENTUM: &[WrongForm] =
+    &[WrongForm { of: &SIGN_LOST, write: sign_lost }, WrongForm { of: &ENERGY_FOR_IMPULSE, write: energy_for_impulse }];
 /// Wrong forms of conservation.
 pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &SIGN_LOST, write: sign_lost },
     WrongForm { of: &ENERGY_CONSERVED, write: energy_conserved },
     WrongForm { of: &JOINT_MASS, write: joint_mass },
     WrongForm { of: &PLAIN_MEAN, write: plain_mean },
+    WrongForm { of: &super::joint::RATIO_INVERTED, write: super::joint::ratio_inverted },
     WrongForm { of: &PARTNER_FORGOTTEN, write: partner_forgotten },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
     WrongForm { of: &super::geometry::WHOLE, write: whole },
@@ -188,6 +192,7 @@ pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &WEIGHT_FORGOTTEN, write: weight_forgotten },
     WrongForm { of: &GRAVITY_REVERSED, write: weight_reversed },
     WrongForm { of: &WEIGHT_IN_IMPACT, write: weight_in_impact },
+    WrongForm { of: &super::joint::AT_REST, write: super::joint::in_balance },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &FRICTION_COEFFICIENT, write: friction_whole },

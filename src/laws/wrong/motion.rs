@@ -11,6 +11,7 @@ use super::WrongForm;
 use super::integral::ENDS_AVERAGED;
 use super::integral::VALUE_TIMES_TIME;
 use super::integral::ends_averaged;
+use super::integral::half_of_middle;
 use super::integral::value_times_time;
 use super::resistance::AS_AT_FIRST;
 use super::resistance::NEGLECTED;
@@ -41,11 +42,19 @@ pub const STATIONARY: Misconception = Misconception {
     ask: "Which quantity is zero when the body is at rest: its velocity, or the rate at which that changes?",
     hint: "Where the velocity is greatest its rate of change is zero; the body is at rest where the velocity itself is.",
 };
+/// Back where it began for rest.
+pub const BACK_AT_START: Misconception = Misconception {
+    id: "return-for-rest",
+    does: "takes the moment at which the body is back where it began for that at which it is at rest",
+    ask: "Which quantity is zero when the body is at rest: its velocity, or its displacement?",
+    hint: "A body that turns round is at rest far from its start: set the velocity to zero, not the displacement.",
+};
 
 /// Wrong forms of the velocity at an instant.
 pub const VELOCITY: &[WrongForm] = &[
     WrongForm { of: &DIVIDED, write: |law| divided(law, "place-as-told") },
     WrongForm { of: &STATIONARY, write: stationary },
+    WrongForm { of: &BACK_AT_START, write: back_at_start },
 ];
 /// Wrong forms of the acceleration at an instant.
 pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &DIVIDED, write: |law| divided(law, "velocity-as-told") }];
@@ -57,6 +66,8 @@ pub const DISPLACEMENT: &[WrongForm] = &[
     WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
     WrongForm { of: &AS_AT_FIRST, write: |law| displaced(law, displaced_as_at_first) },
     WrongForm { of: &NEGLECTED, write: |law| displaced(law, displaced_freely) },
+    WrongForm { of: &super::integral::HALF_PEAK, write: half_of_middle },
+    WrongForm { of: &super::stream::EVEN_GAIN, write: super::stream::even_gain },
 ];
 
 /// The value of another law at the end, over the only time in it.
@@ -75,6 +86,14 @@ fn stationary(law: &Taught<'_>) -> Vec<Wrong> {
     let times: Vec<Symbol> = law.sides.1.symbols().into_iter().filter(is_time).collect();
     let [time] = times[..] else { return Vec::new() };
     one((law.sides.1.differentiate(time).simplify(), Expr::zero()))
+}
+
+/// The displacement is zero, where the time is sought at which the velocity is.
+fn back_at_start(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_time = |symbol: &Symbol| law.is(*symbol, Dimension::TIME) && !law.known.contains(symbol);
+    let Some(time) = law.sides.1.symbols().into_iter().find(is_time) else { return Vec::new() };
+    let way = law.beside("displacement").find(|(_, way)| way.contains(time));
+    way.map(|(_, way)| Wrong::from((way.clone(), Expr::zero()))).into_iter().collect()
 }
 
 /// `F = a`, in units in which the mass is one.

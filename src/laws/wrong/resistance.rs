@@ -3,12 +3,14 @@
 use crate::Sides;
 use momentous_expr::Expr;
 use momentous_expr::Function;
+use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::integral::ENDS_AVERAGED;
 use super::rewrite::factors;
 use super::rewrite::one;
 
@@ -40,11 +42,35 @@ pub const OTHER_POWER: Misconception = Misconception {
     ask: "By which factor does the resistance grow when the speed is doubled?",
     hint: "Write down the resistance as the problem states it, with the speed or with its square, and check the units.",
 };
+/// `k w^2 / 2 = m g`.
+pub const HALF_ADDED: Misconception = Misconception {
+    id: "half-added-to-the-resistance",
+    does: "puts a factor of one half into the resistance that the problem does not have",
+    ask: "How does this problem state the resistance, and with which factor?",
+    hint: "The half of the drag formula with density and area is part of that formula only.",
+};
+/// `exp(-k d/m)` for `exp(-2 k d/m)`, or `v` for `v^2`.
+pub const APPROACH: Misconception = Misconception {
+    id: "speed-for-square-in-the-approach",
+    does: "lets the speed, not its square, approach its final value with the distance",
+    ask: "Which quantity falls off exponentially with the distance: the net force, which has the square of the speed in it, or the speed?",
+    hint: "Write Newton's law with v dv/dx, and integrate over the square of the speed: a two comes into the exponent.",
+};
+/// `d = v t`.
+pub const ONE_SPEED: Misconception = Misconception {
+    id: "one-speed-all-the-way",
+    does: "divides the distance by one speed, although the speed changes on the way",
+    ask: "Does the body have this speed on its whole way?",
+    hint: "A distance over a speed is a time only where the speed stays the same.",
+};
 
 /// Wrong forms of the terminal velocity against a linear resistance.
 pub const TERMINAL: &[WrongForm] = &[WrongForm { of: &OTHER_POWER, write: squared }];
 /// Wrong forms of the terminal speed against a quadratic resistance.
-pub const EVEN: &[WrongForm] = &[WrongForm { of: &OTHER_POWER, write: |law| law.both(unsquared) }];
+pub const EVEN: &[WrongForm] = &[
+    WrongForm { of: &OTHER_POWER, write: |law| law.both(unsquared) },
+    WrongForm { of: &HALF_ADDED, write: |law| one((Expr::ratio(1, 2) * law.left(), law.right())) },
+];
 /// Wrong forms of the velocity against a linear resistance.
 pub const LINEAR: &[WrongForm] = &[
     WrongForm { of: &AS_AT_FIRST, write: |law| velocity(law, [as_at_first, displaced_as_at_first]) },
@@ -56,6 +82,14 @@ pub const QUADRATIC_WAY: &[WrongForm] = &[
     WrongForm { of: &AS_AT_FIRST, write: way_as_at_first },
     WrongForm { of: &NEGLECTED, write: way_neglected },
     WrongForm { of: &AT_ONCE, write: |law| one((law.left(), with(&law.right(), &Expr::zero()))) },
+    WrongForm { of: &APPROACH, write: approach },
+];
+/// Wrong forms of the time against a quadratic resistance.
+pub const QUADRATIC_TIME: &[WrongForm] = &[
+    WrongForm { of: &NEGLECTED, write: time_neglected },
+    WrongForm { of: &AT_ONCE, write: |law| time_by_way(law, &|way| way.terminal.iter().cloned().collect()) },
+    WrongForm { of: &ONE_SPEED, write: |law| time_by_way(law, &|way| way.ends.to_vec()) },
+    WrongForm { of: &ENDS_AVERAGED, write: |law| time_by_way(law, &mean_of_ends) },
 ];
 
 /// A law on its right side, rewritten.
@@ -142,6 +176,91 @@ fn way_neglected(law: &Taught<'_>) -> Vec<Wrong> {
     let Some(exponent) = exponent(&law.sides.1) else { return Vec::new() };
     let others = law.sides.0.substitute(&|symbol| law.is(symbol, Dimension::VELOCITY).then(Expr::zero)).simplify();
     one((law.left(), with(&law.sides.1, &Expr::one()) + exponent * others))
+}
+
+/// The exponent halved, the speed in place of its square, and both; of a law without other forces the exponent doubled.
+fn approach(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(exponent) = exponent(&law.sides.1) else { return Vec::new() };
+    let to = |times: Expr| with(&law.sides.1, &Expr::apply(Function::Exp, times * exponent.clone()));
+    let Some(speed) = terminal(law) else {
+        return one((law.left(), to(Expr::integer(2))));
+    };
+    let linear = |side: &Expr| {
+        fn within(term: &Expr, speed: &Expr) -> Expr {
+            match term {
+                Expr::Power(pair) if pair.1 == Expr::integer(2) => speed.clone() * pair.0.clone(),
+                other => other.map_children(|part| within(part, speed)),
+            }
+        }
+        within(side, &speed)
+    };
+    let halved = to(Expr::ratio(1, 2));
+    vec![
+        Wrong::from((law.left(), halved.clone())),
+        Wrong::from((linear(&law.sides.0), linear(&law.sides.1))),
+        Wrong::from((linear(&law.sides.0), linear(&halved))),
+    ]
+}
+
+/// w of `F - k v^2`, where that is zero; nothing where no other force acts.
+fn terminal(law: &Taught<'_>) -> Option<Expr> {
+    let at = |speed: Expr| law.sides.0.substitute(&|symbol| law.is(symbol, Dimension::VELOCITY).then(|| speed.clone()));
+    let drive = at(Expr::zero()).simplify();
+    let resisted = (at(Expr::one()) - drive.clone()).simplify();
+    (!drive.is_zero() && matches!(law.sides.0, Expr::Sum(_))).then(|| (-drive / resisted).sqrt())
+}
+
+/// A way against a quadratic resistance: how far, the speeds before and after, the speed at which the forces are equal.
+struct Way {
+    distance: Expr,
+    ends: [Expr; 2],
+    terminal: Option<Expr>,
+}
+
+impl Way {
+    fn of(law: &Taught<'_>) -> Option<Self> {
+        let (after, before) = law.beside("speed-against-quadratic-resistance").next()?;
+        let distance = exponent(before)?.symbols().into_iter().find(|symbol| law.is(*symbol, Dimension::LENGTH))?;
+        let speed = |side: &Expr| side.symbols().into_iter().find(|symbol| law.is(*symbol, Dimension::VELOCITY));
+        let terminal = law.beside("speed-of-equal-forces").find_map(|(resisted, _)| speed(resisted));
+        let ends = [speed(before)?, speed(after)?].map(Expr::from);
+        Some(Self { distance: distance.into(), ends, terminal: terminal.map(Expr::from) })
+    }
+}
+
+/// The time of the law.
+fn time(law: &Taught<'_>) -> Option<Symbol> {
+    let mut all = law.sides.0.symbols();
+    all.extend(law.sides.1.symbols());
+    all.into_iter().find(|symbol| law.is(*symbol, Dimension::TIME) && !law.known.contains(symbol))
+}
+
+/// The distance is one of these speeds times the time.
+fn time_by_way(law: &Taught<'_>, speeds: &dyn Fn(&Way) -> Vec<Expr>) -> Vec<Wrong> {
+    let (Some(time), Some(way)) = (time(law), Way::of(law)) else { return Vec::new() };
+    speeds(&way).into_iter().map(|speed| Wrong::from((way.distance.clone(), speed * Expr::from(time)))).collect()
+}
+
+fn mean_of_ends(way: &Way) -> Vec<Expr> {
+    let [before, after] = way.ends.clone();
+    vec![Expr::ratio(1, 2) * (before + after)]
+}
+
+/// `F t = m (v_2 - v_1)`, and the distance of a motion under the other forces alone.
+fn time_neglected(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some(time), Some(way)) = (time(law), Way::of(law)) else { return Vec::new() };
+    let Some((resisted, drive)) = law.beside("speed-of-equal-forces").next() else { return Vec::new() };
+    let mass = exponent(&law.sides.1).and_then(|exponent| {
+        exponent.symbols().into_iter().find(|symbol| law.is(*symbol, Dimension::MASS)).map(Expr::from)
+    });
+    let Some(mass) = mass.filter(|_| !resisted.is_zero()) else { return Vec::new() };
+    let [before, after] = way.ends.clone();
+    let time = Expr::from(time);
+    let pushed = drive.clone() * time.clone();
+    vec![
+        Wrong::from((mass.clone() * (after - before.clone()), pushed.clone())),
+        Wrong::from((way.distance, before * time.clone() + Expr::ratio(1, 2) * pushed * time / mass)),
+    ]
 }
 
 /// `b w |w| = F` for `b w = F`.

@@ -10,6 +10,7 @@ use super::Taught;
 use super::Wrong;
 use super::WrongForm;
 use super::momentum::SIGN_LOST;
+use super::rewrite::factors;
 use super::rewrite::one;
 use super::rewrite::sign_lost;
 use super::rewrite::sine_and_cosine;
@@ -95,7 +96,13 @@ pub const STRIKER_STOPS: Misconception = Misconception {
 };
 
 /// Wrong forms of a plastic impact.
-pub const PLASTIC: &[WrongForm] = &[WrongForm { of: &STRIKER_STOPS, write: striker_stops }];
+pub const PLASTIC: &[WrongForm] = &[
+    WrongForm { of: &STRIKER_STOPS, write: striker_stops },
+    WrongForm { of: &super::inertia::ARM_NOT_SQUARED, write: super::inertia::speed_without_arm },
+];
+/// Wrong forms of the impulses of the two phases.
+pub const PHASES: &[WrongForm] =
+    &[WrongForm { of: &INVERTED, write: inverted }, WrongForm { of: &AS_ENERGY, write: as_energy }];
 /// Wrong forms for two bodies.
 pub const BODIES: &[WrongForm] = &[
     WrongForm { of: &INVERTED, write: inverted },
@@ -106,7 +113,7 @@ pub const BODIES: &[WrongForm] = &[
     WrongForm { of: &ELASTIC, write: elastic },
     WrongForm { of: &AS_PLASTIC, write: |law| with_coefficient(law, |_| Expr::zero()) },
     WrongForm { of: &EXCHANGED, write: exchanged },
-    WrongForm { of: &AS_ENERGY, write: as_energy },
+    WrongForm { of: &AS_ENERGY, write: |law| [as_energy(law), share_of_energy(law)].concat() },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
     WrongForm { of: &super::geometry::WHOLE, write: super::rewrite::whole },
 ];
@@ -114,7 +121,7 @@ pub const BODIES: &[WrongForm] = &[
 pub const SURFACE: &[WrongForm] = &[
     WrongForm { of: &INVERTED, write: inverted },
     WrongForm { of: &THROUGH, write: reversed },
-    WrongForm { of: &ELASTIC, write: elastic },
+    WrongForm { of: &ELASTIC, write: |law| [elastic(law), sent_back(law)].concat() },
     WrongForm { of: &AS_ENERGY, write: as_energy },
     WrongForm { of: &AT_REST, write: at_rest },
     WrongForm { of: &ADDED, write: surface_added },
@@ -149,6 +156,17 @@ fn reversed(law: &Taught<'_>) -> Vec<Wrong> {
 
 fn elastic(law: &Taught<'_>) -> Vec<Wrong> {
     with_coefficient(law, |_| Expr::one())
+}
+
+/// `v_2 = -v_1` where the surface gives nothing back: both velocities stand in the balance of momentum.
+fn sent_back(law: &Taught<'_>) -> Vec<Wrong> {
+    if !law.sides.1.is_zero() {
+        return Vec::new();
+    }
+    let after = law.sides.0.symbols();
+    let balances = law.beside("impulse-momentum").filter(|(_, end)| !end.symbols().is_disjoint(&after));
+    let before = balances.flat_map(|(start, _)| factors(&terms(start)[0])).filter(|part| law.is_velocity(part));
+    before.map(|before| Wrong::from((law.left(), -before))).collect()
 }
 
 fn as_energy(law: &Taught<'_>) -> Vec<Wrong> {
@@ -186,6 +204,14 @@ fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
         (a2, a1 - rebounds.clone()).into(),
         (b2, rebounds).into(),
     ]
+}
+
+/// `v_B2 = sqrt(e) v_A1`: the body that is struck takes a share e of the energy.
+fn share_of_energy(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some([[_, b2], [a1, _]]), Some(e)) = (velocities(law), law.coefficient(&law.sides.1)) else {
+        return Vec::new();
+    };
+    one((b2, e.sqrt() * a1))
 }
 
 fn exchanged(law: &Taught<'_>) -> Vec<Wrong> {

@@ -99,6 +99,7 @@ pub const RELATIVE: &[WrongForm] = &[
     WrongForm { of: &ABSOLUTE, write: absolute },
     WrongForm { of: &REVERSED, write: |law| one((law.left(), -law.right())) },
     WrongForm { of: &RELATIVE_TO_BEFORE, write: relative_to_before },
+    WrongForm { of: &super::restitution::ADDED, write: added },
 ];
 /// Wrong forms of a relative displacement.
 pub const RELATIVE_WAY: &[WrongForm] = &[
@@ -110,9 +111,14 @@ pub const ENERGY: &[WrongForm] = &[
     WrongForm { of: &START, write: start_forgotten },
     WrongForm { of: &SUBTRACTED, write: subtracted },
     WrongForm { of: &super::energy::ONE_BODY, write: all_to_one },
+    WrongForm { of: &super::squares::EQUAL_SHARES, write: super::squares::equal_shares },
+    WrongForm { of: &super::squares::SHARED_BY_MASS, write: super::squares::shared_by_mass },
 ];
 /// Wrong forms of energy gained.
-pub const GAIN: &[WrongForm] = &[WrongForm { of: &START, write: gain_from_nothing }];
+pub const GAIN: &[WrongForm] = &[
+    WrongForm { of: &START, write: gain_from_nothing },
+    WrongForm { of: &super::energy::DIFFERENCE, write: super::energy::difference },
+];
 
 /// The momentum across the guide, without the impulse of the guide, in place of the constraint. It refers to components that
 /// the right way has no need of, so that the turning of the axes comes with it.
@@ -160,6 +166,14 @@ fn carries(law: &Taught<'_>, term: &Expr) -> bool {
 fn absolute(law: &Taught<'_>) -> Vec<Wrong> {
     match &terms(&law.sides.0)[..] {
         [first, _] => one((first.clone(), law.right())),
+        _ => Vec::new(),
+    }
+}
+
+/// `v_A + v_B = u`.
+fn added(law: &Taught<'_>) -> Vec<Wrong> {
+    match &terms(&law.sides.0)[..] {
+        [first, second] => one((first.clone() - second.clone(), law.right())),
         _ => Vec::new(),
     }
 }

@@ -20,6 +20,7 @@ use super::rewrite::one;
 use super::rewrite::sign_lost;
 use super::rewrite::start_forgotten;
 use super::rewrite::terms;
+use super::stream;
 
 /// What leaves a vane counted like what comes.
 pub const LEAVING_ADDED: Misconception = Misconception {
@@ -123,11 +124,24 @@ pub const STREAM: &[WrongForm] = &[
     WrongForm { of: &STREAM_WEIGHT, write: stream_weight },
 ];
 /// Wrong forms of what arrives.
-pub const FLOW: &[WrongForm] = &[WrongForm { of: &BODY_SPEED, write: body_at_rest }];
+pub const FLOW: &[WrongForm] = &[
+    WrongForm { of: &BODY_SPEED, write: body_at_rest },
+    WrongForm { of: &stream::FLOW_BY_SQUARE, write: stream::flow_by_square },
+    WrongForm { of: &stream::FLOW_OF_WEIGHT, write: stream::flow_of_weight },
+    WrongForm { of: &stream::SINGLE_VANE, write: stream::single_vane },
+];
+/// Wrong forms of the power of a force.
+pub const POWER: &[WrongForm] = &[
+    WrongForm { of: &stream::OTHER_SPEED, write: stream::power_with_other_speed },
+    WrongForm { of: &stream::POWER_OF_JET, write: stream::power_of_jet },
+];
+/// Wrong forms of the way during a burn.
+pub const BURN_WAY: &[WrongForm] = &[WrongForm { of: &stream::EVEN_GAIN, write: stream::even_gain }];
 /// Wrong forms of what a support carries.
 pub const SUPPORT: &[WrongForm] = &[
     WrongForm { of: &WEIGHT_FORGOTTEN, write: |law| law.without(&|term| law.has_gravity(term)) },
     WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass },
+    WrongForm { of: &stream::STREAM_REVERSED, write: stream::stream_reversed },
 ];
 /// Wrong forms of the rocket equation.
 pub const ROCKET: &[WrongForm] = &[
@@ -137,6 +151,8 @@ pub const ROCKET: &[WrongForm] = &[
     WrongForm { of: &BURNT_FOR_LEFT, write: burnt_for_left },
     WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
     WrongForm { of: &IMPULSE_REVERSED, write: |law| law.both(|side| logarithm(side, &reversed)) },
+    WrongForm { of: &stream::LOGARITHM_FORGOTTEN, write: stream::logarithm_forgotten },
+    WrongForm { of: &stream::OTHER_EXHAUST, write: stream::other_exhaust },
 ];
 /// Wrong forms of the acceleration under thrust.
 pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &WEIGHT_FORGOTTEN, write: thrust_alone }];
@@ -145,6 +161,7 @@ pub const LIFT_OFF: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: wei
 /// Wrong forms of impulse and momentum of a body that gains mass.
 pub const GAINING: &[WrongForm] = &[
     WrongForm { of: &CHANGE_FORGOTTEN, write: first_mass_kept },
+    WrongForm { of: &stream::MEAN_MASS, write: stream::mean_mass },
     WrongForm { of: &LOAD_BY_ENERGY, write: load_by_energy },
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
     WrongForm { of: &SIGN_LOST, write: sign_lost },

@@ -1,6 +1,7 @@
 //! Which phrase is right where it hangs on whether terms are equal.
 
 use super::super::questions::choices::decision::Decision;
+use super::super::questions::choices::decision::OptionFeedback;
 use super::super::questions::choices::judgement::Behind;
 use super::super::questions::choices::judgement::Case;
 use super::super::questions::choices::judgement::Judgement;
@@ -53,10 +54,19 @@ impl Judgement {
                 right: case.right,
                 because,
                 behind,
-                feedback: Vec::new(),
+                feedback: self.confused_with(case.right),
             };
         }
         Decision { options: self.options.clone(), right: 0, because: String::new(), behind: None, feedback: Vec::new() }
+    }
+
+    /// What leads to each phrase where another one is right; nothing where no mistake is known.
+    fn confused_with(&self, right: usize) -> Vec<OptionFeedback> {
+        let mistaken = |chosen: usize| {
+            let known = self.confusions.iter().find(|known| known.chosen == chosen && known.right == right);
+            known.map_or(OptionFeedback::Nothing, |known| OptionFeedback::Confused(known.mistake))
+        };
+        if self.confusions.is_empty() { Vec::new() } else { (0..self.options.len()).map(mistaken).collect() }
     }
 
     /// Why a case does not hold: what its tests say, after what is the same nevertheless.

@@ -27,6 +27,8 @@ pub enum OptionFeedback {
     Own(String),
     /// The explanation of the mistake that leads to it.
     Mistake(&'static Misconception),
+    /// The mistake of whoever confuses it with the right one; a solution has no words for it.
+    Confused(&'static Misconception),
 }
 
 impl Decision {

@@ -4,6 +4,8 @@ use momentous_expr::Expr;
 use momentous_fault::Code;
 use momentous_fault::Fault;
 use momentous_fault::Path;
+use momentous_laws::wrong::concept::ELASTIC_BY_SEPARATION;
+use momentous_laws::wrong::concept::PLASTIC_BY_LOSS;
 use momentous_model::Builder;
 use momentous_scene::Stage;
 
@@ -15,12 +17,19 @@ use super::super::part::PartKind;
 use super::super::part::Question;
 use super::choice::ChoicePart;
 use super::judgement::Case;
+use super::judgement::Confusion;
 use super::judgement::Judgement;
 use super::judgement::Test;
 use super::settled::stage;
 
 /// The kinds of impact, in the order in which they are offered; a perfectly plastic one is inelastic, too.
 const KINDS: [&str; 3] = ["elastic", "inelastic, but not perfectly", "perfectly plastic"];
+
+/// What is taken for what, by the places of the kinds.
+const CONFUSIONS: &[Confusion] = &[
+    Confusion { chosen: 0, right: 1, mistake: &ELASTIC_BY_SEPARATION },
+    Confusion { chosen: 2, right: 1, mistake: &PLASTIC_BY_LOSS },
+];
 
 /// Asks of which kind an impact is.
 pub(crate) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
@@ -59,6 +68,6 @@ pub(crate) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_
         return None;
     }
     let label = format!("Of what kind is {}?", builder.phrase_of(index));
-    let choice = Judgement::new(&KINDS, cases);
+    let choice = Judgement::new(&KINDS, cases).confused(CONFUSIONS);
     Some((label, PartKind::Choice(ChoicePart::Judged(Box::new(choice)))))
 }

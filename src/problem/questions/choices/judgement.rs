@@ -14,6 +14,7 @@ pub struct Judgement {
     /// In order: the first of which all tests hold is right. The last has none.
     pub(crate) cases: Vec<Case>,
     pub(crate) behind: Option<Behind>,
+    pub(crate) confusions: &'static [Confusion],
     /// Whether what changes on the way has its value again at the end.
     pub(crate) returns: Vec<Equality>,
 }
@@ -36,6 +37,14 @@ pub(crate) struct Case {
 pub(crate) struct Test {
     pub equality: Equality,
     pub otherwise: String,
+}
+
+/// The mistake of whoever takes one phrase for another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Confusion {
+    pub chosen: usize,
+    pub right: usize,
+    pub mistake: &'static Misconception,
 }
 
 /// The mistake behind a wrong phrase.
@@ -68,7 +77,11 @@ impl Test {
 impl Judgement {
     pub(crate) fn new(options: &[&str], cases: Vec<Case>) -> Self {
         let options = options.iter().map(|option| (*option).to_owned()).collect();
-        Self { options, cases, behind: None, returns: Vec::new() }
+        Self { options, cases, behind: None, confusions: &[], returns: Vec::new() }
+    }
+
+    pub(crate) fn confused(self, confusions: &'static [Confusion]) -> Self {
+        Self { confusions, ..self }
     }
 
     pub(crate) fn with(self, behind: Option<Behind>, returns: Vec<Equality>) -> Self {
