@@ -14,7 +14,7 @@ use super::holds::{At, Holds, RESULT, is_identity};
 use super::judge::Judge;
 use super::meaning::Meanings;
 use super::sides::Compared;
-use super::verdict::Verdict;
+use super::verdict::{Verdict, list};
 use super::written::{Statement, Written};
 use super::wrong::WrongSystems;
 
@@ -124,12 +124,28 @@ impl Judge<'_> {
         })
     }
 
+    /// The request for the letters that the sheet gives without a value, where a line holds only if they are one.
+    fn without_letters(&self, line: &Written, sets: &[Meanings]) -> Option<String> {
+        let (letters, ones) = self.ground.letters_as_one(self.worked)?;
+        let place = self.ground.place(&ones);
+        let value = |symbol: Symbol| place.value(symbol);
+        let at = At { value: &value, units: self.units, turned: &self.turned, share: RESULT };
+        let holds = sets.iter().any(|set| at.line(line, set) <= Holds::AsFigures);
+        let names: Vec<String> =
+            letters.iter().map(|letter| format!("`{}`", self.worked.problem.name_of(*letter))).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        holds.then(|| format!("it holds only where {} are one. Write these letters in it", list(&names)))
+    }
+
     /// Why a line does not hold.
     pub(crate) fn failing(&self, line: &Written, place: Place<'_>, sets: &[Meanings], at: &At<'_>) -> LineFinding {
         if let Err(clash) = without_clash(line, sets)
             && !line.has_own
         {
             return LineFinding::of(Verdict::Dimensions).because(clash);
+        }
+        if let Some(request) = self.without_letters(line, sets) {
+            return LineFinding::of(Verdict::Undecided).because(request);
         }
         if let Some(question) = self.opposite(line, sets, at) {
             return LineFinding::of(Verdict::DoesNotFollow).because(question);

@@ -11,6 +11,7 @@ use momentous_expr::Symbol;
 use momentous_model::Instance;
 use momentous_model::QuantityKind;
 use momentous_problem::FormCache;
+use momentous_problem::Given;
 use momentous_problem::Sampler;
 use momentous_problem::Worked;
 use momentous_quantity::Dimension;
@@ -95,8 +96,9 @@ impl Ground {
         let told = worked.form.told.clone();
         let solved = leaf.audit.plan.steps.iter().flat_map(|step| step.unknowns.iter().copied());
         // What may be anything has no value that is solved from.
+        let is_valued = worked.form.free.is_empty() && !told.iter().any(|symbol| is_any(worked, *symbol));
         let mut base: BTreeSet<Symbol> =
-            if worked.form.free.is_empty() { told.iter().copied().chain(solved).collect() } else { told.clone() };
+            if is_valued { told.iter().copied().chain(solved).collect() } else { told.clone() };
         // A mass that nothing tells may be any: it drops out of whatever is true.
         let model = worked.problem.model();
         let masses = model
@@ -155,7 +157,8 @@ impl Ground {
 
     /// The values of the base in a variant.
     pub(crate) fn values(&self, worked: Worked<'_>, seed: u64) -> Values {
-        let known = self.base.iter().filter_map(|symbol| Some((*symbol, worked.variant.value(*symbol)?)));
+        let known = self.base.iter().filter(|symbol| !is_any(worked, **symbol));
+        let known = known.filter_map(|symbol| Some((*symbol, worked.variant.value(*symbol)?)));
         let known: Values = known.collect();
         let missing: Vec<Symbol> = self.base.iter().copied().filter(|symbol| !known.contains_key(symbol)).collect();
         if missing.is_empty() {
@@ -177,6 +180,13 @@ impl Ground {
             }
         }
         last
+    }
+
+    /// What the sheet gives by its letter only, and values in which each of these is one; none where there is none.
+    pub(crate) fn letters_as_one(&self, worked: Worked<'_>) -> Option<(Vec<Symbol>, Values)> {
+        let letters: Vec<Symbol> = self.told.iter().copied().filter(|symbol| is_any(worked, *symbol)).collect();
+        let values = || self.base.iter().filter_map(|symbol| Some((*symbol, worked.variant.value(*symbol)?))).collect();
+        (!letters.is_empty()).then(|| (letters, values()))
     }
 
     /// The other variants.
@@ -225,6 +235,12 @@ impl Place<'_> {
         let solutions = self.ground.way(symbol)?.solve(&|symbol| self.base.get(&symbol).copied());
         solutions.first()?.get(&symbol).copied()
     }
+}
+
+/// Whether the sheet gives a quantity by its letter only: a number for it says nothing.
+fn is_any(worked: Worked<'_>, symbol: Symbol) -> bool {
+    let name = &worked.problem.model().symbols.entry(symbol).name;
+    matches!(worked.problem.loaded().given.get(name), Some(Given::Any(_)))
 }
 
 /// A value for what may be anything: a pure number below one, anything else between one half and three.

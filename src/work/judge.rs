@@ -324,7 +324,9 @@ impl<'a> Judge<'a> {
             // A unit that is a letter, too, is one where the line holds so.
             let is_better = |(best, first): &(LineFinding, Written)| {
                 let mut further = reading.shorts.difference(&first.shorts);
-                let is_likely = found.verdict.is_true() || !further.any(|short| self.alphabet.loose.contains(short));
+                let is_decided = best.verdict != Verdict::Undecided;
+                let is_likely =
+                    found.verdict.is_true() || is_decided && !further.any(|short| self.alphabet.loose.contains(short));
                 found.verdict < best.verdict && found.verdict != Verdict::Dimensions && is_likely
             };
             if best.as_ref().is_none_or(is_better) {
