@@ -42,11 +42,11 @@ pub const WEIGHT: Law = Law {
 /// Balance of forces across a floor.
 pub const NORMAL_FORCE: Law = Law {
     id: "normal-force",
-    name: "the balance of forces across the floor",
+    name: "the balance of forces at right angles to the surface",
     statement: "The normal force on a body that stays on a floor balances the components of its weight and of the other forces perpendicular to the floor.",
     signs: "The normal force is positive where the floor pushes.",
     when: "The body does not leave the floor.",
-    source: "Newton's second law across the floor, where nothing accelerates.",
+    source: "Newton's second law at right angles to the surface, where nothing accelerates.",
     wrong: wrong::force::NORMAL_FORCE,
 };
 

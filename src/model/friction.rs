@@ -148,7 +148,7 @@ impl Builder<'_> {
         } else {
             let meaning = format!("the normal force on {}", self.called(body));
             let symbol = Expr::from(self.positive(self.in_stage(QuantityKind::NormalForce, body, index), meaning));
-            let because = "the normal force balances what presses on the floor";
+            let because = "nothing moves at right angles to the surface";
             self.law(&force::NORMAL_FORCE, Some(index), because, (symbol.clone(), pressed));
             symbol
         };

@@ -189,7 +189,8 @@ impl Builder<'_> {
         let Some(guide) = guided.first().cloned() else {
             let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
             let is_told_alone = matches!(self.scene.stages.get(stage), Some(Stage::Interact(_)));
-            let others = if is_told_alone { "no impulse from outside is counted" } else { "no other impulse acts" };
+            let others =
+                if is_told_alone { "the problem tells of no impulse from outside" } else { "no other impulse acts" };
             for (position, axis) in axes.iter().enumerate() {
                 let along = self.along(*axis);
                 let because = format!("{because}, and {others}{along}");

@@ -8,6 +8,7 @@ use std::ops::Mul;
 use dashu::base::{Abs, BitTest, Sign};
 
 use super::decimal::power_of_ten;
+use super::unit_print::superscript;
 use super::{Decimal, Integer, Rational};
 
 /// The most figures that are printed.
@@ -97,6 +98,24 @@ impl Printed {
         match self.power_of_ten {
             None => self.mantissa(),
             Some(power) => format!("{} × 10^{power}", self.mantissa),
+        }
+    }
+
+    /// In a sentence, with true minus signs and a raised power: `−2.30`, `1.20 × 10⁷`.
+    ///
+    /// ```
+    /// # use momentous_quantity::Printed;
+    /// assert_eq!(Printed::new(-1.327e20, 4).unwrap().in_a_sentence(), "\u{2212}1.327 × 10²⁰");
+    /// ```
+    #[must_use]
+    pub fn in_a_sentence(&self) -> String {
+        let mantissa = with_minus_signs(&self.mantissa());
+        match self.power_of_ten {
+            None => mantissa,
+            Some(power) => {
+                let sign = if power < 0 { "\u{207b}" } else { "" };
+                format!("{mantissa} × 10{sign}{}", superscript(power.unsigned_abs()))
+            }
         }
     }
 

@@ -13,7 +13,8 @@ struct Style {
 }
 
 const PLAIN: Style = Style { between: " ", symbol: String::push_str, exponent: |exponent| format!("^{exponent}") };
-const UNICODE: Style = Style { between: "·", symbol: String::push_str, exponent: superscript };
+const UNICODE: Style =
+    Style { between: "·", symbol: String::push_str, exponent: |exponent| superscript(u32::from(exponent)) };
 const LATEX: Style = Style { between: "\\,", symbol: latex_symbol, exponent: latex_exponent };
 
 impl Unit {
@@ -114,7 +115,8 @@ impl fmt::Display for Symbol {
     }
 }
 
-fn superscript(exponent: u8) -> String {
+/// A whole number, raised: `¹²`.
+pub(super) fn superscript(exponent: u32) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     exponent.to_string().chars().filter_map(|digit| digits.get(digit.to_digit(10)? as usize)).collect()
 }

@@ -149,8 +149,15 @@ fn a_line_has_no_equation_across_it_unless_friction_needs_one() {
     let rough = format!("{smooth}        - friction: {{ kinetic: mu }}\n");
     let with = problem("rough.yaml", &sheet(&rough, &given, &["v_A2"]));
     let steps = plan(&with);
-    assert_eq!(across(&with), 2, "the balance across the floor, and the friction that reads it: {steps:?}");
-    assert!(steps.iter().any(|step| step.starts_with("N_A: the balance of forces across the floor")), "{steps:?}");
+    assert_eq!(
+        across(&with),
+        2,
+        "the balance at right angles to the surface, and the friction that reads it: {steps:?}"
+    );
+    assert!(
+        steps.iter().any(|step| step.starts_with("N_A: the balance of forces at right angles to the surface")),
+        "{steps:?}"
+    );
 }
 
 #[test]

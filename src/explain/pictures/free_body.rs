@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::Symbol;
 use momentous_expr::name_math;
@@ -241,7 +242,8 @@ fn at_instant(
     } else if let Stage::Stream(stream) = stage
         && stream.body == body
     {
-        (in_stream(quantities, compass, name, stream)?, "at constant velocity".to_owned())
+        let when = if stream.moves.is_some() { "at constant velocity" } else { "at rest" };
+        (in_stream(quantities, compass, name, stream)?, when.to_owned())
     } else {
         return None;
     };
@@ -342,7 +344,8 @@ fn on_cone(quantities: &Quantities<'_>, index: usize, name: &Name, instant: usiz
     Some(Held { forces, effect, surface: None, told: TOWARDS_CENTRE })
 }
 
-/// A body that catches a stream at constant velocity: what holds it, the stream, and its weight where that acts along the line.
+/// A body that catches a stream at constant velocity or at rest: what holds it, the stream, and where they act along the line, its weight and that
+/// of what it has caught.
 fn in_stream(quantities: &Quantities<'_>, compass: &Compass, name: &Name, stage: &Stream) -> Option<Held> {
     let [_] = quantities.axes[..] else { return None };
     let (body, hold) = (name.subject.as_str(), name.to_string());
@@ -354,7 +357,23 @@ fn in_stream(quantities: &Quantities<'_>, compass: &Compass, name: &Name, stage:
     let rest = -(holds + flows);
     let weighs = quantities.scene().plane == Plane::Vertical && name.kind == QuantityKind::NormalForce;
     if weighs {
-        forces.push(placed(quantities.weight_math(body, 0), rest)?);
+        let weight = (quantities.mass(body, 1)? * quantities.named("g")?).copysign(rest);
+        if weight != 0.0 {
+            forces.push(placed(quantities.weight_math(body, 0), weight)?);
+        }
+        let caught = caught_mass(quantities, body, stage);
+        if let Some(caught) = caught.filter(|caught| quantities.evaluate(caught) != Some(0.0)) {
+            forces.push(placed(product([quantities.unsigned(&caught), name_math("g")]), rest - weight)?);
+        }
     }
     Some(Held { forces, effect: Vec::new(), surface: None, told: "" })
+}
+
+/// The mass that the body has caught of the stream: what is told, or the flow times how long it flowed.
+fn caught_mass(quantities: &Quantities<'_>, body: &str, stage: &Stream) -> Option<Expr> {
+    if let Some(caught) = &stage.caught {
+        return quantities.term(caught);
+    }
+    let flow = quantities.model().symbol_of(&format!("flow_{body}"))?;
+    Some(Expr::from(flow) * quantities.term(stage.during.as_ref()?)?)
 }

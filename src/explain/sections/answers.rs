@@ -15,6 +15,7 @@ use momentous_problem::Part;
 use momentous_problem::PartKind;
 use momentous_problem::orders;
 use momentous_quantity::Printed;
+use momentous_quantity::Unit;
 use momentous_scene::Senses;
 use momentous_scene::Stage;
 use momentous_scene::stage::Place;
@@ -124,13 +125,19 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
     words
 }
 
-/// Whether the answer is asked in another unit than the steps computed in.
+/// Whether the answer is asked in another unit than the steps computed in, and more than the point moves.
 fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
     let measured = &display.manner(number.symbol).measured;
     match &number.unit {
-        AskedUnit::Unit(unit) => *unit != measured.unit && unit.factor() != measured.unit.factor(),
+        AskedUnit::Unit(unit) => *unit != measured.unit && !moves_the_point(&measured.unit, unit),
         AskedUnit::InTermsOf(letter, _) => measured.letters != Some(Expr::from(*letter)),
     }
+}
+
+/// Whether a value in another unit has the same digits: kilonewtons for newtons.
+fn moves_the_point(from: &Unit, to: &Unit) -> bool {
+    let power = libm::log10(to.factor().to_f64() / from.factor().to_f64());
+    (power - power.round()).abs() < 1e-9
 }
 
 /// The answer with more figures than are asked, where it does not come out with those: `32710 km`, which is about 32700 km.

@@ -61,3 +61,10 @@ fn turned(factor: &Expr) -> Option<Expr> {
 pub(super) fn has_angle_of_point(expr: &Expr) -> bool {
     matches!(expr, Expr::Apply(Function::Atan2, _)) || expr.children().any(has_angle_of_point)
 }
+
+/// Whether a term holds the angle of a point on the second axis.
+pub(crate) fn divides_by_zero(term: &Expr) -> bool {
+    let is_on_axis =
+        matches!(term, Expr::Apply(Function::Atan2, _)) && term.children().nth(1).is_some_and(Expr::is_zero);
+    is_on_axis || term.children().any(divides_by_zero)
+}

@@ -2,6 +2,7 @@
 
 use momentous_expr::Arrangement;
 use momentous_expr::Expr;
+use momentous_expr::Function;
 use momentous_expr::Math;
 use momentous_expr::Symbol;
 use momentous_quantity::Dimension;
@@ -17,7 +18,7 @@ impl Display<'_> {
     pub(crate) fn substituted(self, term: &Term) -> Option<Math> {
         let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
         let put = |arranged: &Arrangement| arranged.with_numbers(&|symbol| self.put_in(symbol), &value);
-        if !self.has_zeros(term) {
+        if !self.has_zeros(term) && !self.has_right_angle(&term.expr) {
             return Some(put(&term.arranged));
         }
         let rest = self.without_zeros(&term.expr);
@@ -32,18 +33,59 @@ impl Display<'_> {
         computes.then(|| put(&positive_first(&rest).arranged()))
     }
 
-    /// A term without what is zero and has a unit.
+    /// A term without what is zero and has a unit, and with the sines and cosines of right angles worked out.
     pub(crate) fn without_zeros(self, term: &Expr) -> Expr {
-        without(term, &|symbol| self.is_nothing(symbol))
+        self.without_right_angles(without(term, &|symbol| self.is_nothing(symbol)))
     }
 
     /// The same, but for what is not known yet.
     pub(crate) fn without_known_zeros(self, term: &Expr, unknowns: &[Symbol]) -> Expr {
         let is_out = |symbol| !unknowns.contains(&symbol) && self.is_nothing(symbol);
         if !term.symbols().into_iter().any(is_out) {
-            return term.clone();
+            return self.without_right_angles(term.clone());
         }
-        positive_first(&term.substitute(&|symbol| is_out(symbol).then(Expr::zero)).simplify())
+        self.without_right_angles(positive_first(
+            &term.substitute(&|symbol| is_out(symbol).then(Expr::zero)).simplify(),
+        ))
+    }
+
+    /// A term with -1, 0 or 1 in place of the sine or cosine of a given angle of whole quarter turns, and 1 for the exponential of zero.
+    fn without_right_angles(self, term: Expr) -> Expr {
+        if !self.has_right_angle(&term) {
+            return term;
+        }
+        positive_first(&self.worked_out(&term).simplify())
+    }
+
+    fn worked_out(self, term: &Expr) -> Expr {
+        self.of_right_angle(term).map_or_else(|| term.map_children(|part| self.worked_out(part)), Expr::integer)
+    }
+
+    fn has_right_angle(self, term: &Expr) -> bool {
+        self.of_right_angle(term).is_some() || term.children().any(|part| self.has_right_angle(part))
+    }
+
+    /// The value of a sine, a cosine or an exponential that is a whole number whatever is drawn.
+    fn of_right_angle(self, term: &Expr) -> Option<i64> {
+        let Expr::Apply(function, _) = term else { return None };
+        let argument = term.children().next()?;
+        let Expr::Symbol(symbol) = argument else {
+            return (*function == Function::Exp && argument.is_zero()).then_some(1);
+        };
+        let angle = self.value_of(argument);
+        let value = match function {
+            Function::Sin => libm::sin(angle),
+            Function::Cos => libm::cos(angle),
+            _ => return None,
+        };
+        let is_whole = (value - value.round()).abs() < 1e-12 && self.is_told(*symbol);
+        is_whole.then_some(i64::from(value > 0.5) - i64::from(value < -0.5))
+    }
+
+    /// Whether a quantity is given, or a number that the author wrote.
+    fn is_told(self, symbol: Symbol) -> bool {
+        let is_given = self.worked.variant.all_given().iter().any(|(given, ..)| *given == symbol);
+        is_given || self.manner(symbol).constant.is_some()
     }
 
     /// A term with numbers in place of what is known.

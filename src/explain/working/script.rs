@@ -7,8 +7,10 @@ use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::Operator;
 use momentous_expr::Symbol;
+use momentous_laws::Law;
 use momentous_laws::geometry;
 use momentous_laws::kinematics;
+use momentous_laws::motion;
 use momentous_model::Because;
 use momentous_model::Instance;
 use momentous_model::Integral;
@@ -349,6 +351,17 @@ pub(super) fn formula_of_equation(display: Display<'_>, step: &Step, unknown: Sy
     Some((-rest / factor).simplify())
 }
 
+/// Laws that only count or add: the reason says all that there is to say, and no book knows a law of that name.
+const SAID_BY_ITS_REASON: [&Law; 7] = [
+    &geometry::RELATION,
+    &geometry::COUNTED,
+    &geometry::HEIGHT_IN_BOWL,
+    &geometry::BOUNDARY,
+    &kinematics::UNTIL,
+    &kinematics::CLOCK,
+    &motion::ALL_FORCES,
+];
+
 /// Why an equation holds, as what stands before it.
 pub(super) fn reason(display: Display<'_>, instance: &Instance, statement: &Statement) -> String {
     let law = instance.law.name;
@@ -360,6 +373,10 @@ pub(super) fn reason(display: Display<'_>, instance: &Instance, statement: &Stat
     let because = capitalised(&instance.because.to_string());
     match (statement, &instance.because) {
         (Statement::FirstInteger { .. }, _) => format!("{because}:"),
+        (_, Because::Definition) if instance.law.id == geometry::RELATION.id => "The data give:".to_owned(),
+        (_, Because::Fact(_)) if SAID_BY_ITS_REASON.iter().any(|law| law.id == instance.law.id) => {
+            format!("{because}:")
+        }
         (_, Because::Definition) => format!("By {law}:"),
         (_, Because::Fact(_)) => format!("{because}, so by {law}:"),
         // One "so" to a sentence.

@@ -7,7 +7,10 @@ use momentous_expr::Expr;
 use momentous_expr::Math;
 use momentous_expr::Operator;
 use momentous_expr::Symbol;
+use momentous_laws::geometry;
 use momentous_laws::geometry::ROTATION;
+use momentous_laws::kinematics::STRANDS;
+use momentous_laws::kinematics::TOGETHER;
 use momentous_laws::separation::GUIDE;
 use momentous_model::Because;
 use momentous_model::Instance;
@@ -17,6 +20,7 @@ use momentous_solve::Statement;
 use momentous_solve::Step;
 
 use super::super::Block;
+use super::super::terms::algebra::divides_by_zero;
 use super::super::terms::algebra::positive_first;
 use super::super::terms::display::Display;
 use super::super::terms::display::has_pieces;
@@ -48,6 +52,9 @@ const WIDEST_ROW: f64 = 38.0;
 
 /// How the quadrant of an angle is found.
 const QUADRANT: &str = "The signs of both components give the quadrant.";
+
+/// The same where the arctangent would divide by zero.
+const RIGHT_ANGLE: &str = "One component is zero, so the angle to its axis is a right one.";
 
 /// What stands before the size of a vector with one component.
 const ONLY_COMPONENT: &str = "There is no other component:";
@@ -143,11 +150,11 @@ impl<'a> ShortSteps<'a> {
         blocks
     }
 
-    /// Whether a step only says in other axes, or of a body that is held, that a component which nobody asks for is zero.
+    /// Whether a step only says in other axes, of a body that is held, or of one that moves as another does, that a component which nobody asks
+    /// for is zero.
     fn is_plain_zero(&self, step: &Step) -> bool {
-        let is_plain = |place: &usize| {
-            self.law(*place).is_some_and(|(_, instance)| [ROTATION.id, GUIDE.id].contains(&instance.law.id))
-        };
+        let plain = [ROTATION.id, GUIDE.id, TOGETHER.id, STRANDS.id];
+        let is_plain = |place: &usize| self.law(*place).is_some_and(|(_, instance)| plain.contains(&instance.law.id));
         step.equations.iter().all(is_plain)
             && step.unknowns.iter().all(|unknown| self.display.is_nothing(*unknown) && !self.asked.contains(unknown))
     }
@@ -186,6 +193,9 @@ impl<'a> ShortSteps<'a> {
             return blocks;
         }
         let sides = [&line.left, &line.right].map(without_zeros);
+        if line.number.is_none() && self.leaves_nothing(&sides) {
+            return blocks;
+        }
         let symbols = script::stated_with(display, line, &without_zeros);
         match is_together.then(|| self.with_numbers(step, line.relation, &sides)).flatten() {
             Some(numbers) => {
@@ -223,8 +233,17 @@ impl<'a> ShortSteps<'a> {
             (true, true) => Some(Block::text("In the same way:")),
             (true, false) => None,
             (false, true) => Some(Block::text(reason)),
+            (false, false) if instance.law.id == geometry::RELATION.id => Some(Block::text(reason)),
             (false, false) => Some(Block::text(&format!("By {}:", instance.law.name))),
         }
+    }
+
+    /// Whether an equation says of one quantity that a multiple of it is zero, as its value does at once.
+    fn leaves_nothing(&self, sides: &[Expr; 2]) -> bool {
+        let symbols: BTreeSet<Symbol> = sides.iter().flat_map(Expr::symbols).collect();
+        sides.iter().any(Expr::is_zero)
+            && symbols.len() == 1
+            && symbols.iter().all(|symbol| self.display.is_nothing(*symbol))
     }
 
     /// A law with numbers for what is known; nothing where that is too little to be worth a line.
@@ -323,7 +342,8 @@ impl<'a> ShortSteps<'a> {
         let lines = script.derivation.lines.iter();
         let states_law = lines.filter(|line| is_law(line)).any(|line| only_evaluates(step, [&line.left, &line.right]));
         blocks.push(self.value(unknown, formula, states_law));
-        blocks.extend(self.in_symbols.afterwards(unknown, formula, QUADRANT));
+        let is_right = formula.is_some_and(|formula| divides_by_zero(&self.display.without_zeros(&formula.expr)));
+        blocks.extend(self.in_symbols.afterwards(unknown, formula, if is_right { RIGHT_ANGLE } else { QUADRANT }));
     }
 
     /// `unknown = numbers = value`, the formula before the numbers where it is the law itself.
@@ -341,7 +361,8 @@ impl<'a> ShortSteps<'a> {
                     } else {
                         formula.symbols.clone()
                     };
-                    ((states_law && !rest.is_zero()).then_some(symbols), display.substituted(formula))
+                    let is_said = states_law && !rest.is_zero() && !divides_by_zero(&rest);
+                    (is_said.then_some(symbols), display.substituted(formula))
                 }
             };
             let is_exact = display.is_exact_multiple(unknown) || formula.expr.is_zero();

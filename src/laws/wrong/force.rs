@@ -215,7 +215,7 @@ fn weight_as_mass(law: &Taught<'_>) -> Vec<Wrong> {
     law.replaced(&|symbol| (gravity == Some(symbol)).then(|| law.unit_acceleration.clone()))
 }
 
-/// What stands beside the weight in the balance across the floor, changed.
+/// What stands beside the weight in the balance at right angles to the surface, changed.
 fn across(law: &Taught<'_>, change: impl Fn(Expr) -> Expr) -> Vec<Wrong> {
     let parts = terms(&law.sides.1);
     if parts.len() < 2 {

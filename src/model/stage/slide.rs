@@ -223,7 +223,7 @@ impl Builder<'_> {
         // On a ramp of any shape the normal force changes with its slope and its bends, which nobody tells.
         if !stage.is_ramp() {
             let sides = (normal.clone(), weight.clone() * incline.press.clone());
-            self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
+            self.law(&force::NORMAL_FORCE, Some(index), "nothing moves at right angles to the surface", sides);
         }
         let zero = Expr::zero();
         let acts = Acts { stage: index, on: body, during: [&zero, duration] };

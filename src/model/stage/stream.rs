@@ -202,7 +202,10 @@ impl Builder<'_> {
                 None => format!("the force that holds {name} against {}", stage.by),
             };
             let hold = Expr::from(self.symbol(hold, meaning));
-            let fact = format!("{name} moves at constant velocity");
+            let fact = match moves {
+                Some(_) => format!("{name} moves at constant velocity"),
+                None => format!("{} at rest", self.does(&stage.body, ["is", "are"])),
+            };
             let because = Because::Conclusion(fact, "the forces on it balance".to_owned());
             self.law(&momentous_laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
         }
@@ -287,10 +290,10 @@ fn meets(stage: &Stream, name: &str) -> String {
     let frame = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
         (Some(_), ..) => format!("{name} is smooth and turns {by}{frame} without a change of speed"),
-        (_, Some(_), _) if stage.normal.is_some() => {
+        (_, Some(e), _) if stage.normal.is_some() && !e.is_written_as_zero() => {
             format!("{name} is smooth and throws {by} back from its surface{frame} with the coefficient of restitution")
         }
-        (_, Some(_), _) => {
+        (_, Some(e), _) if !e.is_written_as_zero() => {
             format!("{name} throws {by} back{frame} with the speed of arrival times the coefficient of restitution")
         }
         (_, _, true) => format!("{by} comes to rest relative to {name}"),

@@ -355,9 +355,13 @@ impl Builder<'_> {
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);
-        let centre = ["the fixed end of the cord", "the centre of the track"][usize::from(on_track)];
+        let centre = match (on_track, &carrier) {
+            (true, _) => "the centre of the track",
+            (false, None) => "the fixed end of the cord",
+            (false, Some(_)) => "the upper end of the cord",
+        };
         let frame = carrier.map_or_else(String::new, |on| {
-            format!("relative to {on}, which is not accelerated while {holds} acts vertically, ")
+            format!("relative to {on}, which has no acceleration when {holds} acts vertically, ")
         });
         let because = format!("{frame}{} on a circle about {centre}", self.does(body, ["moves", "move"]));
         self.law(law, None, because, sides);

@@ -184,7 +184,7 @@ impl Builder<'_> {
             let meaning = format!("the normal force on {name}");
             let normal = Expr::from(self.positive(self.in_stage(QuantityKind::NormalForce, body, index), meaning));
             let sides = (normal.clone(), weight.clone() * incline.press.clone());
-            self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
+            self.law(&force::NORMAL_FORCE, Some(index), "nothing moves at right angles to the surface", sides);
             self.note_floor(acts, incline, weight, normal, friction.unwrap_or_else(Expr::zero), false);
         }
         if !acting.is_empty() {

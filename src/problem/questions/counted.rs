@@ -82,7 +82,8 @@ pub(crate) fn counted(
                     &side.substitute(&|written| (written == symbol).then(|| Expr::from(symbol) + Expr::one())),
                 )
             };
-            let over = "the condition still holds for the number sought, and for the next one it fails";
+            let over =
+                "the number sought is the last for which the condition holds, so the next one is the first to break it";
             let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
             let (left, right) = (next(&left), next(&right));
             counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));

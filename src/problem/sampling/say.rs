@@ -282,10 +282,10 @@ fn has_verb_of_motion(before: &str) -> bool {
     last_first.take_while(|word| !SUBORDINATORS.contains(word)).any(is_verb)
 }
 
-/// A number as it stands in a sentence, with a true minus sign.
+/// A number as it stands in a sentence.
 #[must_use]
 pub fn number(value: &Decimal) -> String {
-    with_minus_signs(&Printed::written(value).plain())
+    Printed::written(value).in_a_sentence()
 }
 
 /// A value with its unit as it stands in a sentence; a no-break space keeps them together.

@@ -72,6 +72,7 @@ pub(in super::super) fn taut(quantities: &Quantities<'_>, index: usize, between:
 }
 
 fn situation(quantities: &Quantities<'_>, index: usize, sides: [Side<'_>; 2]) -> Drawing {
+    let forwards = sides.each_ref().map(|side| side.forwards);
     let sides = sides.map(|side| {
         let name = quantities.velocity_name(side.body, index + 1);
         let along =
@@ -101,8 +102,21 @@ fn situation(quantities: &Quantities<'_>, index: usize, sides: [Side<'_>; 2]) ->
     };
     wording.description = format!("{} {}", wording.description, sentences([ends]));
     // No axis of the drawing says so.
-    let counted = format!("velocities are positive while the string runs from {trailing} to {leading}");
+    let [from, to] = [0, 1].map(|place| in_words(&sides[place].1, forwards[place]));
+    let counted = format!("the velocity of {trailing} is positive {from}, that of {leading} {to}");
     wording.caption = format!("{} {}", wording.caption, sentences([counted]));
     let pulley = Pulley { sides: sides.map(|(_, side)| side) };
     Situation { wording, layout: Layout::Pulley(pulley), axes: Vec::new() }.drawing()
+}
+
+/// The direction in which a body moves when the string runs forwards, in words.
+fn in_words(side: &PulleySide, forwards: [f64; 2]) -> &'static str {
+    let rises = forwards[1] > 0.0;
+    match (&side.rest, rises) {
+        (Rest::Level, _) => "to the right",
+        (Rest::Hanging, true) => "upwards",
+        (Rest::Hanging, false) => "downwards",
+        (Rest::Slope(..), true) => "up the slope",
+        (Rest::Slope(..), false) => "down the slope",
+    }
 }

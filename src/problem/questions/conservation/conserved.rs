@@ -40,7 +40,10 @@ pub(crate) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
         (Conservable::Momentum, Some(axis)) => format!("the momentum of {whose} along {}", axis.letter()),
         (Conservable::Momentum, None) => format!("the momentum of {whose}"),
         (Conservable::Energy, _) => format!("the kinetic energy of {whose}"),
-        (Conservable::AngularMomentum, _) => format!("the angular momentum of {whose}"),
+        (Conservable::AngularMomentum, _) => {
+            let point = if about == "G" { "their centre of mass" } else { builder.scene().point(&about) };
+            format!("the angular momentum of {whose} about {point}")
+        }
     };
     let Some(Verdict { tests, because }) = verdict(loaded, &balance, ask.conserved, builder) else {
         let fault = Fault::new(Code::Value, format!("the scene does not determine {what} in {phrase}"));
@@ -58,7 +61,12 @@ pub(crate) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
     let still = lasting::still(&balance, builder);
     let cases = still.into_iter().chain([Case::new(0, tests, because), Case::new(1, Vec::new(), "")]).collect();
     let choice = Judgement::new(&["yes", "no"], cases).with(behind, returns);
-    Some((format!("Is {what} conserved during {phrase}?"), PartKind::Choice(ChoicePart::Judged(Box::new(choice)))))
+    // While bodies touch, even an elastic impact turns kinetic energy into energy of deformation.
+    let question = match ask.conserved {
+        Conservable::Energy if is_sudden => format!("Is {what} after {phrase} the same as before it?"),
+        _ => format!("Is {what} conserved during {phrase}?"),
+    };
+    Some((question, PartKind::Choice(ChoicePart::Judged(Box::new(choice)))))
 }
 
 /// Whether a stage is over before forces of ordinary size have done anything, so that what it leaves decides.
