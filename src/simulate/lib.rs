@@ -18,6 +18,7 @@ pub mod least;
 mod method;
 mod methods;
 mod newton;
+mod ode;
 mod point_impact;
 mod record;
 mod refusal;

@@ -1,7 +1,6 @@
 //! The numerical methods, cheapest first, one file each.
 
 mod closed_form;
-pub(super) mod dormand_prince;
 mod event_driven;
 mod explicit_euler;
 mod kind;
@@ -14,6 +13,7 @@ mod rapier;
 mod runge_kutta;
 mod sequential_impulses;
 mod symplectic_euler;
+mod world_step;
 
 pub use closed_form::ClosedForm;
 pub use event_driven::EventDriven;

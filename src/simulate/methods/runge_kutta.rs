@@ -9,12 +9,13 @@ use crate::contact::Contact;
 use crate::exact::first_fall;
 use crate::gap::gap_polynomial;
 use crate::method::Method;
+use crate::ode::FIFTH;
 use crate::refusal::Refusal;
 use crate::state::{State, Vector};
 use crate::trajectory::{Ending, Motion, Segment, Trajectory};
 use crate::world::World;
 
-use super::dormand_prince::{Sizes, Trial};
+use super::world_step::{Sizes, Trial};
 
 /// The adaptive method, with a tolerance for the error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +50,7 @@ impl<const D: usize> Method<D> for RungeKutta {
             result: Trajectory::begin(world.start()),
         };
         run.result.ending = run.integrate()?;
-        run.result.evaluations = run.trial.evaluations;
+        run.result.evaluations = run.trial.evaluations();
         Ok(run.result)
     }
 }
@@ -89,14 +90,14 @@ impl<const D: usize> Run<'_, D> {
                 self.try_step(length, stop);
                 let error = self.trial.error;
                 if error > 1.0 {
-                    step = length * (0.9 * libm::pow(error, -0.2)).clamp(0.1, 0.9);
+                    step = FIFTH.next(length, error);
                     if step <= 1e-14 * self.result.last.time.max(1e-300) {
                         let (time, what) = (self.result.last.time, "the step became too small".to_owned());
                         return Err(Refusal::Breakdown { time, what });
                     }
                     continue;
                 }
-                let grown = length * (0.9 * libm::pow(error.max(1e-10), -0.2)).clamp(0.2, 5.0);
+                let grown = FIFTH.next(length, error);
                 match self.first_event(length) {
                     None => {
                         self.accept(length);

@@ -106,7 +106,7 @@ impl<const N: usize> Formula<N> {
             }
             let after = stop(next, &reached);
             if before > 0.0 && after <= 0.0 {
-                let crossing = &|part| stop(time + part, &(self.at)(time + part));
+                let crossing = &mut |part| stop(time + part, &(self.at)(time + part));
                 let time = time + located(crossing, next - time, [before, after]);
                 return Ok(End { time, state: (self.at)(time), stopped: true, largest: size });
             }

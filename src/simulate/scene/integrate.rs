@@ -3,12 +3,15 @@
 //! The step adapts to a tolerance; the event that ends a run is found by shortening the last step until the event's own
 //! function is zero there. The error of a run is what a second run with a finer tolerance changes.
 
-use crate::methods::dormand_prince::{ERROR, NODES, STAGES};
+use crate::ode::{EIGHTH, FIFTH, Pair, Quartic, Step};
 
 use super::nothing::NothingToSimulate;
 
 /// Steps after which a run is given up.
 pub(super) const MOST_STEPS: usize = 20_000;
+
+/// The tolerance below which a run of more than a step that looks for no event takes the pair of higher order.
+const FINE: f64 = 1e-8;
 
 /// The share of the largest component below which a component is rounding.
 const NOISE: f64 = 1e-14;
@@ -51,7 +54,14 @@ impl Integrator {
         end: f64,
         slope: Slope<'_, N>,
     ) -> Result<[f64; N], NothingToSimulate> {
-        Ok(self.run(start, state, end, slope, &|_, _| 1.0)?.state)
+        let start = (start, state);
+        let high = self.tolerance < FINE && end - start.0 > self.longest;
+        let end = if high {
+            self.steps(&EIGHTH, start, end, slope, None)
+        } else {
+            self.steps(&FIFTH, start, end, slope, None)
+        };
+        Ok(end?.state)
     }
 
     /// Until an event, which has to happen.
@@ -75,87 +85,104 @@ impl Integrator {
         slope: Slope<'_, N>,
         stop: Stop<'_, N>,
     ) -> Result<End<N>, NothingToSimulate> {
-        let (mut time, mut state) = (start, state);
-        let mut size = state.map(f64::abs);
+        self.steps(&FIFTH, (start, state), end, slope, Some(stop))
+    }
+
+    /// The steps of a pair until an event, if any is looked for, or a time.
+    fn steps<const N: usize, const S: usize>(
+        self,
+        pair: &'static Pair<S>,
+        (start, state): (f64, [f64; N]),
+        end: f64,
+        slope: Slope<'_, N>,
+        stop: Option<Stop<'_, N>>,
+    ) -> Result<End<N>, NothingToSimulate> {
+        let (mut time, mut state, mut size) = (start, state, state.map(f64::abs));
         let mut length = self.longest / 8.0;
-        let mut before = stop(time, &state);
-        let mut first = slope(time, &state);
+        let mut before = stop.map(|stop| stop(time, &state));
+        let mut step = Step::new(pair, N);
+        let take = |step: &mut Step<S>, from: (f64, &[f64; N]), length: f64| {
+            step.take((from.0, from.1), length, |at, numbers, out| out.copy_from_slice(&slope(at, &whole(numbers))));
+        };
         for _ in 0..MOST_STEPS {
             if time >= end {
                 return Ok(End { time, state, stopped: false, largest: size });
             }
             let last = length.min(self.longest) >= end - time;
             let tried = if last { end - time } else { length.min(self.longest) };
-            let Step { next, error, last: last_slope } = step(slope, time, (&state, &first), tried, &size);
-            let wrong = error / self.tolerance;
-            let factor = 0.9 * libm::pow(wrong, -0.2);
-            length = tried * factor.clamp(0.2, 5.0);
-            if wrong.is_nan() || wrong > 1.0 {
-                length = if wrong.is_nan() { tried * 0.2 } else { length };
+            take(&mut step, (time, &state), tried);
+            let next = whole(&step.state);
+            let largest = size.iter().copied().fold(0.0, f64::max);
+            // A component that is nothing but rounding must not set the step.
+            let tolerated = |place: usize| self.tolerance * size[place].max(next[place].abs()).max(NOISE * largest);
+            let error = step.error(tried, tolerated);
+            length = pair.next(tried, error);
+            if error.is_nan() || error > 1.0 {
                 continue;
             }
-            let after = stop(time + tried, &next);
-            if before > 0.0 && after <= 0.0 {
-                let part = located(
-                    &|part| stop(time + part, &step(slope, time, (&state, &first), part, &size).next),
-                    tried,
-                    [before, after],
-                );
-                let state = step(slope, time, (&state, &first), part, &size).next;
-                return Ok(End { time: time + part, state, stopped: true, largest: size });
+            if let (Some(stop), Some(positive)) = (stop, before.filter(|before| *before > 0.0)) {
+                let after = stop(time + tried, &next);
+                let ends = if after <= 0.0 {
+                    Some((tried, after))
+                } else {
+                    passed(&step, (time, &state), tried, positive.min(after), stop)
+                };
+                if let Some((part, after)) = ends {
+                    let mut at = |part: f64| {
+                        take(&mut step, (time, &state), part);
+                        whole(&step.state)
+                    };
+                    let part = located(&mut |part| stop(time + part, &at(part)), part, [positive, after]);
+                    return Ok(End { time: time + part, state: at(part), stopped: true, largest: size });
+                }
             }
             for (size, value) in size.iter_mut().zip(&next) {
                 *size = size.max(value.abs());
             }
-            (time, state, before, first) = (if last { end } else { time + tried }, next, after, last_slope);
+            step.accepted();
+            (time, state) = (if last { end } else { time + tried }, next);
+            before = stop.map(|stop| stop(time, &state));
         }
         Err(NothingToSimulate::NoMethod)
     }
 }
 
-/// A step that may be taken.
-struct Step<const N: usize> {
-    /// The state at its end.
-    next: [f64; N],
-    /// The largest error relative to the sizes.
-    error: f64,
-    /// The slope at its end, with which the next one begins.
-    last: [f64; N],
+fn whole<const N: usize>(numbers: &[f64]) -> [f64; N] {
+    core::array::from_fn(|place| numbers[place])
 }
 
-/// One step of the pair of Dormand and Prince from a state with its slope.
-fn step<const N: usize>(
-    slope: Slope<'_, N>,
-    time: f64,
-    (state, first): (&[f64; N], &[f64; N]),
+/// Where between the ends of a step, at both of which it is positive, an event has happened, and its function there: looked for
+/// where the interpolant brings it lower than at both ends.
+fn passed<const N: usize, const S: usize>(
+    step: &Step<S>,
+    (time, state): (f64, &[f64; N]),
     length: f64,
-    size: &[f64; N],
-) -> Step<N> {
-    let mut slopes = [[0.0; N]; 7];
-    slopes[0] = *first;
-    let mut next = *state;
-    for (stage, (node, weights)) in NODES.iter().zip(STAGES).enumerate().skip(1) {
-        for (place, value) in next.iter_mut().enumerate() {
-            let change: f64 = weights.iter().zip(&slopes).map(|(weight, slope)| weight * slope[place]).sum();
-            *value = state[place] + length * change;
-        }
-        slopes[stage] = slope(time + node * length, &next);
+    ends: f64,
+    stop: Stop<'_, N>,
+) -> Option<(f64, f64)> {
+    let quartics: [Quartic; N] = core::array::from_fn(|place| step.within(state, length, place));
+    let value = |share: f64| {
+        let between = quartics.map(|quartic| quartic.iter().rev().fold(0.0, |sum, part| sum * share + part));
+        stop(time + share * length, &between)
+    };
+    let lowest = [0.25, 0.5, 0.75].into_iter().min_by(|one, other| value(*one).total_cmp(&value(*other)))?;
+    if value(lowest) >= ends {
+        return None;
     }
-    let (mut worst, largest) = (0.0_f64, size.iter().copied().fold(0.0, f64::max));
-    for (place, value) in next.iter().enumerate() {
-        let error: f64 = ERROR.iter().zip(&slopes).map(|(weight, slope)| weight * slope[place]).sum();
-        // A component that is nothing but rounding must not set the step.
-        let scale = size[place].max(value.abs()).max(NOISE * largest);
-        if error != 0.0 {
-            let part = (length * error).abs() / scale;
-            worst = if part.is_nan() { f64::NAN } else { worst.max(part) };
+    let (mut low, mut high) = (lowest - 0.25, lowest + 0.25);
+    for _ in 0..MOST_TRIALS {
+        let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+        if value(one).min(value(other)) <= 0.0 || high - low < f64::EPSILON {
+            break;
         }
+        if value(one) < value(other) { high = other } else { low = one }
     }
-    Step { next, error: worst, last: slopes[6] }
+    let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+    [one, other].into_iter().map(|share| (share * length, value(share))).find(|(_, value)| *value <= 0.0)
 }
 
 /// Finds where a function of a part of the step crosses zero: false position with halved ends (the Illinois method).
-pub(super) fn located(function: &dyn Fn(f64) -> f64, whole: f64, ends: [f64; 2]) -> f64 {
+pub(super) fn located(function: &mut dyn FnMut(f64) -> f64, whole: f64, ends: [f64; 2]) -> f64 {
     let ([mut low, mut high], [mut before, mut after]) = ([0.0, whole], ends);
     for _ in 0..MOST_TRIALS {
         let mut part = low + (high - low) * before / (before - after);
