@@ -5,8 +5,11 @@ use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use momentous::simulate::{
-    Body, Budget, EventDriven, IN_THE_PLANE, Keep, Method, MethodKind, ON_A_LINE, Setting, Task, Vector, Wall, World,
+    Body, Budget, EventDriven, Force, IN_THE_PLANE, Keep, Method, MethodKind, ON_A_LINE, RungeKutta, Setting, Task,
+    Vector, Wall, World,
 };
+
+mod plain;
 
 /// As in the program, of which this is a part.
 #[global_allocator]
@@ -104,5 +107,20 @@ fn growth(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, tasks, growth);
+/// A hundred times round a centre, by the integrator and by a plain loop with the same pair: what events, walls and trajectories cost where
+/// there are none.
+fn integrator(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("a hundred times round a centre");
+    group.sample_size(20);
+    let (start, tolerance, until) = ([1.0, 0.0, 0.0, 1.2], 1e-9, 1000.0);
+    let mut world = World::new(1.0);
+    world.bodies.push(Body::particle("planet", 1.0, [start[0], start[1]], [start[2], start[3]]));
+    world.forces.push(Force::Central { body: 0, centre: Vector::zeros(), parameter: 1.0 });
+    let (method, budget) = (RungeKutta { tolerance }, Budget::until(until).steps(usize::MAX).keep(Keep::Count));
+    group.bench_function("integrator", |bencher| bencher.iter(|| method.run(black_box(&world), &budget)));
+    group.bench_function("plain loop", |bencher| bencher.iter(|| plain::run(1.0, black_box(start), until, tolerance)));
+    group.finish();
+}
+
+criterion_group!(benches, tasks, growth, integrator);
 criterion_main!(benches);
