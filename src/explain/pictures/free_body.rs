@@ -249,7 +249,8 @@ fn at_instant(
     };
     let called = quantities.called(body);
     let said = |vectors: &[LabelledVector]| {
-        let labels = vectors.iter().map(|vector| vector.label.plain()).collect::<Vec<_>>();
+        let drawn = vectors.iter().filter(|vector| vector.value != Some([0.0; 2]));
+        let labels = drawn.map(|vector| vector.label.plain()).collect::<Vec<_>>();
         if labels.is_empty() { "0".to_owned() } else { labels.join(", ") }
     };
     let wording = Wording {

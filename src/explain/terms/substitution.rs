@@ -44,9 +44,7 @@ impl Display<'_> {
         if !term.symbols().into_iter().any(is_out) {
             return self.without_right_angles(term.clone());
         }
-        self.without_right_angles(positive_first(
-            &term.substitute(&|symbol| is_out(symbol).then(Expr::zero)).simplify(),
-        ))
+        self.without_right_angles(positive_first(&without(term, &is_out)))
     }
 
     /// A term with -1, 0 or 1 in place of the sine or cosine of a given angle of whole quarter turns, and 1 for the exponential of zero.

@@ -136,7 +136,9 @@ pub(super) fn in_numbers(display: Display<'_>, unknown: Symbol, terms: &[Expr; 3
     let square = display.symbolic(&Expr::from(unknown).powi(2));
     let values = Math::relation(name.clone(), Operator::Equals, roots(display, unknown, [&a, &b, &c])?);
     let leading = (!terms[0].is_one()).then_some(&a);
-    Some([with_numbers([&square, &name], leading, [&b, &c]), values])
+    let equation =
+        if c.value == 0.0 { factored(&name, leading, &b) } else { with_numbers([&square, &name], leading, [&b, &c]) };
+    Some([equation, values])
 }
 
 /// The coefficients, their signs changed where that of the square begins with a minus: as the equation is written.
@@ -224,6 +226,16 @@ fn with_numbers([square, name]: [&Math; 2], a: Option<&Coefficient>, [b, c]: [&C
     }
     parts.extend([Math::Operator(Operator::Equals), Math::Number("0".into())]);
     Math::Row(parts)
+}
+
+/// `v [v - 1.76 m/s] = 0`, where nothing stands without the unknown.
+fn factored(name: &Math, a: Option<&Coefficient>, b: &Coefficient) -> Math {
+    let space = Math::Operator(Operator::Juxtapose);
+    let sign = Math::Operator(if b.value < 0.0 { Operator::Minus } else { Operator::Plus });
+    let linear: Vec<Math> =
+        a.into_iter().flat_map(|a| [a.bracketed(), space.clone()]).chain([name.clone(), sign, b.unsigned()]).collect();
+    let row = vec![name.clone(), space, Math::Squared(Arc::new(Math::Row(linear))), Math::Operator(Operator::Equals)];
+    Math::Row(row.into_iter().chain([Math::Number("0".into())]).collect())
 }
 
 /// `(-b +- sqrt(b^2 - 4 a c)) / (2 a)` with numbers.

@@ -45,9 +45,10 @@ pub(in super::super) fn drawing(
     let place = if on_track { format!("{name} on the circular track") } else { format!("{name} on the cord") };
     let holds = if on_track {
         let radius = length.as_ref().map_or_else(String::new, |length| format!(" of radius {}", length.plain()));
-        format!("{name} slides on the inside of a circular track{radius}")
+        let slides = quantities.scene().does(&stage.body, ["slides", "slide"]);
+        format!("{slides} on the inside of a circular track{radius}")
     } else {
-        format!("{name} hangs on a cord{on_cord}")
+        format!("{} on a cord{on_cord}", quantities.scene().does(&stage.body, ["hangs", "hang"]))
     };
     let what = match quantities.scope() {
         Scope::Given => place.clone(),
