@@ -110,5 +110,16 @@ pub(crate) fn without(term: &Expr, is_zero: &dyn Fn(Symbol) -> bool) -> Expr {
     let rest = term.substitute(&|symbol| is_zero(symbol).then(Expr::zero));
     // What then stands above and below a fraction cancels.
     let simple = rest.simplify();
-    if simple.symbols().len() < rest.symbols().len() { simple } else { rest }
+    let is_shorter =
+        simple.symbols().len() < rest.symbols().len() || !has_sum(&rest) && occurrences(&simple) < occurrences(&rest);
+    if is_shorter { simple } else { rest }
+}
+
+fn has_sum(term: &Expr) -> bool {
+    matches!(term, Expr::Sum(_)) || term.children().any(has_sum)
+}
+
+/// How many symbols are written in a term.
+fn occurrences(term: &Expr) -> usize {
+    usize::from(matches!(term, Expr::Symbol(_))) + term.children().map(occurrences).sum::<usize>()
 }
