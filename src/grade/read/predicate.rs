@@ -3,8 +3,14 @@
 use super::answer::ChoiceAnswer;
 use super::yes_or_no::{answer_of, first_word};
 
-/// The predicates about which questions ask.
-const PREDICATES: [&str; 3] = ["conserved", "impulsive", "constant"];
+/// Predicates, each with the words of a question that asks about it.
+const PREDICATES: [(&str, &[&str]); 5] = [
+    ("conserved", &["conserved", "same"]),
+    ("unchanged", &["conserved", "same"]),
+    ("same", &["same"]),
+    ("impulsive", &["impulsive"]),
+    ("constant", &["constant"]),
+];
 /// Words that say nothing beside a predicate. Alone, a pronoun and a verb agree.
 const PRONOUNS: [&str; 5] = ["it", "they", "this", "that", "the"];
 const VERBS: [&str; 12] = ["is", "are", "was", "were", "does", "do", "did", "will", "can", "has", "stays", "remains"];
@@ -26,7 +32,9 @@ pub(super) fn in_its_words(written: &str, question: &str, options: &[String]) ->
         match word {
             _ if plain.len() < word.len() || VERBS.contains(&word) => verb = true,
             _ if DENYING.contains(&word) || PRONOUNS.contains(&word) => {}
-            _ if PREDICATES.contains(&word) && asked.contains(&word) => predicate = true,
+            _ if PREDICATES.iter().any(|(said, by)| *said == word && by.iter().any(|by| asked.contains(by))) => {
+                predicate = true;
+            }
             _ if asked.contains(&word) => other = true,
             _ => return None,
         }
