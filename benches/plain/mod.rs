@@ -36,9 +36,9 @@ pub fn run(parameter: f64, start: State, end: f64, tolerance: f64) -> (State, us
         let step = if last { end - time } else { length };
         let mut next = state;
         for stage in 1..NODES.len() {
-            for place in 0..4 {
+            for (place, (next, state)) in next.iter_mut().zip(state).enumerate() {
                 let change: f64 = (0..stage).map(|before| STAGES[stage][before] * slopes[before][place]).sum();
-                next[place] = state[place] + step * change;
+                *next = state + step * change;
             }
             slopes[stage] = slope(parameter, next);
             evaluations += 1;
@@ -46,8 +46,8 @@ pub fn run(parameter: f64, start: State, end: f64, tolerance: f64) -> (State, us
         let gone = way.max((next[0] - start[0]).abs()).max((next[1] - start[1]).abs());
         let fast = speed.max(next[2].abs()).max(next[3].abs());
         let mut error = 0.0_f64;
-        for place in 0..4 {
-            let off: f64 = (0..7).map(|stage| ERROR[stage] * slopes[stage][place]).sum();
+        for place in 0..next.len() {
+            let off: f64 = ERROR.iter().zip(&slopes).map(|(weight, slope)| weight * slope[place]).sum();
             error = error.max((step * off).abs() / (tolerance * if place < 2 { gone } else { fast }));
         }
         length = step * (0.9 * error.max(1e-10).powf(-0.2)).clamp(0.2, 5.0);

@@ -172,7 +172,7 @@ fn passed<const N: usize, const S: usize>(
     let (mut low, mut high) = (lowest - 0.25, lowest + 0.25);
     for _ in 0..MOST_TRIALS {
         let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
-        if value(one).min(value(other)) <= 0.0 || high - low < f64::EPSILON {
+        if value(one).min(value(other)) <= 0.0 || high <= low + f64::EPSILON {
             break;
         }
         if value(one) < value(other) { high = other } else { low = one }
