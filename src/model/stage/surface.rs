@@ -43,6 +43,7 @@ impl Builder<'_> {
         if let Some(e) = self.coefficient(contact) {
             let stays = if moves.is_zero() { "stays at rest" } else { "keeps its velocity" };
             let because = match start.across {
+                _ if e.is_zero() => format!("{} not rebound from {wall}", self.does(body, ["does", "do"])),
                 Some(_) => format!("{wall} {stays}, and restitution acts along its normal only"),
                 None => format!("{wall} {stays}"),
             };
